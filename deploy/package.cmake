@@ -1,5 +1,5 @@
-# Debian packages and archives of the server and of the importer: cpack -G "DEB;TGZ". The importer is a package of its
-# own, because it needs VTK. The page has to be built before (deploy/package does all of it).
+# Debian packages and archives of the server and of the importer: cpack -G "DEB;TGZ". The importer is separate, because
+# it needs VTK. The web client must be built before; deploy/package does both.
 include(GNUInstallDirs)
 install(TARGETS ciel_app RUNTIME COMPONENT server)
 install(DIRECTORY webclient/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ciel/webclient COMPONENT server)
@@ -23,9 +23,9 @@ set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the release that builds a package is the one that it fits
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # dependencies are those of the Debian release on which the package is built
 set(CPACK_DEBIAN_SERVER_PACKAGE_NAME ciel)
-# What is opened at run time: drivers and fonts.
+# Libraries and fonts that are opened at run time.
 set(CPACK_DEBIAN_SERVER_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libopengl0, libosmesa6, fonts-dejavu-core")
 set(CPACK_DEBIAN_SERVER_PACKAGE_RECOMMENDS "ciel-import, fonts-wqy-microhei")
 set(CPACK_DEBIAN_IMPORT_PACKAGE_NAME ciel-import)

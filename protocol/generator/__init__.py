@@ -1,1 +1,1 @@
-"""openrpc.json -> C++, TypeScript and Python: one emitter per language, one model for all."""
+"""Generates C++, TypeScript and Python from openrpc.json. All emitters read the same model."""

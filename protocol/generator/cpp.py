@@ -1,5 +1,5 @@
-"""The contract as C++ headers: types.hpp (structures), json.hpp (their conversions), methods.hpp (one function to define
-per method), method_table.hpp (the table that names them all, so that a missing one does not link), document.hpp."""
+"""Emits the contract as C++ headers: types.hpp (structures), json.hpp (their conversions), methods.hpp (a function
+declaration per method), method_table.hpp (all these functions: a missing definition fails to link), document.hpp."""
 
 import json
 
@@ -10,7 +10,7 @@ PLAIN = {"string": "std::string", "integer": "std::int64_t", "number": "double",
 
 
 class Types:
-    """Collects structures in the order in which C++ needs them."""
+    """Collects C++ structures, each after the structures that it uses."""
 
     def __init__(self, contract: Contract) -> None:
         self.contract = contract
@@ -20,7 +20,7 @@ class Types:
 
     def named(self, name: str) -> str:
         schema = self.contract.schemas[name]
-        if schema.get("x-document"):  # kept as JSON: a layer of its own reads it
+        if schema.get("x-document"):  # kept as JSON; cpp_scene.py emits its structures
             return "nlohmann::json"
         if name not in self.done:
             self.done.add(name)

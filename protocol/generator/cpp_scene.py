@@ -1,12 +1,13 @@
-"""The scene of the contract as C++: scene.hpp (structures with their defaults) and read_scene.hpp (JSON -> structures).
+"""Emits the contract's scene as C++: scene.hpp (structures with their defaults), read_scene.hpp (JSON -> structures).
 
-One schema becomes one structure; what JSON Schema leaves open is decided here:
+Each schema becomes one structure, by these rules:
 - enum: `enum class` named as the member, inside its structure; anyOf: std::variant; anyOf with null: std::optional.
-- A member that is neither required nor has a default is std::optional. A text that may not be empty is no optional:
-  the empty text stands for its absence.
+- A member that is neither required nor has a default is std::optional. Exception: a string with minLength above 0 is a
+  plain std::string, which is empty if the member is absent.
 - A number is a double, or a float where its format says so. An integer that is not negative is a std::size_t.
-- oneOf is told apart by the constant `type`. x-shared names members of all its forms, which stand outside the variant.
-  x-key turns an object into a list; the names of its members are kept as that member.
+- oneOf becomes a std::variant; the constant `type` selects the form. x-shared names members that all forms have; they
+  are members of the structure around the variant.
+- An object whose values have an x-key becomes a std::vector. Each value keeps its name in the member that x-key names.
 """
 
 import json
@@ -20,7 +21,7 @@ KEYWORDS = {"auto": "automatic"}
 
 
 class Structures:
-    """Collects the structures that `Scene` needs, inner ones first."""
+    """Collects the structures that `Scene` needs, each after the structures that it uses."""
 
     def __init__(self, contract: Contract) -> None:
         self.schemas = contract.schemas
@@ -48,7 +49,7 @@ class Structures:
         return name
 
     def type_of(self, schema: Schema, enum: str) -> str:
-        """`enum`: the name of the enumeration, where the schema is one."""
+        """Returns the C++ type of a schema. `enum`: the type's name if the schema is an enumeration."""
         if name := ref_name(schema):
             return self.named(name)
         if inner := nullable(schema):
@@ -121,7 +122,7 @@ class Structures:
         return [(name, option["enum"]) for option in options if "enum" in option]
 
     def mixed_readers(self, structure: str, schema: Schema) -> list[str]:
-        """Members that are one of a few words, or a color."""
+        """Returns readers for members that are one of a few words, or a color."""
         out = []
         for member, part in schema["properties"].items():
             if "anyOf" not in part or nullable(part):

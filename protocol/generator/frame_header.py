@@ -1,6 +1,6 @@
-"""frame_header.json -> the header's structure, writer and reader in C++, TypeScript and Python, and its table in frame.md.
+"""Emits the frame header of frame_header.json: structure, writer and reader in C++, TypeScript and Python; table.
 
-All three readers refuse the same messages with the same sentences.
+The table goes to frame.md. All three readers refuse the same messages with the same sentences.
 """
 
 import json
@@ -23,7 +23,7 @@ class Header:
     bytes: int
     kinds: dict[str, int]
     flags: dict[str, tuple[int, str]]  # mask, description
-    fields: list[dict[str, Any]]  # in the order of their offsets, without gaps, from 8 on
+    fields: list[dict[str, Any]]  # in the order of their offsets, without gaps, the first at offset 8
 
     @property
     def known_flags(self) -> int:
@@ -100,7 +100,7 @@ inline void write_frame_header(const FrameHeader& header, std::span<std::uint8_t
         throw Error("a binary frame is of version " + text(at[4]) +
                     "; this program reads version {header.version}. {RELOAD}");
     if ({is_kind})
-        throw Error("a binary frame is of kind " + text(at[5]) + "; there are {header.kind_list}");
+        throw Error("a binary frame is of kind " + text(at[5]) + "; the known kinds are {header.kind_list}");
     FrameHeader header;
     header.kind = static_cast<FrameKind>(at[5]);
     header.flags = get<std::uint16_t>(at + 6);
@@ -111,8 +111,8 @@ inline void write_frame_header(const FrameHeader& header, std::span<std::uint8_t
         throw Error("a binary frame announces " + text(header.payload_bytes) + " bytes after its header and has " +
                     text(payload));
     if (std::uint64_t{{header.piece_offset}} + header.payload_bytes > header.whole_bytes)
-        throw Error("a binary frame brings " + text(header.payload_bytes) + " bytes from " + text(header.piece_offset) +
-                    " on, and the whole has " + text(header.whole_bytes));
+        throw Error("a binary frame has " + text(header.payload_bytes) + " bytes at offset " + text(header.piece_offset) +
+                    ", but the whole frame has only " + text(header.whole_bytes));
     return header;
 }}
 
@@ -169,7 +169,7 @@ export function readFrameHeader(message: ArrayBuffer): FrameHeader {{
   if (version !== {header.version})
     throw new Error(`a binary frame is of version ${{version}}; this program reads version {header.version}. {RELOAD}`);
   const kind = view.getUint8(5);
-  if ({is_kind}) throw new Error(`a binary frame is of kind ${{kind}}; there are {header.kind_list}`);
+  if ({is_kind}) throw new Error(`a binary frame is of kind ${{kind}}; the known kinds are {header.kind_list}`);
   const flags = view.getUint16(6, true);
   if ((flags & ~{header.known_flags}) !== 0) throw new Error(`a binary frame has unknown flags ${{flags}}`);
   const header = {{
@@ -181,7 +181,7 @@ export function readFrameHeader(message: ArrayBuffer): FrameHeader {{
     throw new Error(`a binary frame announces ${{header.payloadBytes}} bytes after its header and has ${{payload}}`);
   if (header.pieceOffset + header.payloadBytes > header.wholeBytes)
     throw new Error(
-      `a binary frame brings ${{header.payloadBytes}} bytes from ${{header.pieceOffset}} on, and the whole has ${{header.wholeBytes}}`,
+      `a binary frame has ${{header.payloadBytes}} bytes at offset ${{header.pieceOffset}}, but the whole frame has only ${{header.wholeBytes}}`,
     );
   return header;
 }}
@@ -238,7 +238,7 @@ def read_frame_header(message: bytes) -> FrameHeader:
             "{RELOAD}"
         )
     if header.kind not in ({", ".join(map(str, header.kinds.values()))}):
-        raise ValueError(f"a binary frame is of kind {{header.kind}}; there are {header.kind_list}")
+        raise ValueError(f"a binary frame is of kind {{header.kind}}; the known kinds are {header.kind_list}")
     if header.flags & ~{header.known_flags}:
         raise ValueError(f"a binary frame has unknown flags {{header.flags}}")
     payload = len(message) - FRAME_HEADER_BYTES
@@ -246,8 +246,8 @@ def read_frame_header(message: bytes) -> FrameHeader:
         raise ValueError(f"a binary frame announces {{header.payload_bytes}} bytes after its header and has {{payload}}")
     if header.piece_offset + header.payload_bytes > header.whole_bytes:
         raise ValueError(
-            f"a binary frame brings {{header.payload_bytes}} bytes from {{header.piece_offset}} on, "
-            f"and the whole has {{header.whole_bytes}}"
+            f"a binary frame has {{header.payload_bytes}} bytes at offset {{header.piece_offset}}, "
+            f"but the whole frame has only {{header.whole_bytes}}"
         )
     return header
 
@@ -258,7 +258,7 @@ def write_frame_header(header: FrameHeader) -> bytes:
 
 
 def emit_table(header: Header) -> str:
-    """The rows of the table in frame.md."""
+    """Returns the table of the header in frame.md, as Markdown."""
     kinds = ", ".join(f"{number} {name}" for name, number in header.kinds.items())
     flags = "; ".join(
         f"bit {mask.bit_length() - 1} {name.replace('_', ' ')}: {text}" for name, (mask, text) in header.flags.items()

@@ -1,4 +1,4 @@
-"""The contract as the emitters see it: schemas by name, methods with named parameter and result types, errors."""
+"""Model of the contract for the emitters: schemas by name, methods with named parameter and result types, errors."""
 
 import json
 import pathlib
@@ -24,7 +24,7 @@ class Method:
     params: list[Field]
     result: Schema | None  # None for notifications
     result_name: str = ""
-    slow: bool = False  # draws, extracts or exports
+    slow: bool = False  # x-slow in the contract: draws, extracts or exports
 
     @property
     def type_prefix(self) -> str:
@@ -37,7 +37,7 @@ class Method:
 
 @dataclass
 class Contract:
-    text: str  # the document itself, without white space
+    text: str  # openrpc.json without white space
     version: str
     schemas: dict[str, Schema]
     methods: list[Method]
@@ -46,7 +46,7 @@ class Contract:
 
     @property
     def protocol(self) -> tuple[int, int]:
-        """Major and minor version."""
+        """Returns the major and minor version of the contract."""
         major, minor, _ = map(int, self.version.split("."))
         return major, minor
 
@@ -68,7 +68,7 @@ def fields_of(schema: Schema) -> list[Field]:
 
 
 def nullable(schema: Schema) -> Schema | None:
-    """X of anyOf [X, null], else None."""
+    """Returns X for a schema anyOf [X, null], else None."""
     options = schema.get("anyOf", [])
     rest = [option for option in options if option.get("type") != "null"]
     return rest[0] if len(options) == 2 and len(rest) == 1 else None

@@ -1,4 +1,4 @@
-"""The contract as Python TypedDicts."""
+"""Emits the contract as Python TypedDicts."""
 
 from .model import Contract, Field, Method, Schema, fields_of, nullable, pascal, ref_name
 
@@ -6,7 +6,7 @@ PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool"
 
 
 class Types:
-    """Collects definitions, inner ones first."""
+    """Collects type definitions, each after the definitions that it uses."""
 
     def __init__(self) -> None:
         self.definitions: list[str] = []

@@ -1,4 +1,4 @@
-"""The methods of the contract as Python functions: a mixin for the client of each kind."""
+"""Emits the methods of the contract as Python functions: mixins for the synchronous and the asynchronous client."""
 
 import re
 
@@ -9,7 +9,7 @@ from .python import Types
 class Signatures:
     def __init__(self, contract: Contract) -> None:
         self.contract = contract
-        self.names: set[str] = set()  # of types.py
+        self.names: set[str] = set()  # names to import from types.py
 
     def type_of(self, method: Method, one: Field) -> str:
         text = Types().type_of(one.schema, f"{method.type_prefix}Params{pascal(one.name)}")

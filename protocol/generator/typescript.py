@@ -1,4 +1,4 @@
-"""The contract as one TypeScript module: types, method and notification maps, error codes."""
+"""Emits the contract as one TypeScript module: types, method and notification maps, error codes."""
 
 import json
 

@@ -21,7 +21,7 @@ nlohmann::json camera_of(const std::string& text) {
     return camera;
 }
 
-// Returns the visible height at the target.
+// Returns the height of the view at the camera's target, in the mesh's length unit.
 double height_of(const scene::Camera& camera) {
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += std::pow(camera.target[k] - camera.position[k], 2);
@@ -33,21 +33,20 @@ double height_of(const scene::Camera& camera) {
 void CameraOptions::add_to(CLI::App& command) {
     command
         .add_option("--camera", camera,
-                    "Where the eye is, what it looks at, and which way is up (z by default); without it all is seen "
-                    "that clips and thresholds leave.")
+                    "Position, target and up direction of the camera. The default up direction is z. The default "
+                    "camera shows everything that clips and thresholds keep.")
         ->type_name("px,py,pz,tx,ty,tz[,ux,uy,uz]");
     command
         .add_option("--field-of-view", field_of_view,
-                    "From the lower to the upper edge of what is seen, 30 by default: the more, the stronger the "
-                    "perspective.")
+                    "Vertical field of view, 30 by default. A larger angle gives a stronger perspective.")
         ->type_name("DEGREES");
     command.add_flag("--parallel", parallel,
-                     "Without perspective; as high as what is seen with it at what the camera looks at.");
+                     "Parallel projection, as high as the perspective view at the target of the camera.");
 }
 
 void CameraOptions::apply(nlohmann::json& document) const {
     if (field_of_view && !(*field_of_view > 0 && *field_of_view < 180))
-        throw UsageError("--field-of-view is an angle of more than 0 and less than 180 degrees");
+        throw UsageError("--field-of-view must be more than 0 and less than 180 degrees");
     if (camera && document.is_object()) document["camera"] = camera_of(*camera);
 }
 

@@ -24,7 +24,7 @@ struct CameraOptions {
     void apply(nlohmann::json& document) const;
     // Applies --field-of-view and --parallel to the scene's camera, if it has one. The position stays.
     void project(scene::Scene& scene) const;
-    // Adds a camera that shows all of `box` to a scene without one.
+    // If the scene has no camera, adds one that shows all of `box`.
     void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
                     const geometry::BoundingBox& box) const;
 };

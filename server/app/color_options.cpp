@@ -19,7 +19,7 @@ std::vector<double> parse_range(const std::string& text) {
     return range;
 }
 
-// Colors and positions are validated by the scene's own checks.
+// Does not validate colors and positions; parse_scene() does.
 nlohmann::json parse_points(const std::string& text) {
     nlohmann::json points = nlohmann::json::array();
     for (const std::string& point : CLI::detail::split(text, ',')) {
@@ -43,29 +43,33 @@ std::string map_names() {
 void check_map(const std::string& option, const std::string& name) {
     const auto& known = color::color_map_names();
     if (std::find(known.begin(), known.end(), name) == known.end())
-        throw UsageError(option + " " + name + ": there is no such color map; there are " + map_names());
+        throw UsageError(option + " " + name + " is not a color map; choose one of " + map_names());
 }
 
 void ColorOptions::add_to(CLI::App& command) {
     command
-        .add_option("--color", array,
-                    "Scalar that colors the layers: of points, of cells (cell:NAME), of patches (patch:NAME).")
+        .add_option(
+            "--color", array,
+            "Array that colors the layers: a point array (NAME), cell array (cell:NAME) or patch array (patch:NAME).")
         ->type_name("ARRAY");
     command.add_option("--map", map, "Color map: " + map_names() + ".")->type_name("NAME")->default_str("viridis");
-    command.add_option("--color-points", points, "Colors of your own instead of a map, from 0 to 1 along the range.")
+    command
+        .add_option("--color-points", points, "Custom colors instead of a map, at positions from 0 to 1 of the range.")
         ->type_name(points_form);
-    command.add_option("--range", range, "Values of the map's two ends; the array's range by default.")
+    command.add_option("--range", range, "Values at the two ends of the map; by default the range of the array.")
         ->type_name("MIN,MAX");
-    command.add_flag("--reverse", reverse, "The map the other way round.");
+    command.add_flag("--reverse", reverse, "Reverse the color map.");
     command.add_flag("--log", log, "Logarithmic scale.");
-    command.add_flag("--symmetric", symmetric, "As much of the range below zero as above it.");
-    command.add_option("--steps", steps, "So many colors instead of a smooth map.")->type_name("N");
-    command.add_option("--nan-color", nan, "Of values that are missing.")
+    command.add_flag("--symmetric", symmetric, "Make the range symmetric about zero.");
+    command.add_option("--steps", steps, "Number of discrete colors instead of a smooth map.")->type_name("N");
+    command.add_option("--nan-color", nan, "Color of missing values.")
         ->type_name("#rrggbb")
         ->default_str("\"#808080\"");
-    command.add_option("--below-color", below, "Of values below the range; the lowest color by default.")
+    command
+        .add_option("--below-color", below, "Color of values below the range; by default the lowest color of the map.")
         ->type_name("#rrggbb");
-    command.add_option("--above-color", above, "Of values above the range; the highest color by default.")
+    command
+        .add_option("--above-color", above, "Color of values above the range; by default the highest color of the map.")
         ->type_name("#rrggbb");
 }
 

@@ -17,7 +17,7 @@ using store::Dataset;
 struct Options {
     std::string dataset, from;
     std::optional<double> time;
-    std::vector<std::string> arrays; // NAME=FILE.npy
+    std::vector<std::string> arrays; // each NAME=FILE.npy
 };
 
 int append_dataset(const Options& options) {
@@ -43,7 +43,8 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                 ", in the order of the imported file");
 }
 
-// Lists new and missing arrays: a misspelt name creates a new array, a forgotten one has no values at the step.
+// Returns text that lists new, interpolated and missing arrays. It reveals a misspelt name, which creates a new array,
+// and a forgotten array, which has no values at the step.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {
@@ -64,7 +65,8 @@ int append_files(const Options& options) {
     std::vector<store::WantedArray> wanted;
     for (const std::string& argument : options.arrays) {
         const auto equals = argument.rfind('=');
-        if (equals == std::string::npos || equals == 0) throw Error("--array '" + argument + "' must be NAME=FILE.npy");
+        if (equals == std::string::npos || equals == 0)
+            throw Error("--array '" + argument + "' is not of the form NAME=FILE.npy");
         const std::string path = argument.substr(equals + 1);
         files.push_back({path, store::read_npy(path)});
         wanted.push_back({argument.substr(0, equals), std::nullopt});
@@ -82,16 +84,16 @@ int append_files(const Options& options) {
 
 void add_append(CLI::App& app, Run& run) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("append", "Add time steps to a dataset; who looks at it sees them arrive");
+    CLI::App* command =
+        app.add_subcommand("append", "Add time steps to a dataset; open views of the dataset get the steps at once");
     command->add_option("dataset", options->dataset, "NAME.ciel")->required();
     auto* from = command->add_option("--from", options->from,
-                                     "OTHER.ciel on the same mesh: its steps that are later than the last one");
-    auto* time = command->add_option("--time", options->time, "The time of one step");
-    auto* arrays =
-        command->add_option("--array", options->arrays,
-                            "NAME=FILE.npy: float values in the order of the imported file's points, or of its "
-                            "cells for a name that begins with 'cell:', from which point values are made; may be "
-                            "repeated");
+                                     "Dataset OTHER.ciel on the same mesh, whose later steps are appended");
+    auto* time = command->add_option("--time", options->time, "Time of the step");
+    auto* arrays = command->add_option("--array", options->arrays,
+                                       "NAME=FILE.npy: float values in the order of the points of the imported file. A "
+                                       "name that begins with 'cell:' needs values in the order of the cells, and "
+                                       "point values are interpolated from the cell values. May be repeated");
     time->needs(arrays)->excludes(from);
     arrays->needs(time)->excludes(from);
     command->callback([options, &run] {

@@ -84,7 +84,8 @@ bool is_wanted(const BenchCommand& command, const std::string& table) {
     return command.tables.empty() ? !command.render && !is_picture : is_among(command.tables);
 }
 
-// Called after each table, so an interrupted run keeps the finished ones.
+// Writes the report to the file `output`, if given. Called after each table, so that an interrupted run keeps the
+// finished tables.
 void write_report(const std::string& output, const json& report) {
     if (output.empty()) return;
     const std::string text = report.dump(2) + "\n";
@@ -125,22 +126,20 @@ void add_bench(CLI::App& app, Run& run) {
         "does nothing else.");
     auto bench = std::make_shared<BenchCommand>();
     command->add_option("dataset", bench->dataset, "NAME.ciel")->required();
-    command->add_option("--array", bench->array, "A scalar on the points; the first that varies without it.")
-        ->type_name("ARRAY");
+    command->add_option("--array", bench->array, "Point scalar; by default the first that varies.")->type_name("ARRAY");
     command
-        ->add_option(
-            "--table", bench->tables,
-            "memory, preprocessing, slices, surfaces, frames or volume; may be given more than once. The first "
-            "four, which the paper has, without it.")
+        ->add_option("--table", bench->tables,
+                     "memory, preprocessing, slices, surfaces, frames or volume; may be repeated. By default the first "
+                     "four, which are the tables of the paper.")
         ->check(CLI::IsMember({"memory", "preprocessing", "slices", "surfaces", "frames", "volume"}))
         ->type_name("TABLE");
     command->add_flag("--render", bench->render,
-                      "The tables of pictures: frames (from a change of the scene to an encoded frame of 1280x720, by "
-                      "stages) and volume (100 slices at 1024x1024).");
-    command->add_option("--threads", bench->threads, "How many threads; all of the machine's without it.")
+                      "Measure the tables of pictures: frames (from a change of the scene to an encoded frame of "
+                      "1280x720, by stages) and volume (100 slices at 1024x1024).");
+    command->add_option("--threads", bench->threads, "Number of threads; by default all of the machine.")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    command->add_option("--json", bench->output, "Write the figures to this file too.")->type_name("FILE");
+    command->add_option("--json", bench->output, "Also write the figures to FILE.")->type_name("FILE");
     command->callback([&run, bench] { run = [bench] { return run_command(*bench); }; });
 }
 

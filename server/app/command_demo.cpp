@@ -32,14 +32,14 @@ void add_demo(CLI::App& app, Run& run) {
     command->add_option("-o,--output", options->output, "NAME.ciel")->capture_default_str();
     command
         ->add_option("--coarseness", options->coarseness,
-                     "Cells so many times as long: a smaller dataset of the same kind")
+                     "Factor on the length of the cells; a larger factor gives a smaller dataset")
         ->check(CLI::Range(1, demo::most_coarseness))
         ->capture_default_str();
-    command->add_flag("--force", options->force, "Replace a dataset of this name");
+    command->add_flag("--force", options->force, "Replace an existing dataset of the same name");
     command->callback([options, &run] {
         run = [options] {
             if (!options->output.ends_with(".ciel"))
-                throw UsageError("-o " + options->output + ": the name of a dataset ends in .ciel");
+                throw UsageError("-o " + options->output + ": the name of a dataset must end in .ciel");
             demo::write_demo(options->output, options->force, options->coarseness, show_progress);
             std::cout << options->output << '\n';
             return 0;

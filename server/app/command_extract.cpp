@@ -33,8 +33,8 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
     return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
 }
 
-// Returns the shape without polygons of blown-up cells. If a scalar is a cell array, polygons share no vertices, so
-// that each has the value of its cell.
+// Returns the shape without polygons of cells whose value of a scalar is not a number. If a scalar is a cell array,
+// polygons share no vertices, so that each polygon has the value of its cell.
 std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawable,
                                                  const std::vector<std::string>& scalars, std::size_t step,
                                                  store::LoadedDataset& loaded) {
@@ -70,7 +70,7 @@ std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, st
     return text.str();
 }
 
-// Explains an empty surface: the range of each contoured array, and the bounds if there are slices.
+// Returns text that explains an empty surface: the range of each contoured array, and the bounds if there are slices.
 std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geometry, store::LoadedDataset& loaded) {
     std::ostringstream text;
     text << "the surface is empty: at time " << geometry.time;
@@ -90,7 +90,7 @@ std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geome
     return text.str();
 }
 
-// Reports the blown-up cells that the file leaves out.
+// Prints sentences on cells that the file leaves out because their values are not numbers.
 void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
                    store::LoadedDataset& loaded) {
     std::set<std::string> sentences;
@@ -135,7 +135,7 @@ int run_command(const ExtractCommand& extract) {
     if (written.polygons == 0) std::cerr << "ciel: " << why_empty(scene, *geometry, *loaded) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
     if (origin != Vec3d{} || extract.from_origin)
-        std::printf("its coordinates are relative to the origin %s\n", wire::origin_text(origin).c_str());
+        std::printf("the coordinates are relative to the origin %s\n", wire::origin_text(origin).c_str());
     return 0;
 }
 
@@ -143,20 +143,23 @@ int run_command(const ExtractCommand& extract) {
 
 void add_extract(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("extract", "Write iso-surfaces and slices to a PLY, STL or VTP file.");
-    command->footer(
-        "A value that the array never takes is no failure: the file then holds an empty surface, a sentence "
-        "on stderr\nsays what the array's range is, and the exit code is 0.");
+    command->footer("An iso-value outside the range of the array gives an empty surface. A sentence on stderr names "
+                    "the range,\nand the exit code is 0.");
     auto extract = std::make_shared<ExtractCommand>();
     extract->scene.add_to(*command);
     command
-        ->add_option("--color", extract->colors,
-                     "Scalars on the surface: of points interpolated, of cells (cell:NAME) flat.")
+        ->add_option(
+            "--color", extract->colors,
+            "Arrays on the surface: a point array is interpolated, a cell array (cell:NAME) is constant per polygon.")
         ->type_name("ARRAY");
-    command->add_flag("--triangles", extract->triangles, "Triangles instead of polygons (STL always has them).");
+    command->add_flag("--triangles", extract->triangles,
+                      "Write triangles instead of polygons (STL always has triangles).");
     command->add_flag("--origin", extract->from_origin,
-                      "Coordinates relative to an origin that is the same for all surfaces of the dataset. STL is so "
-                      "by itself where its floats would lose digits.");
-    command->add_option("-o,--output", extract->output, "The file, .ply, .stl or .vtp.")->required()->type_name("FILE");
+                      "Write coordinates relative to an origin that is the same for all surfaces of the dataset. STL "
+                      "files have relative coordinates even without --origin if 32-bit floats would lose digits.");
+    command->add_option("-o,--output", extract->output, "The output file, .ply, .stl or .vtp.")
+        ->required()
+        ->type_name("FILE");
     command->callback([&run, extract] { run = [extract] { return run_command(*extract); }; });
 }
 

@@ -32,17 +32,17 @@ void add_options(CLI::App& command, ImportCommand& import) {
         if (!option.several) added->expected(1);
     }
     command
-        .add_option(
-            "--memory-limit", import.limits.memory_gigabytes,
-            "Memory the import may use; by default four fifths of the machine's or the container's; 0: no limit.")
+        .add_option("--memory-limit", import.limits.memory_gigabytes,
+                    "Memory that the import may use; by default four fifths of the memory of the machine or container; "
+                    "0: no limit.")
         ->type_name("GB")
         ->capture_default_str();
-    command.add_option("--time-limit", import.limits.seconds, "Time the import may take; 0: no limit.")
+    command.add_option("--time-limit", import.limits.seconds, "Time that the import may take; 0: no limit.")
         ->type_name("SECONDS")
         ->capture_default_str();
     command
         .add_option("--stall-limit", import.limits.stalled_seconds,
-                    "Time that may pass without any progress; 0: no limit.")
+                    "Time without progress after which the import is stopped; 0: no limit.")
         ->type_name("SECONDS")
         ->capture_default_str();
 }

@@ -24,7 +24,7 @@ struct Checksums {
     std::uint64_t verified = 0, absent = 0, lazy = 0;
 };
 
-// Throws at the first damaged chunk. Topology chunks were verified by open().
+// Reads all value chunks and throws Error at the first damaged one. Dataset::open has verified the topology chunks.
 Checksums verify_all(const Dataset& dataset) {
     Checksums sums;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -51,7 +51,8 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// At the first step with this array. null unless it is a point scalar: vectors and cell arrays are not contoured.
+// Returns the number of ambiguous faces at the first step with this array. Returns null unless the array is a point
+// scalar, since vectors and cell arrays are not contoured.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -100,7 +101,7 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
             {"ambiguous_faces", ambiguous_faces(dataset, array)}};
 }
 
-// Whether vertices and cells of the first mesh have solver ids.
+// Returns which of "vertices" and "cells" of the first mesh have solver ids.
 json solver_ids_json(const Dataset& dataset) {
     json of = json::array();
     if (!dataset.solver_vertex(0).empty()) of.push_back("vertices");
@@ -153,7 +154,7 @@ json report(const Dataset& dataset) {
               {"not_yet_extracted", sums.lazy}}}};
 }
 
-// Returns ", wall: U noSlip, p zeroGradient".
+// Returns a group's type and boundary conditions, such as ", wall: U noSlip, p zeroGradient".
 std::string facts_of(const json& group) {
     std::string text;
     for (const auto& [array, condition] : group["conditions"].items())
@@ -185,7 +186,7 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
-// Returns "original float64 from 0/p".
+// Returns an array's origin, type and file, such as "original float64 from 0/p".
 std::string source_of(const json& array) {
     std::string text = array["origin"];
     if (const std::string type = array["type"]; !type.empty()) text += " " + type;
@@ -208,7 +209,7 @@ std::string describe(const json& array) {
     return text.str();
 }
 
-// Returns "63.6 in cell 17 at (1, 2, 3), time 0.5".
+// Returns text such as "63.6 in cell 17 at (1, 2, 3), time 0.5".
 std::string extreme_text(const json& found) {
     std::string text =
         number(found["value"]) + " in cell " + std::to_string(found["cell"].get<std::uint64_t>()) + " at (";
@@ -248,7 +249,7 @@ void print(const json& info) {
     for (const json& group : info["groups"])
         line(group["name"], grouped(group["count"]) + " " + group["of"].get<std::string>() + facts_of(group));
     for (const json& of : info["solver_ids"])
-        line("ids", "the " + of.get<std::string>() + " have the solver's own, too");
+        line("ids", "the " + of.get<std::string>() + " also have the ids of the solver");
     std::cout << "arrays\n";
     for (const json& array : info["arrays"]) print_array(array);
     if (!info["times"].empty()) {
@@ -274,9 +275,10 @@ void add_info(CLI::App& app, Run& run) {
         bool as_json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("info", "Tell what a dataset holds, and verify all its checksums");
+    CLI::App* command = app.add_subcommand("info", "Print the contents of a dataset, and verify all its checksums");
     command->add_option("dataset", options->dataset, "NAME.ciel")->required();
-    command->add_flag("--json", options->as_json, "As JSON; ambiguous_faces is counted at an array's first time");
+    command->add_flag("--json", options->as_json,
+                      "Print JSON; ambiguous_faces is counted at the first time of each array");
     command->callback([options, &run] {
         run = [options] {
             const json info = report(*Dataset::open(options->dataset));

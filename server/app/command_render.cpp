@@ -93,8 +93,8 @@ void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     }
     if (any || !render.colors.any()) return;
     if (render.colors.array)
-        throw UsageError("nothing has colors of an array; give --iso, --slice, --plane, --surface or --volume");
-    throw UsageError("a range, a map and the like are of an array, and nothing has the colors of one; give --color");
+        throw UsageError("--color has no layer to color; give --iso, --slice, --plane, --surface or --volume");
+    throw UsageError("--range, --map and the other options of colors need an array; give --color");
 }
 
 nlohmann::json document_of_options(const RenderCommand& render, const store::Dataset& dataset) {
@@ -105,30 +105,29 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
-    shown.document.erase("camera"); // fitted to a web page; stand_back() fits the picture
+    shown.document.erase("camera"); // it fits a web page; stand_back() makes one that fits the picture
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
 }
 
 nlohmann::json document_of_file(const RenderCommand& render, const std::string& dataset) {
     if (render.scene.has_layers() || render.layers.any() || render.colors.any() || render.background)
-        throw UsageError(
-            "--scene says what to show and how; leave out --iso, --slice, --plane, --volume, --background, "
-            "the options of layers, and what is about colors");
+        throw UsageError("--scene already sets layers, colors and background; leave out --iso, --slice, --plane, "
+                         "--volume, --background, and the options of layers and colors");
     nlohmann::json document = read_scene_file(render.scene_file);
-    if (!document.is_object()) return document;                        // refused by parse_scene()
-    document = scene::merge_patch(nlohmann::json::object(), document); // null and absent mean the same in a scene
+    if (!document.is_object()) return document;                        // parse_scene() refuses it
+    document = scene::merge_patch(nlohmann::json::object(), document); // drops null members, which mean absent ones
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
         throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +
-                    dataset + "\"; name that one, or change the scene");
+                    dataset + "\"; render the dataset of the scene, or change the scene");
     if (render.scene.time) document["time"] = *render.scene.time;
     return document;
 }
 
 struct Wanted { // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document;
-    std::optional<geometry::BoundingBox> box; // target of a default camera; none: the shown bounds
+    std::optional<geometry::BoundingBox> box; // what the default camera shows; none: probe::shown_bounds
 };
 
 Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
@@ -146,12 +145,14 @@ Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
     return wanted;
 }
 
-// Shows exactly the annotations of --annotations, if given. Titles and sizes apply to any scene.
+// Turns on exactly the annotations that --annotations names, if given. Applies --title and --text-scale to any scene.
 void annotate(const RenderCommand& render, nlohmann::json& document) {
     nlohmann::json annotations = nlohmann::json::object();
     for (const std::string& wanted : render.annotations) {
         if (wanted != "none" && wanted != "all") continue;
-        if (render.annotations.size() > 1) throw UsageError("--annotations " + wanted + " stands alone");
+        if (render.annotations.size() > 1)
+            throw UsageError("--annotations " + wanted +
+                             " cannot be combined with other names; leave the other names out");
     }
     const auto is_wanted = [&](const char* name) {
         const auto& names = render.annotations;
@@ -169,7 +170,7 @@ int run_command(const RenderCommand& render) {
     const geometry::ViewSize size = parse_size(render.size);
     const render::Backend backend = render::backend_named(render.gl);
     if (lower_case_extension(render.output) != ".png")
-        throw UsageError("-o " + render.output + ": pictures are .png files");
+        throw UsageError("-o " + render.output + ": the name of a picture must end in .png");
     render.scene.check_time();
     const auto loaded = load_dataset(render.scene.dataset);
     auto [document, box] = wanted_by(render, *loaded);
@@ -202,31 +203,33 @@ void add_render(CLI::App& app, Run& run) {
     render->scene.add_to(*command);
     render->layers.add_to(*command);
     command
-        ->add_option("--volume", render->scene.volumes,
-                     "Volume of a point scalar, and how opaque a ray gets per tenth of the diagonal (or "
-                     "--volume-unit-length) from the lowest value (position 0) to the highest (1); may be repeated.")
+        ->add_option(
+            "--volume", render->scene.volumes,
+            "Volume of a point scalar with an opacity curve. POSITION is 0 at the lowest value and 1 at the highest. "
+            "OPACITY is the opacity of a ray after a tenth of the diagonal (or --volume-unit-length). May be repeated.")
         ->type_name("ARRAY[=POSITION:OPACITY,...]");
     command
         ->add_option("--scene", render->scene_file,
-                     "A scene document; without it and without layers, the default view.")
+                     "Scene document. Without --scene and without layers, the default view is drawn.")
         ->type_name("FILE.json");
     render->camera.add_to(*command);
     render->colors.add_to(*command);
     render->lighting.add_to(*command);
-    command->add_option("--background", render->background, "dark, light or #rrggbb.")
+    command->add_option("--background", render->background, "Background: dark, light or #rrggbb.")
         ->type_name("COLOR")
         ->default_str("dark");
     command
         ->add_option("--annotations", render->annotations,
-                     "What is written over the picture: all, none, or some of legend,triad,axes,time,dataset; legend "
-                     "and triad by default.")
+                     "Annotations over the picture: all, none, or some of legend,triad,axes,time,dataset; by default "
+                     "legend and triad.")
         ->type_name("NAME[,NAME...]")
         ->delimiter(',')
         ->check(CLI::IsMember({"all", "none", "legend", "triad", "axes", "time", "dataset"}));
-    command->add_option("--title", render->title, "A line above the picture.")->type_name("TEXT");
-    command->add_option("--text-scale", render->text_scale, "Larger or smaller text than the picture's size asks for.")
-        ->type_name("FACTOR");
-    command->add_option("--size", render->size, "Of the picture in pixels.")->type_name("WxH")->capture_default_str();
+    command->add_option("--title", render->title, "Title above the picture.")->type_name("TEXT");
+    command->add_option("--text-scale", render->text_scale, "Factor on the size of the text.")->type_name("FACTOR");
+    command->add_option("--size", render->size, "Size of the picture in pixels.")
+        ->type_name("WxH")
+        ->capture_default_str();
     command->add_option("--gl", render->gl, "What draws.")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();

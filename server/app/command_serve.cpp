@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The user's cache folder (XDG_CACHE_HOME).
+// Returns the folder "ciel" in XDG_CACHE_HOME, or else in ~/.cache.
 fs::path default_import_folder() {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
         return fs::path(cache) / "ciel";
@@ -45,9 +45,9 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// An input that cannot be imported does not affect the others. Throws Error if all inputs failed.
+// Imports all inputs that are not datasets. A failed import does not affect the others. Throws Error if all failed.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
-    ImportView view(stderr); // stdout has only the address
+    ImportView view(stderr); // stdout has only print_address's line
     CancelOnSignal signals;
     auto servable =
         importing::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
@@ -58,7 +58,7 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// A folder is watched for datasets. Other files in it are only imported when named.
+// Warns of a folder without datasets. The server watches it for datasets, but imports other files only when named.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -67,13 +67,14 @@ void warn_of_files_to_import(const fs::path& folder) {
         if (entry.is_regular_file() && (first.empty() || entry.path() < first)) first = entry.path();
     }
     if (first.empty())
-        spdlog::warn("{} has no dataset (NAME.ciel) yet; one that is put there is served at once", folder.string());
+        spdlog::warn("{} has no dataset (NAME.ciel) yet; a dataset that is put into the folder is served at once",
+                     folder.string());
     else
-        spdlog::warn("{} has no dataset (NAME.ciel); to have a file imported and served, name it: ciel serve {}",
+        spdlog::warn("{} has no dataset (NAME.ciel); to import and serve a file, name the file: ciel serve {}",
                      folder.string(), first.string());
 }
 
-// Web client's folder in the build tree or the installation; empty if there is none.
+// Returns the web client's folder in the build tree or the installation; empty if there is none.
 fs::path find_webclient() {
     std::error_code failure;
     const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
@@ -82,7 +83,7 @@ fs::path find_webclient() {
     return {};
 }
 
-// Returns the first line of the file without trailing white space.
+// Returns the token: the first line of the file without trailing white space. Warns if other users can read the file.
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
@@ -91,18 +92,18 @@ std::string token_in(const fs::path& file) {
     std::error_code ignored;
     const auto others = fs::perms::group_read | fs::perms::others_read;
     if ((fs::status(file, ignored).permissions() & others) != fs::perms::none)
-        spdlog::warn("others can read the token file {}; take that away with chmod 600", file.string());
+        spdlog::warn("other users can read the token file {}; set its permissions with chmod 600", file.string());
     return token;
 }
 
-// Reads the token from a file or the environment: there it stays out of the process list and the shell's history.
+// Reads the token from --token-file or CIEL_TOKEN, which keep it out of the process list and the shell's history.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
     if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) token = given;
 }
 
-// The only line on stdout; scripts wait for it.
+// Prints the server's address: the only line on stdout, for which scripts wait.
 void print_address(const gateway::Listening& listening) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix
               << "/?token=" << listening.token << std::endl;
@@ -122,7 +123,8 @@ int serve(ServeOptions& options) {
     complete_token(options);
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
-    if (options.gateway.webclient.empty()) spdlog::warn("no web client found; name its folder with --webclient");
+    if (options.gateway.webclient.empty())
+        spdlog::warn("the web client was not found; name the folder of the web client with --webclient");
 
     engine::ServerOptions server_options;
     const auto servable = import_what_is_foreign(options);
@@ -156,25 +158,28 @@ void add_serve(CLI::App& app, Run& run) {
     auto& gateway = options->gateway;
     CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts");
     command->add_option("DATA", options->data, "datasets (NAME.ciel), folders of them, or files to import first");
-    command->add_option("--data-dir", options->import_folder, "where what is imported is kept")->capture_default_str();
+    command->add_option("--data-dir", options->import_folder, "folder of imported datasets")->capture_default_str();
     command->add_option("--host", gateway.host, "address to listen on")->capture_default_str();
-    command->add_option("--port", gateway.port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();
+    command->add_option("--port", gateway.port, "port to listen on; 0: any free port")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
     command->add_option("--prefix", gateway.prefix, "path below which a proxy offers the server, such as /ciel");
-    auto* token =
-        command->add_option("--token", gateway.token,
-                            "what every client must know; other users see it in the process list: better CIEL_TOKEN or "
-                            "--token-file. Without "
-                            "one, a token is made at each start, and on loopback the server's own user needs none");
+    auto* token = command->add_option("--token", gateway.token,
+                                      "token that every client must send. Other users see --token in the process list "
+                                      "but not CIEL_TOKEN or --token-file. By default, a new token is made at each "
+                                      "start, and on loopback the user who started the server needs no token");
     token->check([](const std::string& text) {
-        return text.empty() ? "an empty token; leave --token out to have one made" : std::string();
+        return text.empty() ? "the token is empty; leave --token out, and the server makes a token" : std::string();
     });
     command->add_option("--token-file", options->token_file, "file that holds the token")->excludes(token);
     command->add_option("--origin", gateway.origins,
                         "another site whose pages may use this server, such as https://example.org");
-    command->add_option("--allowed-host", gateway.allowed_hosts, "a host name that a proxy in front is reached by");
-    command->add_option("--trusted-proxy", gateway.trusted_proxies,
-                        "address or range (172.30.0.0/16) of a proxy in front: X-Forwarded-For names its clients");
-    command->add_option("--gl", options->gl, "what draws")
+    command->add_option("--allowed-host", gateway.allowed_hosts,
+                        "host name under which clients reach a proxy in front of the server");
+    command->add_option(
+        "--trusted-proxy", gateway.trusted_proxies,
+        "address or range (172.30.0.0/16) of a proxy in front of the server, whose X-Forwarded-For header is trusted");
+    command->add_option("--gl", options->gl, "OpenGL back end")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();
     options->extraction.add_to(*command);
@@ -183,7 +188,7 @@ void add_serve(CLI::App& app, Run& run) {
         ->capture_default_str();
     command
         ->add_option("--still-samples", options->still_samples,
-                     "samples a pixel of full pictures: 1 draws several times faster in software, with jagged edges")
+                     "samples per pixel of full pictures; 1 draws several times faster in software, with jagged edges")
         ->check(CLI::IsMember({1, 2, 4, 8}))
         ->envname("CIEL_STILL_SAMPLES")
         ->capture_default_str();
@@ -191,12 +196,12 @@ void add_serve(CLI::App& app, Run& run) {
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     command->add_flag("--allow-append", options->allow_append,
-                      "let clients that send the token push steps to datasets (append.begin)");
+                      "let clients that send the token append steps to datasets (append.begin)");
     command->add_option("--webclient", gateway.webclient, "folder of the built web client");
-    command->add_option("--log-level", options->log_level, "how much to log on stderr")
+    command->add_option("--log-level", options->log_level, "log level on stderr")
         ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
-    command->add_option("--log-format", options->log_format, "the form of a line of the log; times are UTC")
+    command->add_option("--log-format", options->log_format, "format of the log; times are UTC")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     add_limits(*command, options->limits);

@@ -1,5 +1,5 @@
-// The subcommands of `ciel`: command_NAME.cpp each, listed in main.cpp. add_NAME adds the options to the parser and
-// sets `run` if the command is chosen.
+// The subcommands of `ciel`, one command_NAME.cpp each; main.cpp lists them. add_NAME adds a subcommand to the parser,
+// and sets `run` when the user has chosen that subcommand.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,11 +12,11 @@ class App;
 
 namespace ciel::app {
 
-// Called by main after parsing. Returns the process's exit code: 0 done, 1 failed, 2 wrong usage, 3 done with cells
-// left out.
+// The chosen subcommand, which main calls after parsing. Returns the process's exit code: 0 done, 1 failed, 2 wrong
+// usage, 3 done with data left out.
 using Run = std::function<int()>;
 
-// Invalid options. Thrown before a command has any effect.
+// Thrown for invalid options, before a command has any effect.
 class UsageError : public Error {
 public:
     using Error::Error;

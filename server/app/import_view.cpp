@@ -12,7 +12,7 @@ namespace {
 
 constexpr int width = 30;
 std::atomic<bool> cancelled_flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free); // set in a signal handler
+static_assert(std::atomic<bool>::is_always_lock_free); // a signal handler sets the flag
 
 void on_signal(int) { cancelled_flag = true; }
 
@@ -64,10 +64,10 @@ void CancelOnSignal::restore() {
     ::sigaction(SIGTERM, &terminate_, nullptr);
 }
 
-// restore() comes first: a signal after it ends the program by itself.
+// Restores the handlers before the check: a signal after restore() ends the program by itself.
 void CancelOnSignal::end() {
     restore();
-    if (cancelled_flag) throw Error("stopped by a signal before anything was served");
+    if (cancelled_flag) throw Error("a signal stopped the import; no dataset was served");
 }
 
 } // namespace ciel::app

@@ -9,7 +9,7 @@
 
 namespace ciel::app {
 
-// Shows a progress bar on a terminal, else a line per tenth. Lines go to `out`.
+// Shows a progress bar on stderr if that is a terminal; otherwise prints a line to `out` at each tenth of the progress.
 class ImportView {
 public:
     explicit ImportView(std::FILE* out);
@@ -24,8 +24,8 @@ private:
     int shown_tenth_ = -1;
 };
 
-// During its lifetime, SIGINT and SIGTERM cancel the import instead of ending the program; then the previous handlers
-// are restored. At most one may exist.
+// While an object exists, SIGINT and SIGTERM set cancelled() instead of ending the program. The destructor restores the
+// previous handlers. At most one object may exist.
 class CancelOnSignal {
 public:
     CancelOnSignal();
@@ -34,7 +34,7 @@ public:
     CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
     [[nodiscard]] const std::atomic<bool>& cancelled() const;
-    // Restores the handlers. Throws Error if a signal arrived, also one after the import.
+    // Restores the previous handlers. Throws Error if a signal arrived since construction.
     void end();
 
 private:

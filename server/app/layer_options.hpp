@@ -1,4 +1,4 @@
-// Options of `ciel render` for layers of the mesh itself and for the style of all layers, in addition to SceneOptions.
+// Options of `ciel render` in addition to SceneOptions: layers of the mesh's boundary, and the style of all layers.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ namespace ciel::app {
 
 struct LayerOptions {
     bool surface = false, edges = false, flat = false;
-    std::string contours; // of slices
+    std::string contours; // on slices: "ARRAY" or "ARRAY=VALUE,..."
     std::string contour_map;
     std::vector<std::string> clips;
     std::optional<std::string> points, threshold;

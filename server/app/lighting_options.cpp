@@ -11,17 +11,17 @@ void LightingOptions::add_to(CLI::App& command) {
     const auto strength = [&](const char* option, std::optional<double>& value, const char* what) {
         command.add_option(option, value, what)->type_name("STRENGTH");
     };
-    command.add_flag("--unlit", unlit, "All in its own colors, without light and shade.");
-    strength("--headlight", headlight, "Of the light at the eye; 0: off, 1 by default.");
-    strength("--key-light", key_light, "Of the light over the viewer's left shoulder; 0: off, 1 by default.");
-    strength("--ambient", ambient, "Of the light from everywhere; 1 by default.");
+    command.add_flag("--unlit", unlit, "Draw all surfaces in plain colors, without lighting.");
+    strength("--headlight", headlight, "Strength of the light at the camera; 0: off, 1 by default.");
+    strength("--key-light", key_light, "Strength of the light over the viewer's left shoulder; 0: off, 1 by default.");
+    strength("--ambient", ambient, "Strength of the ambient light; 1 by default.");
     command.add_flag("--ambient-occlusion", ambient_occlusion,
-                     "Darker opaque surfaces where others near them keep out light from everywhere.");
+                     "Darken opaque surfaces where other surfaces near them block the ambient light.");
     command
         .add_option("--occlusion-radius", occlusion_radius,
-                    "How near, as a share of the diagonal of the bounds; 0.1 by default.")
+                    "Radius of the ambient occlusion as a share of the diagonal of the bounds; 0.1 by default.")
         ->type_name("SHARE");
-    strength("--occlusion-strength", occlusion_strength, "How dark; 1 by default.");
+    strength("--occlusion-strength", occlusion_strength, "Strength of the ambient occlusion; 1 by default.");
 }
 
 nlohmann::json LightingOptions::patch() const {
@@ -34,7 +34,8 @@ nlohmann::json LightingOptions::patch() const {
     light("headlight", headlight);
     light("key_light", key_light);
     if (!ambient_occlusion && (occlusion_radius || occlusion_strength))
-        throw UsageError("--occlusion-radius and --occlusion-strength go with --ambient-occlusion");
+        throw UsageError(
+            "--occlusion-radius and --occlusion-strength apply to ambient occlusion only; give --ambient-occlusion");
     if (ambient_occlusion) {
         nlohmann::json& occlusion = lighting["ambient_occlusion"] = {{"on", true}};
         if (occlusion_radius) occlusion["radius"] = *occlusion_radius;

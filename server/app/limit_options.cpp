@@ -40,7 +40,7 @@ void add_limits(CLI::App& command, limits::Limits& limits) {
             ->default_str(limits::limit_text(row, limits.*row.member))
             ->type_name(type_name(row.unit))
             ->envname(limits::environment_of(row))
-            ->group("Limits (sizes also with K, M, G, T; memory also as a share of the machine's or the cgroup's)");
+            ->group("Limits (sizes also with K, M, G, T; memory also in % of the memory of the machine or cgroup)");
     }
 }
 

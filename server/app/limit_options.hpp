@@ -10,7 +10,7 @@ struct Limits;
 
 namespace ciel::app {
 
-// `limits` is set by parsing and must outlive it.
+// Adds the options to `command`. `limits` is set when `command` is parsed, and must outlive `command`.
 void add_limits(CLI::App& command, limits::Limits& limits);
 
 } // namespace ciel::app

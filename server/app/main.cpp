@@ -13,7 +13,7 @@ constexpr int failed = 1, wrong_usage = 2;
 
 using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
 
-// In the order of --help.
+// The subcommands, in the order in which --help lists them.
 const std::vector<AddCommand> commands{
     ciel::app::add_import,  ciel::app::add_info,   ciel::app::add_append, ciel::app::add_demo,
     ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,  ciel::app::add_bench,
@@ -21,14 +21,14 @@ const std::vector<AddCommand> commands{
 
 // Returns one sentence: the usage error, and the --help to read.
 std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
-    const auto unknown = app.remaining(); // before or instead of a command
+    const auto unknown = app.remaining(); // arguments before or instead of a command
     const auto chosen = app.get_subcommands();
     if (unknown.empty() && !chosen.empty())
         return std::string(error.what()) + "; see `ciel " + chosen.front()->get_name() + " --help`";
     std::string names;
     for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
     const std::string problem = unknown.empty() ? "a command is missing" : "there is no command '" + unknown[0] + "'";
-    return problem + "; the commands are " + names + ", and `ciel --help` says what each does";
+    return problem + "; the commands are " + names + "; `ciel --help` describes each";
 }
 
 int fail(const std::string& sentence, int exit_code) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t field_cache_bytes = std::size_t{1} << 30;
 
-// Splits at the last '=': array names may contain one, values not.
+// Splits at the last '=': an array name may contain '=', values cannot.
 std::pair<std::string, std::string> split_assignment(const std::string& option, const std::string& text,
                                                      const char* form) {
     const auto equals = text.rfind('=');
@@ -42,7 +42,8 @@ nlohmann::json plane_layer(const std::string& text) {
     const std::vector<double> n = parse_numbers("--plane", text);
     if (n.size() != 6)
         throw UsageError("--plane " + text + " needs six numbers: a point and a normal, ox,oy,oz,nx,ny,nz");
-    if (std::hypot(n[3], n[4], n[5]) == 0) throw UsageError("--plane " + text + " has a normal without length");
+    if (std::hypot(n[3], n[4], n[5]) == 0)
+        throw UsageError("--plane " + text + " has a normal of length zero; give a nonzero normal");
     return {{"type", "slice"}, {"origin", {n[0], n[1], n[2]}}, {"normal", {n[3], n[4], n[5]}}};
 }
 
@@ -69,21 +70,23 @@ void SceneOptions::add_to(CLI::App& command) {
     command.add_option("--iso", isos, "Iso-surface of a point scalar at one or several values; may be repeated.")
         ->type_name("ARRAY=VALUE[,VALUE...]");
     command.add_option("--slice", slices, "Slice across an axis; may be repeated.")->type_name("x|y|z=VALUE");
-    command.add_option("--plane", planes, "Slice through a point, across a normal; may be repeated.")
+    command.add_option("--plane", planes, "Slice through the point o with the normal n; may be repeated.")
         ->type_name("ox,oy,oz,nx,ny,nz");
-    command.add_option("--time", time, "The step nearest to this time; the first by default.")->type_name("T");
+    command
+        .add_option("--time", time, "Time of the step to show; the step nearest to T is shown, by default the first.")
+        ->type_name("T");
     extraction.add_to(command);
 }
 
 void ExtractionOptions::add_to(CLI::App& command) {
     const CLI::IsMember known({"signatures", "propagation"});
-    command.add_option("--algorithm", algorithm, "How surfaces are extracted; also CIEL_ALGORITHM.")
+    command.add_option("--algorithm", algorithm, "Algorithm of the surface extraction; also CIEL_ALGORITHM.")
         ->check(known)
         ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
-    // Old name, before version 0.3. Hidden from --help; to be removed in 0.4.
+    // --engine is the name of --algorithm before version 0.3. Hidden from --help; to be removed in 0.4.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
-    command.add_option("--decider", decider, "How points on ambiguous faces are joined.")
+    command.add_option("--decider", decider, "Rule that joins the points on ambiguous faces.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
         ->capture_default_str();
 }
@@ -159,7 +162,7 @@ std::string lower_case_extension(const std::string& file) {
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
     std::vector<double> numbers;
-    if (text.empty()) throw UsageError(std::string(option).append(" lacks a number"));
+    if (text.empty()) throw UsageError(std::string(option).append(" needs a number"));
     const char* at = text.data();
     const char* const end = at + text.size();
     while (true) {
@@ -167,7 +170,7 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
         const auto [stop, problem] = std::from_chars(at, end, number);
         if (problem != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ','))
             throw UsageError(
-                std::string(option).append(" ").append(text).append(" has something that is not a number"));
+                std::string(option).append(" ").append(text).append(" holds a value that is not a finite number"));
         numbers.push_back(number);
         if (stop == end) return numbers;
         at = stop + 1;

@@ -1,5 +1,5 @@
-// Scene options of `ciel extract` and `ciel render`. They produce a scene document, so pictures and files are made as
-// by the server.
+// Scene options of `ciel extract` and `ciel render`. They produce a scene document, so that the server's code makes the
+// pictures and files.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -33,9 +33,9 @@ struct SceneOptions {
     [[nodiscard]] bool has_layers() const {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
-    void check_time() const; // throws UsageError if it is not finite
-    // Returns a scene with the layers, without colors, at `time` or else the first step. Throws UsageError on a
-    // malformed option.
+    void check_time() const; // throws UsageError if `time` is not finite
+    // Returns a scene with the chosen layers, without colors, at `time` or else at the first step. Throws UsageError on
+    // a malformed option.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
 
@@ -45,10 +45,10 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<const geometry::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
 
-// Returns the time of the step nearest to `time`. Prints a note to stderr if it differs.
+// Returns the time of the step nearest to `time`. Prints a note to stderr if the two differ.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);
 
-// Returns ".ply" for "Surface.PLY".
+// Returns the extension in lower case: ".ply" for "Surface.PLY".
 [[nodiscard]] std::string lower_case_extension(const std::string& file);
 
 // Parses "a,b,c" as finite numbers. Throws UsageError naming the option.

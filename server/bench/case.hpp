@@ -1,4 +1,4 @@
-// Benchmarks of one dataset and one point scalar: four tables of the paper, frames, and pictures of a volume.
+// Benchmarks of one point scalar of a dataset: four tables of the paper, frames, and pictures of a volume.
 #pragma once
 
 #include "bench/table.hpp"
@@ -7,34 +7,35 @@
 
 namespace ciel::bench {
 
-// Input of all tables: the last step in which the array varies. The step before with the array, if it has the same
-// mesh, is the changed field.
+// Input of all tables: a scalar of a dataset at the last step at which its array varies.
 struct Case {
     std::shared_ptr<store::Dataset> dataset;
-    std::shared_ptr<store::LoadedDataset> loaded; // the same, as the server holds it
-    std::string path;                             // to open it again
+    std::shared_ptr<store::LoadedDataset> loaded; // the same dataset, as the server holds it in memory
+    std::string path;                             // of the dataset, for the benchmark that opens it again
     std::string array;
     double time = 0;
     FaceMeshView mesh;
     std::shared_ptr<const std::vector<float>> values;
-    std::shared_ptr<const std::vector<float>> changed; // of that step, else `values` times 1.01
+    // The scalar at the previous step at which the array varies, if that step has the same mesh; else `values` times
+    // 1.01.
+    std::shared_ptr<const std::vector<float>> changed;
     std::shared_ptr<const Topology> topology;
 };
 
-// Opens the dataset at `path`. An empty `array` selects the first point array that varies.
-// Throws Error when the dataset has no such scalar or when the scalar does not vary.
+// Opens the dataset at `path`. An empty `array` selects the first point array that varies. Throws Error when the
+// dataset has no scalar of that name, or when the scalar has the same value everywhere.
 [[nodiscard]] Case open_case(const std::string& path, const std::string& array);
 
 [[nodiscard]] Table memory_table(const Case& data);        // the paper's table 2
-[[nodiscard]] Table preprocessing_table(const Case& data); // table 3: loading, construction, gradients, minima
-[[nodiscard]] Table slices_table(const Case& data);        // table 4: slices for volume rendering
-[[nodiscard]] Table surfaces_table(const Case& data);      // table 5
-// These two draw with the GL that is available.
+[[nodiscard]] Table preprocessing_table(const Case& data); // the paper's table 3: loading, construction, minima
+[[nodiscard]] Table slices_table(const Case& data);        // the paper's table 4: slices for volume rendering
+[[nodiscard]] Table surfaces_table(const Case& data);      // the paper's table 5
+// frames_table and volume_table draw with the OpenGL that is available.
 [[nodiscard]] Table frames_table(const Case& data); // from a change of the scene to an encoded picture
 [[nodiscard]] Table volume_table(const Case& data); // pictures of a volume
 
 [[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
-// Returns `count` equally spaced values inside the range, without its ends.
+// Returns `count` equally spaced values between `low` and `high`, without both ends.
 [[nodiscard]] std::vector<double> values_between(double low, double high, std::size_t count);
 [[nodiscard]] Field field_of(const Case& data, std::shared_ptr<const std::vector<float>> values);
 

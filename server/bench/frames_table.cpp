@@ -1,6 +1,6 @@
-// Times from a scene change to the encoded picture, as the server makes frames of a view: 1280 x 720 pixels, PNG.
-// Moving frames are encoded as JPEG too; the total does not include that. Each change is measured twice: as a whole,
-// and with every stage finished before the next begins.
+// Measures the time from a scene change to the encoded picture, as the server makes frames of a view: 1280 x 720
+// pixels, PNG. Frames in motion are also encoded as JPEG in a row of its own, which is not in the total. Each change is
+// measured twice: as a whole, and stage by stage, each stage finished before the next begins.
 #include "bench/case.hpp"
 #include "frames/frame_of.hpp"
 #include "geometry/scene_geometry.hpp"
@@ -65,7 +65,7 @@ public:
         scene_.annotations = {};
     }
 
-    // Measures a scene with only `layer`. still: draws the frame that follows when motion ends.
+    // Measures `change` on a scene whose only layer is `layer`. still: measures stills instead of frames in motion.
     void add_rows(Table& table, const std::string& what, const scene::Layer& layer, bool still, const Change& change) {
         scene_.layers = {layer};
         scene_.camera.reset();
@@ -150,7 +150,7 @@ private:
     wire::PngStream png_stream_;
     wire::JpegStream jpeg_stream_;
     std::vector<std::uint8_t> png_, jpeg_;
-    std::uint64_t triangles_ = 0; // of the last frame
+    std::uint64_t triangles_ = 0; // number of triangles in the last frame
     bool still_ = false;
 };
 

@@ -39,7 +39,7 @@ private:
 
     void add_series(Table& table, std::size_t count, bool normals) {
         const std::vector<double> values = values_between(low_, high_, count);
-        // Starts from another value: the state left by the last run would already be the same surface.
+        // Extracts another value before each run, because the query still holds the last surface of the run before.
         const auto away = [&] { (void)extract(at(0.3), false); };
         table.rows.push_back(measure(
             named(std::to_string(count) + (count == 1 ? " surface" : " surfaces") + (normals ? ", normals" : "")),
@@ -51,7 +51,7 @@ private:
             away));
     }
 
-    // Returns a step of the value that changes at most 1 % of the active edges; at least 1e-7 of the range.
+    // Returns an increment of nu that changes at most 1 % of the active edges, but at least 1e-7 of the range.
     double small_step(double nu) {
         (void)extract(nu, false);
         const auto edges = static_cast<double>(surface_.points.size());
@@ -60,21 +60,21 @@ private:
         while (step > span * 1e-7) {
             const auto passed =
                 std::ranges::count_if(*data_.values, [&](float value) { return value >= nu && value < nu + step; });
-            // Each passed vertex toggles its edges, about 12.
+            // A vertex with a value in the step makes its edges active or inactive, about 12 of them.
             if (12 * static_cast<double>(passed) <= edges / 100) return step;
             step /= 2;
         }
         return span * 1e-7;
     }
 
-    // The step and the jump end at nearly the same surface, so only the path to it differs.
+    // Measures a small step and a jump that end at nearly the same surface, so that their costs can be compared.
     void add_step(Table& table) {
         const double middle = at(0.5), step = small_step(middle);
         double nu = middle;
         Row row = measure(named("one small step, normals"), [&] { return extract(nu += step); });
         row.note = "of " + std::to_string(step);
         table.rows.push_back(row);
-        // Extracts other values first, so that blocks cannot reuse their cuts of the middle value.
+        // Extracts other values before each run, so that no block can reuse its cut at the middle value.
         const auto away = [&] {
             for (const double share : {0.45, 0.55, 0.8}) (void)extract(at(share));
         };

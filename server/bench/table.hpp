@@ -1,4 +1,4 @@
-// Results of a benchmark: rows of times and rows of figures.
+// Results of a benchmark (rows of times, and single figures), and functions that measure times.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace ciel::bench {
 
-// Seconds. low and high are quartiles; of fewer than five repetitions, the minimum and maximum.
+// Times of repeated runs, in seconds. low and high are the quartiles, or the minimum and maximum of fewer than five
+// runs.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };
@@ -17,11 +18,11 @@ struct Row {
     std::string what;
     Spread wall, cpu; // cpu: of all threads of the process
     std::uint64_t repetitions = 0;
-    std::uint64_t triangles = 0; // of one repetition; 0 where there are none
+    std::uint64_t triangles = 0; // made by one repetition; 0 if the benchmark makes none
     std::string note;            // free text
 };
 
-// Wall and CPU seconds since it was made.
+// Measures wall and CPU seconds since its construction.
 class Stopwatch {
 public:
     Stopwatch();
@@ -32,7 +33,7 @@ private:
     double wall_, cpu_;
 };
 
-[[nodiscard]] Spread spread_of(std::vector<double> times); // at least one time
+[[nodiscard]] Spread spread_of(std::vector<double> times); // REQUIRES: `times` is not empty
 
 struct Figure {
     std::string what;
@@ -46,9 +47,10 @@ struct Table {
     std::vector<Row> rows;
 };
 
-// Runs `body` until 0.25 s are measured: at least 3 and at most 25 times. The first run fills caches and is not
-// counted. After a counted run of more than 0.5 s there is no other. A first run of at least 1 s is the only one: it
-// counts, and the row's note says so. `prepare` runs before each run, untimed. `body` returns its number of triangles.
+// Measures `body`, which returns its number of triangles. `prepare` is called before each run, untimed.
+// The first run fills caches and is not counted. Then `body` runs until 0.25 s are measured, 3 to 25 times. A counted
+// run of more than 0.5 s is the last. If the first run takes at least 1 s, it is the only one; it is counted, and the
+// row's note says so.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 

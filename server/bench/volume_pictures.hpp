@@ -1,4 +1,4 @@
-// Cuts a volume into slices and draws it, for benchmarks.
+// VolumePictures: cuts a volume into slices and draws it, for benchmarks.
 #pragma once
 
 #include "bench/case.hpp"
@@ -7,8 +7,8 @@
 
 namespace ciel::bench {
 
-// Pictures of 1024 x 1024 pixels that show the whole mesh. Use on one thread: the GL context belongs to it.
-// Borrows the case.
+// Draws pictures of 1024 x 1024 pixels that show the whole mesh. Use on one thread only, because of its OpenGL context.
+// The case must outlive the object.
 class VolumePictures {
 public:
     static constexpr std::size_t slice_count = 100;
@@ -21,8 +21,8 @@ public:
     std::uint64_t cut_across_view() { return cut(view_direction()); }
     // Sets render::Volume::in_bytes for the next pictures.
     void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
-    // Draws one of `stride` slices; more than 1 is a preview at half the resolution. One sample per pixel.
-    // Returns the number of triangles of the drawn slices.
+    // Draws every `stride`-th slice, with one sample per pixel. A stride above 1 makes a preview at half the
+    // resolution. Returns the number of triangles of the drawn slices.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);
     void turn(double degrees); // turns the camera about its target, around its up vector
     void turn_back();          // to the default camera
@@ -31,7 +31,8 @@ public:
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
-    // Of the last picture: the share of pixels that are not black (0 to 1), and the area of all drawn slices in pixels.
+    // Describe the last picture. covered_share: share of the pixels that are not black, 0 to 1. samples: total area of
+    // the drawn slices, in pixels.
     [[nodiscard]] double covered_share() const;
     [[nodiscard]] double samples() const;
 
@@ -48,7 +49,7 @@ private:
     std::uint64_t revision_ = 0;
 };
 
-// Returns the share of the pixels that are not black.
+// Returns the share of the pixels that are not black, 0 to 1. rgb: three bytes per pixel.
 [[nodiscard]] double covered_share(std::span<const std::uint8_t> rgb);
 
 } // namespace ciel::bench

@@ -1,5 +1,5 @@
-// Times pictures of a volume, with 100 slices and 1024 x 1024 pixels, while the camera turns around it. Slices across
-// an axis of the box are kept while it turns; slices across the view are cut anew for each picture.
+// Measures pictures of a volume, with 100 slices and 1024 x 1024 pixels, while the camera turns around it. Box-aligned
+// slices are reused while the camera turns; screen-aligned slices are cut anew for each picture.
 #include "bench/volume_pictures.hpp"
 #include "geometry/volume_cut.hpp"
 

@@ -1,4 +1,4 @@
-# cmake --install: the library, its headers, a CMake package (find_package(ciel) -> ciel::kernel) and ciel.pc.
+# Install rules: the library, its headers, a CMake package (find_package(ciel) -> ciel::kernel) and ciel.pc.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CIEL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ciel)
@@ -7,7 +7,7 @@ install(DIRECTORY include/ciel DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT
 install(EXPORT ciel NAMESPACE ciel:: FILE ciel-targets.cmake DESTINATION ${CIEL_PACKAGE_DIR} COMPONENT kernel)
 configure_package_config_file(ciel-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/ciel-config.cmake
   INSTALL_DESTINATION ${CIEL_PACKAGE_DIR})
-# Version 0.x: another minor version may have another interface.
+# SameMinorVersion: while the version is 0.x, each minor version may change the interface.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/ciel-config-version.cmake VERSION ${PROJECT_VERSION}
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ciel-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/ciel-config-version.cmake

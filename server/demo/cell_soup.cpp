@@ -8,7 +8,8 @@ namespace ciel::demo {
 namespace {
 
 constexpr double tolerance = 1e-9;
-// Points are sorted along this direction. No two lattice points have the same place along it, so candidates are few.
+// Points are sorted by their coordinate along this direction. Different lattice points have different coordinates along
+// it, so each point is compared with few others.
 constexpr Vec3d generic_direction{0.57735026919, 0.32135, 0.75068};
 
 double along(const Vec3d& p) {

@@ -1,4 +1,5 @@
-// Cells as a generator returns them, with corners of their own; weld() makes a mesh of them.
+// CellSoup: cells as a mesh generator returns them, where neighbouring cells do not share points. weld() merges their
+// points.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -26,8 +27,8 @@ struct WeldedCells {
     }
 };
 
-// Merges points within the rounding of voro++, which is far below the distance of any two different corners.
-// Leaves out edges and faces that collapse.
+// Merges points whose coordinates differ by at most 1e-9, which allows for the rounding of voro++. Different corners
+// are much further apart. Leaves out edges and faces that collapse.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
 } // namespace ciel::demo

@@ -20,7 +20,8 @@ constexpr std::size_t vertices_per_task = 4096;
 enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
-// Returns the side of the box that has all corners of the face, else the cylinder. Positions on the sides are exact.
+// Returns the side of the box on which all corners of a boundary face lie, or the cylinder. Compares coordinates
+// exactly, because corners on the sides are not rounded.
 Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
@@ -93,7 +94,7 @@ FaceMesh make_mesh(const Bed& bed) {
     const WeldedCells welded = weld(soup);
     Assembled assembled = assemble(welded.view());
     if (!assembled.report.bad_cells.empty() || assembled.report.inverted_cells > 0)
-        throw Error("the demo's mesh has cells that do not close; report this with the version of voro++ installed");
+        throw Error("the demo's mesh has cells that do not close; report the failure with the version of voro++");
     return std::move(assembled.mesh);
 }
 
@@ -119,7 +120,7 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
-    // There is no source file, so the original ids are the stored ones.
+    // Original ids are those of an imported file. The demo has none, so its original ids are the stored ones.
     std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
     std::iota(ids.begin(), ids.end(), 0U);
     writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),
@@ -130,7 +131,7 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     const auto on_wall = wall_vertices(mesh, groups[cylinder]);
     const store::ArrayInfo velocity{"U", store::Association::point, 3, "R/T", "velocity"},
         vorticity{"vorticity", store::Association::point, 1, "1/T", "of the spanwise axis"},
-        tracer{"tracer", store::Association::point, 1, "", "dye that seeps from the cylinder"};
+        tracer{"tracer", store::Association::point, 1, "", "dye released by the cylinder"};
     Fields fields;
     for (std::size_t step = 0; step < steps; ++step) {
         const double share = static_cast<double>(step) / steps;

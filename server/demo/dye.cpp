@@ -11,10 +11,10 @@ namespace {
 
 constexpr double spacing = 0.08;
 constexpr std::size_t phases = 40;
-constexpr std::size_t periods = 6;                           // until the first dye has left on the longest path
-constexpr double source_inside = 1.25, source_outside = 1.9; // radii of full and of no strength
-// Per pass, in squared spacings. A larger value is not stable, so each step has several passes. Diffusion keeps the
-// filaments as wide as the mesh can show.
+constexpr std::size_t periods = 6;                           // computed until the dye is periodic
+constexpr double source_inside = 1.25, source_outside = 1.9; // radii at which the source has full and no strength
+// Diffusion per pass, in squared spacings. A larger value is not stable, so each step has several passes. Diffusion
+// widens thin filaments of dye, which the mesh could not show.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
@@ -23,7 +23,8 @@ double source(double x, double y) {
     return std::clamp((source_outside - std::hypot(x, y)) / (source_outside - source_inside), 0.0, 1.0);
 }
 
-// Catmull-Rom weights.
+// Returns the Catmull-Rom weights of four equidistant nodes for a position between the middle two. t: 0 at the second
+// node, 1 at the third.
 std::array<double, 4> cubic(double t) {
     return {((-t + 2) * t - 1) * t / 2, ((3 * t - 5) * t * t + 2) / 2, ((-3 * t + 4) * t + 1) * t / 2,
             (t - 1) * t * t / 2};
@@ -39,7 +40,7 @@ Dye::Dye(Extent extent)
     std::vector<std::vector<std::array<float, 2>>> departures(phases);
     parallel_for(phases, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t phase = begin; phase < end; ++phase) {
-            // Mid-point rule, backwards from phase + 1 to phase.
+            // Finds the departure points by the midpoint rule, backwards from phase + 1 to phase.
             const Flow after(static_cast<double>(phase + 1) * dt), between((static_cast<double>(phase) + 0.5) * dt);
             departures[phase].resize(nodes);
             for (std::size_t i = 0; i < nodes; ++i) {
@@ -109,8 +110,8 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // Mixes the phases before and after, each displaced along the flow. So the dye changes smoothly in time and along
-    // the span; mixing them in place would show everything twice.
+    // Interpolates between the phases before and after `time`, each displaced along the flow, so that the dye changes
+    // smoothly in time and along the span. Without the displacement each filament would appear twice.
     const double phase = (time - std::floor(time)) * phases;
     const double whole = std::floor(phase), part = phase - whole;
     const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;

@@ -1,7 +1,7 @@
-// A dye that seeps from the cylinder's surface and is carried away, in one plane of the flow, over one period.
+// Dye: a dye that the cylinder releases and the flow carries away, in one plane of the flow, over one period.
 // Semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Interpolation is cubic with
-// a limiter, which keeps the dye within [0, 1]. The flow is periodic: departure points are found once, and after some
-// periods the dye is periodic too.
+// a limiter, which keeps the dye within [0, 1]. The flow is periodic: departure points are computed for one period, and
+// after some periods the dye is periodic too.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ public:
     };
     explicit Dye(Extent extent);
 
-    // Returns the dye in [0, 1]. time: any, in periods; (u, v): the velocity at this place and time. Thread-safe.
+    // Returns the concentration of dye at (x, y), 0 to 1. time: any, in periods. (u, v): velocity of the flow at (x, y)
+    // and `time`. Thread-safe.
     [[nodiscard]] float at(double x, double y, double u, double v, double time) const;
 
 private:
@@ -24,11 +25,11 @@ private:
     [[nodiscard]] float sample(const std::vector<float>& plane, double x, double y) const;
     void step(const std::vector<std::array<float, 2>>& departure, const std::vector<float>& from,
               std::vector<float>& to) const;
-    void spread(const std::vector<float>& from, std::vector<float>& to) const; // diffuses
+    void spread(const std::vector<float>& from, std::vector<float>& to) const; // one pass of diffusion
 
     Extent extent_;
     std::size_t nx_, ny_;
-    std::vector<std::vector<float>> planes_; // one per phase
+    std::vector<std::vector<float>> planes_; // per phase: the dye at each node
 };
 
 } // namespace ciel::demo

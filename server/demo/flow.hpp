@@ -1,4 +1,4 @@
-// An unsteady flow past a cylinder in closed form.
+// Flow: an unsteady flow past a cylinder in closed form.
 // Based on: C. Jung, T. Tel, E. Ziemniak, "Application of scattering chaos to particle transport in a hydrodynamical
 // flow", Chaos 3, 555 (1993): the stream function
 //   Psi(x, y, t) = f(x, y) g(x, y, t)
@@ -7,7 +7,8 @@
 //   vortex: -+ w h exp(-kappa ((x - x_i)^2 + (y -+ y0)^2)), upper and lower in turn, half a period apart, born behind
 //   the cylinder, moving downstream at a constant speed and gaining and losing strength as h = sin(pi age / life).
 // Lengths are cylinder radii, times shedding periods. Departures from the paper: vortices are round, live two periods
-// and travel 16 radii (there: one pair, 2 radii), so several exist at a time. u0 = 10 is a Strouhal number of 0.2.
+// and travel 16 radii (in the paper: one pair, 2 radii), so several exist at a time. u0 = 10 is a Strouhal number of
+// 0.2.
 // A phase that varies along the span makes the flow three-dimensional and leaves it free of divergence.
 #pragma once
 
@@ -34,7 +35,7 @@ private:
     std::vector<Vortex> vortices_;
 };
 
-// Returns the lead of the phase, in periods, at height z of a span of length `span`.
+// Returns the time, in periods, by which the flow at height z is ahead of that at z = 0. span: length of the cylinder.
 [[nodiscard]] double span_phase(double z, double span);
 
 } // namespace ciel::demo

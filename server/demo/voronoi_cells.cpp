@@ -13,11 +13,11 @@ namespace ciel::demo {
 namespace {
 
 struct Seeds {
-    std::vector<Vec3d> real, images; // images only shape the wall; their cells lie inside the cylinder
+    std::vector<Vec3d> real, images; // images lie inside the cylinder; they shape the wall and get no cells
 };
 
 void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
-    constexpr double shift = 0.35; // of the spacing: irregular cells without slivers
+    constexpr double shift = 0.35; // largest shift of a seed, in spacings: makes cells irregular, but no slivers
     const double h = bed.spacing, clear_radius = 1 + 1.2 * h;
     std::mt19937_64 random(1);
     const auto jitter = [&] { return shift * h * (static_cast<double>(random()) / 0x1p63 - 1); };
@@ -34,7 +34,7 @@ void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
 
 void add_ring_seeds(const Bed& bed, Seeds& seeds) {
     const int around = static_cast<int>(std::lround(2 * std::numbers::pi * (1 + bed.spacing / 2) / bed.spacing));
-    // The flat faces touch the mirror radius; their edges then lie on the cylinder.
+    // Faces between seeds and their images touch the circle of radius `mirror`, so their edges lie on the cylinder.
     const double mirror = std::cos(std::numbers::pi / around), half = bed.spacing / 2;
     for (std::size_t k = 0; k + 1 < bed.z.size(); ++k)
         for (int n = 0; n < around; ++n) {
@@ -45,7 +45,8 @@ void add_ring_seeds(const Bed& bed, Seeds& seeds) {
         }
 }
 
-// Moves corners onto the sides of the box, which voro++ rounds: patch_of() compares exact coordinates.
+// Moves a corner that is within 1e-9 of a side of the box onto it. voro++ rounds corners, but patch_of() compares exact
+// coordinates.
 void snap(Vec3d& p, const std::array<Vec3d, 2>& box) {
     for (const Vec3d& corner : box)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -64,7 +65,7 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
     }
     for (std::size_t at = 0; at < faces.size();) {
         const auto count = static_cast<std::size_t>(faces[at]);
-        for (std::size_t corner = count; corner > 0; --corner) // voro++ winds inwards
+        for (std::size_t corner = count; corner > 0; --corner) // reversed: voro++ winds faces inwards
             soup.face_point.push_back(first + static_cast<Index>(faces[at + corner]));
         soup.face_offset.push_back(soup.face_point.size());
         at += count + 1;
@@ -75,7 +76,7 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
 
 // Returns the cells of seeds [begin, end). A container of voro++ is not thread-safe, so each call has its own.
 CellSoup cells_of(const Bed& bed, const Seeds& seeds, std::size_t begin, std::size_t end) {
-    constexpr double seeds_per_block = 5; // voro++'s advice
+    constexpr double seeds_per_block = 5; // as voro++ recommends
     const double block = bed.spacing * std::cbrt(seeds_per_block);
     const auto blocks = [&](double from, double to) { return std::max(1, static_cast<int>((to - from) / block)); };
     const std::array<Vec3d, 2> box{Vec3d{bed.x[bed.x_begin], bed.y[bed.y_begin], bed.z.front()},
@@ -112,7 +113,7 @@ CellSoup voronoi_cells(const Bed& bed) {
     Seeds seeds;
     add_lattice_seeds(bed, seeds);
     add_ring_seeds(bed, seeds);
-    constexpr std::size_t parts = 8; // independent of the threads, so that the result is too
+    constexpr std::size_t parts = 8; // constant, so that the cells do not depend on the number of threads
     std::vector<CellSoup> soups(parts);
     parallel_for(parts, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)

@@ -29,12 +29,13 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-constexpr std::chrono::milliseconds others_wait{500}; // for a still
+constexpr std::chrono::milliseconds others_wait{500}; // a still in progress gives way to other views after this time
 
 struct GivenUp {};
 struct GivesWay {};
 
-// As render::Frame::check_wanted.
+// Called while drawing, as render::Frame::check_wanted. Throws GivenUp when the frame is not wanted any more, GivesWay
+// when a still must let other views draw first.
 void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
     if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
     if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
@@ -46,13 +47,15 @@ std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const sc
     lacking.insert(lacking.end(), geometry.remarks.begin(), geometry.remarks.end());
     if (stream != Stream::geometry) return lacking;
     for (const geometry::VolumeDrawable& volume : geometry.volumes)
-        lacking.push_back("layer " + volume.layer + " is a volume, which has no polygons; it is shown in pictures");
+        lacking.push_back("layer " + volume.layer +
+                          " is a volume and has no polygons; choose the stream of images to see the volume");
     if (lighting.on && lighting.ambient_occlusion.on)
-        lacking.emplace_back("ambient occlusion is no part of polygons; it is shown in pictures");
+        lacking.emplace_back("ambient occlusion is not drawn in the stream of polygons; choose the stream of images to "
+                             "see the occlusion");
     return lacking;
 }
 
-// The step of the grid to send the polygons on; none where the client has them.
+// Returns the grid step on which to send the polygons of a frame, or nothing when the client has them already.
 std::optional<double> grid_to_send(View& view, const FrameRequest& request, const geometry::Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
     const annotations::Camera camera = geometry::camera_of(geometry, request.version->scene(), aspect);

@@ -1,4 +1,4 @@
-// The spine: newest scene -> extract -> draw -> encode -> send.
+// Makes one frame: newest scene -> extract -> draw -> encode -> send.
 #pragma once
 
 #include "engine/schedule/frame_workers.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::engine {
 
-// One frame of `view` on this worker, if one is due.
+// Makes and sends one frame of `view` on this worker, if one is due. `still`: a still, else an interactive frame.
 void show_frame(View& view, Worker& worker, bool still);
 
 } // namespace ciel::engine

@@ -94,9 +94,9 @@ std::string Metrics::text(const Gauges& gauges) const {
     out << "ciel_frames_total{kind=\"interactive\"} " << interactive_ << "\nciel_frames_total{kind=\"still\"} "
         << stills_ << '\n';
     single(out, "ciel_frames_cancelled_total", "counter",
-           "Frames given up: superseded, wanted by nobody any more, or to be drawn later.", cancelled_.load());
-    single(out, "ciel_frames_failed_total", "counter", "Frames that could not be made.", failed_.load());
-    single(out, "ciel_pictures_total", "counter", "Still pictures answered to picture.render.", pictures_.load());
+           "Frames cancelled: superseded, no longer wanted, or postponed.", cancelled_.load());
+    single(out, "ciel_frames_failed_total", "counter", "Frames that failed.", failed_.load());
+    single(out, "ciel_pictures_total", "counter", "Pictures returned by picture.render.", pictures_.load());
     single(out, "ciel_image_bytes_total", "counter", "Bytes of frames and pictures.", bytes_.load());
 
     const std::scoped_lock lock(mutex_);
@@ -120,9 +120,9 @@ std::string Metrics::text(const Gauges& gauges) const {
     single(out, "ciel_sessions", "gauge", "Sessions kept.", gauges.sessions);
     single(out, "ciel_connections", "gauge", "Open WebSockets.", gauges.connections);
     single(out, "ciel_views", "gauge", "Open views.", gauges.views);
-    single(out, "ciel_frame_workers_busy", "gauge", "Workers that make a frame or a picture.", gauges.busy_workers);
-    single(out, "ciel_slow_calls", "gauge", "Pictures, exports and the like under way.", gauges.slow_calls);
-    single(out, "ciel_slow_calls_waiting", "gauge", "Pictures, exports and the like that wait for their turn.",
+    single(out, "ciel_frame_workers_busy", "gauge", "Workers that draw a frame or a picture.", gauges.busy_workers);
+    single(out, "ciel_slow_calls", "gauge", "Slow calls (pictures, exports) that run.", gauges.slow_calls);
+    single(out, "ciel_slow_calls_waiting", "gauge", "Slow calls (pictures, exports) that wait.",
            gauges.slow_calls_waiting);
     single(out, "ciel_session_bytes", "gauge", "Query state and surfaces of all sessions.", gauges.session_bytes);
     single(out, "ciel_datasets", "gauge", "Datasets in memory.", gauges.datasets);
@@ -131,12 +131,11 @@ std::string Metrics::text(const Gauges& gauges) const {
     for (std::size_t i = 0; i < limits::held_names.size(); ++i)
         out << "ciel_memory_bytes{kind=\"" << limits::held_names[i] << "\"} " << gauges.held_bytes[i] << '\n';
     out << "ciel_memory_bytes{kind=\"datasets\"} " << gauges.dataset_bytes << '\n';
-    single(out, "ciel_memory_limit_bytes", "gauge", "The most that ciel_memory_bytes may be together.",
-           gauges.memory_limit);
-    family(out, "ciel_gl_info", "gauge", "What draws.");
+    single(out, "ciel_memory_limit_bytes", "gauge", "Limit on the sum of ciel_memory_bytes.", gauges.memory_limit);
+    family(out, "ciel_gl_info", "gauge", "OpenGL renderer and back end.");
     out << "ciel_gl_info{renderer=\"" << escaped(gauges.gl_renderer) << "\",backend=\"" << escaped(gauges.backend)
         << "\"} 1\n";
-    family(out, "ciel_build_info", "gauge", "What was built.");
+    family(out, "ciel_build_info", "gauge", "Version and compiler of the program.");
     out << "ciel_build_info{version=\"" << escaped(gauges.version) << "\",compiler=\"" << escaped(compiler)
         << "\"} 1\n";
     write_process_figures(out);

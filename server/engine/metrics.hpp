@@ -16,7 +16,7 @@ struct FrameTimes { // milliseconds
     double wait = 0, extract = 0, draw = 0, encode = 0;
 };
 
-struct Gauges { // what is true now; the counters count since the start
+struct Gauges { // current values; the counters in Metrics count since the start of the process
     std::size_t sessions = 0, connections = 0, views = 0, session_bytes = 0, dataset_bytes = 0, datasets = 0;
     std::array<std::uint64_t, limits::held_names.size()> held_bytes{};
     std::uint64_t memory_limit = 0;
@@ -24,27 +24,27 @@ struct Gauges { // what is true now; the counters count since the start
     std::string gl_renderer{}, backend{}, version{};
 };
 
-// Durations by the upper bounds that the metrics offer. Not thread-safe.
+// Counts durations in buckets with fixed upper bounds. Not thread-safe.
 class DurationHistogram {
 public:
-    // Seconds: from a quick call to a picture of a large mesh in software.
+    // Upper bounds of the buckets in seconds: from a quick call to a picture of a large mesh drawn in software.
     static constexpr std::array bounds{0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25,
                                        0.5,   1.0,    2.5,   5.0,  10.0,  30.0, 60.0};
 
     void add(double seconds);
-    // Samples of one family; labels: "method=\"scene.get\"".
+    // Writes the samples of one metric family. labels: such as "method=\"scene.get\"".
     void write(std::ostream& out, const char* family, const std::string& labels) const;
 
 private:
-    std::array<std::uint64_t, bounds.size() + 1> counts_{}; // the last one is of what is longer
+    std::array<std::uint64_t, bounds.size() + 1> counts_{}; // the last one counts longer durations
     double sum_ = 0;
 };
 
-// Thread-safe.
+// All members of Metrics are thread-safe.
 class Metrics {
 public:
-    void count_call(const std::string& method, double seconds); // its waiting for a turn not counted
-    // Extraction, drawing and encoding.
+    void count_call(const std::string& method, double seconds); // without waiting in the queue
+    // Counts a sent frame. The histogram gets its time for extraction, drawing and encoding.
     void count_frame(bool still, std::size_t bytes, const FrameTimes& times);
     void count_cancelled_frame() { ++cancelled_; }
     void count_failed_frame() { ++failed_; }
@@ -59,7 +59,7 @@ public:
 private:
     std::atomic<std::uint64_t> interactive_{0}, stills_{0}, cancelled_{0}, failed_{0}, pictures_{0}, bytes_{0};
     mutable std::mutex mutex_;
-    FrameTimes seconds_; // sums, in seconds
+    FrameTimes seconds_; // sums over all frames, in seconds instead of milliseconds
     std::map<std::string, DurationHistogram> calls_;
     DurationHistogram interactive_seconds_, still_seconds_;
     std::map<std::string, std::uint64_t> requests_;

@@ -1,4 +1,4 @@
-// A session with the geometry that it shows.
+// A session with the geometry of its scene.
 #pragma once
 
 #include "engine/services.hpp"
@@ -13,29 +13,30 @@
 
 namespace ciel::engine {
 
-// Thread-safe. Its views and the calls about it share one geometry, which is kept from one version to the next.
+// An OpenSession is thread-safe. All views and calls of the session share one geometry. Its unchanged parts are kept
+// from one version to the next.
 class OpenSession final : public sessions::Session {
 public:
-    // Steps beyond the limits are left out.
+    // Drops `steps` beyond the history's limits.
     OpenSession(std::string id, const Services& services, std::shared_ptr<const sessions::SceneVersion> first,
                 const sessions::Steps& steps = {});
 
-    // Made on the calling thread; others wait. Null when stopped. `moving`: as SceneGeometry::update has it. Throws
-    // Error, LimitReached.
+    // Returns the geometry of `version`, made on the calling thread. Concurrent calls wait. Returns null when `stop`
+    // was requested. `moving`: see SceneGeometry::update. Throws Error, LimitReached.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
                                                                      const std::stop_token& stop, bool moving = false);
-    void release_geometry(); // the memory of a session without viewers
+    void release_geometry(); // frees the geometry of a session without viewers
     [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // query state and surfaces
 
 private:
-    void charge_surfaces(); // REQUIRES the lock, as the next one does. Throws LimitReached.
+    void charge_surfaces(); // requires geometry_mutex_, as forget_surfaces() does; throws LimitReached
     void forget_surfaces();
 
     const Services& services_;
-    std::mutex geometry_mutex_; // taken without the session's lock only
+    std::mutex geometry_mutex_; // never locked while the session's own mutex is held
     geometry::SceneGeometry scene_geometry_;
     limits::Memory::Charge surfaces_;
-    std::atomic<std::size_t> surface_bytes_{0}; // as charged: read without the lock
+    std::atomic<std::size_t> surface_bytes_{0}; // bytes charged to surfaces_; read without geometry_mutex_
 };
 
 } // namespace ciel::engine

@@ -15,7 +15,8 @@
 namespace ciel::engine {
 namespace {
 
-// Numbers of proc_pid_stat(5) from its third field on: the second, the name in brackets, may hold blanks.
+// Returns the fields of /proc/self/stat from the third on (proc_pid_stat(5)). The second field, the name in
+// parentheses, may contain blanks, so reading begins after it.
 std::vector<std::string> stat_fields() {
     std::ifstream file("/proc/self/stat");
     std::string line;
@@ -30,7 +31,7 @@ std::optional<double> field(const std::vector<std::string>& fields, std::size_t 
     return std::stod(fields[index]);
 }
 
-// Seconds since the epoch; /proc/stat's btime is when the machine started.
+// Returns the boot time of the machine in seconds since the epoch (btime in /proc/stat).
 std::optional<double> boot_time() {
     std::ifstream file("/proc/stat");
     std::string name;
@@ -43,7 +44,7 @@ std::optional<double> open_files() {
     std::error_code failure;
     std::filesystem::directory_iterator entries("/proc/self/fd", failure);
     if (failure) return {};
-    return static_cast<double>(std::distance(begin(entries), end(entries)) - 1); // without the one of this look
+    return static_cast<double>(std::distance(begin(entries), end(entries)) - 1); // without the iterator's descriptor
 }
 
 std::optional<double> limit_of(__rlimit_resource resource) {

@@ -1,4 +1,4 @@
-// What the process uses, by the names that Prometheus' own client libraries give it.
+// Resource use of the process as metrics, under the names that Prometheus' own client libraries use.
 // https://prometheus.io/docs/instrumenting/writing_clientlibs/#standard-and-runtime-collectors
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace ciel::engine {
 
-// Lines of the text exposition format 0.0.4. A figure that the system does not tell is left out. Thread-safe.
+// Writes the metrics in the text exposition format 0.0.4, without values that the system does not provide. Thread-safe.
 void write_process_figures(std::ostream& out);
 
 } // namespace ciel::engine

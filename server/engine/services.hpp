@@ -1,4 +1,4 @@
-// What views and open sessions use of the process; all of it outlives them and is thread-safe.
+// Process-wide objects that views and open sessions use. They are thread-safe and outlive all views and sessions.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -9,7 +9,8 @@
 namespace ciel::engine {
 namespace {
 
-// 128 random bits: whoever knows a session's id may change its scene.
+// Returns 128 random bits in hexadecimal. A session's id must be unguessable: a client that knows it may change the
+// scene.
 std::string random_id() {
     static constexpr char digits[] = "0123456789abcdef";
     std::random_device source;
@@ -49,11 +50,13 @@ std::shared_ptr<OpenSession> Sessions::find(const std::string& id) {
 std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document,
                                             const Caller& by, const sessions::Steps& steps) {
     const auto begun = Clock::now();
-    const auto check = [&] { // REQUIRES: the lock
-        if (stopped_) throw limits::LimitReached("the server is about to stop and opens no new sessions");
+    const auto check = [&] { // requires mutex_ to be held
+        if (stopped_)
+            throw limits::LimitReached(
+                "the server is about to stop and opens no new sessions; try again after its restart");
         if (sessions_.size() >= services_.limits.sessions && !drop_longest_left())
-            throw limits::LimitReached("there are already " + std::to_string(sessions_.size()) +
-                                       " sessions, as many as the server keeps; close one first");
+            throw limits::LimitReached("the server already has " + std::to_string(sessions_.size()) +
+                                       " sessions, which is its limit; close a session first");
     };
     expire(Clock::now());
     {
@@ -61,7 +64,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
         if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
         check();
     }
-    auto first = sessions::make_version(services_, document(), 1); // may open a dataset: not under the lock
+    auto first = sessions::make_version(services_, document(), 1); // without the lock: may open a dataset
     const std::scoped_lock lock(mutex_);
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();
@@ -78,7 +81,9 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     return session;
 }
 
-// What nobody is connected to makes room: its client brings the scene along when it comes back.
+// Drops the session that has been unused for the longest time, to make room for another. Only sessions without a
+// connection are dropped; returns false if there is none. The client of a dropped session sends its scene when it
+// returns.
 bool Sessions::drop_longest_left() {
     auto longest = sessions_.end();
     for (auto entry = sessions_.begin(); entry != sessions_.end(); ++entry)
@@ -86,7 +91,7 @@ bool Sessions::drop_longest_left() {
             (longest == sessions_.end() || entry->second->last_used() < longest->second->last_used()))
             longest = entry;
     if (longest == sessions_.end()) return false;
-    tell_closed(*longest->second, "room for another");
+    tell_closed(*longest->second, "the limit on sessions");
     sessions_.erase(longest);
     return true;
 }
@@ -104,7 +109,9 @@ std::shared_ptr<View> Sessions::open_view(OpenSession& session, const std::share
     std::uint32_t id = 0;
     {
         const std::scoped_lock lock(mutex_);
-        if (stopped_) throw limits::LimitReached("the server is about to stop and opens no new views");
+        if (stopped_)
+            throw limits::LimitReached(
+                "the server is about to stop and opens no new views; try again after its restart");
         id = ++last_view_;
     }
     auto view = std::make_shared<View>(id, shared, connection, services_, size, stream, moving);
@@ -136,8 +143,8 @@ void Sessions::close_view(std::uint32_t id, std::uint64_t connection) {
 void Sessions::connection_closed(std::uint64_t connection) {
     for (const auto& session : all()) {
         session->disconnect(connection);
-        // Its surfaces go when nobody looks any more. On a worker: an extraction under way may hold them for a while.
-        // No still has to give way to this.
+        // Frees the surfaces of a session that has no connection left. A worker does so, because a running extraction
+        // may hold the geometry for a while. post_later() is used because a still gives way only to jobs of post().
         if (session->is_idle_since(Clock::time_point::max()))
             services_.workers.post_later(Clock::now(), [session](Worker&) {
                 if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();

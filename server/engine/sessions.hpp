@@ -6,28 +6,30 @@
 
 namespace ciel::engine {
 
-// Who opens or closes a session, for the log.
+// The caller that opens or closes a session, for the log.
 struct Caller {
     const sessions::Connection& connection;
     const std::string& request;
 };
 
-// Thread-safe.
+// All members of Sessions are thread-safe.
 class Sessions {
 public:
     explicit Sessions(const Services& services) : services_(services) {}
     ~Sessions() { close_all(); }
 
-    // Throws NotFound with a sentence.
+    // Returns the session of this id. Throws NotFound when there is none.
     [[nodiscard]] std::shared_ptr<OpenSession> find(const std::string& id);
-    // The session of this id, or a new one of it that shows `document`; an empty id: a new one. Throws LimitReached,
-    // and as make_version does. steps: of a new session.
+    // Returns the session of this id. If there is none, opens one with this id, or with a random id if `id` is empty.
+    // `document` returns the scene of a new session, `steps` are its undo and redo steps. Throws LimitReached, and what
+    // make_version throws.
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
                                                     const sessions::Steps& steps = {});
     void close(const std::string& id, const Caller& by); // throws NotFound
 
-    // Views have ids of their own in the process; only the connection that opened one may use it.
+    // Opens a view of the session. Its id is unique in the process. Only the connection that opened the view may use
+    // it.
     [[nodiscard]] std::shared_ptr<View> open_view(OpenSession& session,
                                                   const std::shared_ptr<sessions::Connection>& connection,
                                                   geometry::ViewSize size, Stream stream, wire::MovingCodec moving);
@@ -35,16 +37,16 @@ public:
     void close_view(std::uint32_t id, std::uint64_t connection);                          // throws NotFound
 
     void connection_closed(std::uint64_t connection);
-    void connection_has_room(std::uint64_t connection); // frames that had to wait can be sent
-    void dataset_changed(const std::string& dataset);   // views of it are offered their scene again
-    void expire(Clock::time_point now);                 // forgets sessions that have been idle for too long
-    void stop_opening();                                // draining: no new sessions from here on
+    void connection_has_room(std::uint64_t connection); // delayed frames can be sent now
+    void dataset_changed(const std::string& dataset);   // views of the dataset are offered their scene again
+    void expire(Clock::time_point now);                 // closes sessions that have been idle for too long
+    void stop_opening();                                // refuses new sessions and views from now on
     void close_all();
 
     [[nodiscard]] std::vector<std::shared_ptr<OpenSession>> all() const;
 
 private:
-    bool drop_longest_left(); // REQUIRES: the lock
+    bool drop_longest_left(); // requires mutex_ to be held
 
     const Services& services_;
     mutable std::mutex mutex_;

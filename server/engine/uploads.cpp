@@ -14,7 +14,7 @@ namespace ciel::engine {
 struct Uploads::Upload {
     struct Array {
         std::string name;
-        std::uint64_t begin = 0, bytes = 0, received = 0; // begin: in the file
+        std::uint64_t begin = 0, bytes = 0, received = 0; // begin: offset in the file
     };
 
     std::string dataset;
@@ -24,14 +24,14 @@ struct Uploads::Upload {
     Clock::time_point heard; // guarded by Uploads::mutex_
     std::uint64_t bytes = 0;
 
-    std::mutex mutex; // of what follows
+    std::mutex mutex; // guards `arrays` and `file`
     std::vector<Array> arrays;
     std::optional<store::ScratchFile> file;
 };
 
 namespace {
 
-constexpr std::uint64_t documents_bytes = 1 << 20; // the metadata that a commit writes, generously
+constexpr std::uint64_t documents_bytes = 1 << 20; // upper bound of the metadata that a commit writes
 
 wire::UploadId random_id() {
     std::random_device device;
@@ -48,8 +48,8 @@ std::uint64_t megabytes(std::uint64_t bytes) { return (bytes + (1 << 20) - 1) >>
 void check_own(const std::string& name, const store::Dataset& dataset) {
     if (!store::input_of_copy(dataset.directory()).empty())
         throw Error("dataset " + printable(name) +
-                    " is a copy that `ciel serve` made of its source and makes anew when that changes, so appended "
-                    "steps would be lost; make a dataset with `ciel import` and serve that");
+                    " is a copy that `ciel serve` makes again when the source file changes, so appended steps would be "
+                    "lost; make a dataset with `ciel import` and serve that dataset");
 }
 
 void check_disk(const std::string& name, const store::Dataset& dataset, std::uint64_t needed) {
@@ -61,7 +61,7 @@ void check_disk(const std::string& name, const store::Dataset& dataset, std::uin
                     " MB while it is uploaded; free some space");
 }
 
-// People elsewhere are not told where datasets lie.
+// Replaces the dataset's folder in a sentence by the dataset's name: clients must not learn paths of the server.
 std::string without_directory(std::string sentence, const store::Dataset& dataset) {
     const std::string directory = dataset.directory().string();
     const std::string& name = dataset.info().name;
@@ -88,7 +88,8 @@ wire::UploadId upload_id(const std::string& text) {
         return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10);
     };
     const bool is_id = text.size() == 2 * id.size() && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!is_id) throw limits::NotFound("there is no upload " + printable(text) + "; append.begin answers with one");
+    if (!is_id)
+        throw limits::NotFound("there is no upload " + printable(text) + "; append.begin returns the id of an upload");
     for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::uint8_t>(digit(2 * i) << 4 | digit(2 * i + 1));
     return id;
 }
@@ -102,7 +103,7 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
                            std::vector<store::WantedArray> wanted) {
     expire(Clock::now());
     auto dataset = loaded->dataset();
-    if (auto now = dataset->refreshed()) dataset = std::move(now); // what others appended within the last second
+    if (auto now = dataset->refreshed()) dataset = std::move(now); // sees steps that were just appended
     check_own(name, *dataset);
     BegunUpload begun{random_id(), store::plan_step(*dataset, time, wanted)};
     const auto upload = std::make_shared<Upload>();
@@ -112,7 +113,8 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     }
     if (upload->bytes > limits_.upload_bytes)
         throw limits::LimitReached("the step has " + std::to_string(megabytes(upload->bytes)) +
-                                   " MB; an upload may have " + std::to_string(limits_.upload_bytes >> 20) + " MB");
+                                   " MB; an upload may have at most " + std::to_string(limits_.upload_bytes >> 20) +
+                                   " MB");
     check_disk(name, *dataset, upload->bytes + begun.plan.stored_bytes + documents_bytes);
     upload->dataset = name;
     upload->loaded = loaded;
@@ -123,8 +125,8 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
         const std::lock_guard lock(mutex_);
         if (open_.size() >= limits_.uploads)
             throw limits::LimitReached(
-                "there are " + std::to_string(limits_.uploads) +
-                " uploads already; commit or cancel one, or wait until a silent one is given up");
+                std::to_string(limits_.uploads) +
+                " uploads are open already; commit or cancel one of them, or wait until an idle upload is cancelled");
         open_.emplace(begun.id, upload);
     }
     try {
@@ -144,25 +146,27 @@ std::shared_ptr<Uploads::Upload> Uploads::find(const wire::UploadId& id) {
     const std::lock_guard lock(mutex_);
     const auto found = open_.find(id);
     if (found == open_.end())
-        throw limits::NotFound("there is no upload " + to_text(id) + "; one that is silent for " +
-                               std::to_string(limits_.upload_idle_seconds) + " s is given up");
+        throw limits::NotFound("there is no upload " + to_text(id) + "; an upload without a piece for " +
+                               std::to_string(limits_.upload_idle_seconds) +
+                               " s is cancelled. Call append.begin again");
     found->second->heard = now;
     return found->second;
 }
 
 std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
     if (piece.bytes.size() > limits_.upload_piece_bytes)
-        throw limits::LimitReached("a piece of an upload may have " + std::to_string(limits_.upload_piece_bytes) +
-                                   " bytes");
+        throw limits::LimitReached("a piece of an upload may have at most " +
+                                   std::to_string(limits_.upload_piece_bytes) + " bytes");
     const auto upload = find(piece.upload);
     const std::lock_guard lock(upload->mutex);
     if (piece.array >= upload->arrays.size())
-        throw Error("the upload has no array " + std::to_string(piece.array) + "; it has " +
+        throw Error("the upload has no array " + std::to_string(piece.array) + "; the number of its arrays is " +
                     std::to_string(upload->arrays.size()));
     Upload::Array& array = upload->arrays[piece.array];
     if (piece.offset > array.received)
-        throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " bytes so far; a piece at " +
-                    std::to_string(piece.offset) + " would leave a gap");
+        throw Error("array '" + array.name + "' has " + std::to_string(array.received) +
+                    " bytes so far; a piece at byte " + std::to_string(piece.offset) +
+                    " would leave a gap; send the bytes before the piece first");
     if (piece.bytes.size() > array.bytes - piece.offset)
         throw Error("array '" + array.name + "' has " + std::to_string(array.bytes) + " bytes; a piece of " +
                     std::to_string(piece.bytes.size()) + " at " + std::to_string(piece.offset) + " is too long");
@@ -179,7 +183,7 @@ CommittedUpload Uploads::commit(const wire::UploadId& id) {
         if (array.received < array.bytes)
             throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
                         std::to_string(array.bytes) + " bytes; send the rest, then commit");
-    std::vector<float> values; // of one array at a time
+    std::vector<float> values; // values of one array at a time
     const auto values_of = [&](std::size_t i) {
         values.resize(upload->arrays[i].bytes / sizeof(float));
         upload->file->read(upload->arrays[i].begin, std::as_writable_bytes(std::span(values)));
@@ -207,7 +211,7 @@ void Uploads::cancel(const wire::UploadId& id) {
 void Uploads::expire(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     std::erase_if(open_, [&](const auto& entry) {
-        // In somebody's hands, it is being filled or committed.
+        // A higher use count means that another call is filling or committing the upload.
         return entry.second.use_count() == 1 &&
                now - entry.second->heard >= std::chrono::seconds(limits_.upload_idle_seconds);
     });

@@ -1,4 +1,4 @@
-// Steps that clients push in pieces: begun, filled, committed.
+// Time steps that clients upload: an upload is begun, gets the bytes of its arrays in pieces, and is committed.
 #pragma once
 
 #include "limits/limits.hpp"
@@ -14,22 +14,22 @@ namespace ciel::engine {
 using wire::UploadId;
 [[nodiscard]] std::string to_text(const wire::UploadId& id);                // 32 hexadecimal digits
 [[nodiscard]] wire::UploadId upload_id(const std::string& text);            // throws NotFound
-[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // float32
+[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // bytes of the array as float32
 
 struct BegunUpload {
-    wire::UploadId id{}; // random: it is all that a piece needs
+    wire::UploadId id{}; // random, because a client needs only the id to add pieces
     store::StepPlan plan;
 };
 
 struct CommittedUpload {
-    std::string dataset; // by its name in the catalog
+    std::string dataset; // name in the catalog
     std::shared_ptr<store::LoadedDataset> loaded;
     std::size_t step = 0;
     double time = 0;
 };
 
-// Thread-safe. Values wait in nameless files on the dataset's disk. What was silent for upload_idle_seconds is given
-// up.
+// Uploads is thread-safe. Uploaded values are kept in unnamed files on the dataset's disk. An upload that gets no call
+// for upload_idle_seconds is dropped.
 class Uploads {
 public:
     using Clock = std::chrono::steady_clock;
@@ -37,27 +37,30 @@ public:
     explicit Uploads(const limits::Limits& limits);
     ~Uploads();
 
-    // Checks names, sizes, time, the limits and the free disk before the first piece. Throws LimitReached, Error.
+    // Begins an upload of a step at `time`. Checks names, sizes, time, the limits and the free disk space before the
+    // first piece. Throws LimitReached, Error.
     BegunUpload begin(const std::string& name, const std::shared_ptr<store::LoadedDataset>& loaded, double time,
                       std::vector<store::WantedArray> wanted);
-    // Bytes of one array, without a gap behind those that have come; some may come again. Returns how many have come.
-    // Throws NotFound, LimitReached, Error; the upload stays as it was.
+    // Adds bytes of one array. They must begin at or before the end of the received bytes; received bytes may be sent
+    // again. Returns the number of received bytes of the array. Throws NotFound, LimitReached, Error; the upload is
+    // then unchanged.
     std::uint64_t add(const wire::UploadPiece& piece);
-    // Writes the step, under the dataset's lock. Throws NotFound, Error; then the upload stays as it was.
+    // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, Error; the upload
+    // is then unchanged.
     CommittedUpload commit(const wire::UploadId& id);
     void cancel(const wire::UploadId& id); // throws NotFound
 
     void expire(Clock::time_point now);
     [[nodiscard]] std::size_t count() const;
-    [[nodiscard]] std::uint64_t bytes() const; // reserved on disks
+    [[nodiscard]] std::uint64_t bytes() const; // disk space reserved for all uploads
 
 private:
     struct Upload;
-    [[nodiscard]] std::shared_ptr<Upload> find(const wire::UploadId& id); // counts as a sign of life
+    [[nodiscard]] std::shared_ptr<Upload> find(const wire::UploadId& id); // restarts the upload's idle time
 
     const limits::Limits& limits_;
     mutable std::mutex mutex_;
-    std::mutex committing_; // one at a time
+    std::mutex committing_; // held by commit(): one commit at a time
     std::map<wire::UploadId, std::shared_ptr<Upload>> open_;
 };
 

@@ -12,10 +12,10 @@
 namespace ciel::engine {
 namespace {
 
-constexpr std::chrono::milliseconds quiet{150};    // without a change or a frame before a still: a pause of the hand
-constexpr std::chrono::milliseconds patience{500}; // younger interactive work is finished, though superseded
-constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // are logged
-constexpr unsigned most_ways_given = 3;                        // by one still: then it is finished
+constexpr std::chrono::milliseconds quiet{150};    // pause after the last change or frame before a still is made
+constexpr std::chrono::milliseconds patience{500}; // a superseded interactive frame younger than this is finished
+constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // slower frames are logged
+constexpr unsigned most_ways_given = 3;                        // how often a still gives way before it must be finished
 
 } // namespace
 
@@ -40,7 +40,7 @@ void View::again() {
     mailbox_.put(newest_);
     still_wanted_ = nullptr;
     content_.clear();
-    parts_.clear(); // all of it is sent again: so a client that lost something gets it back
+    parts_.clear(); // all arrays are sent again, in case the client has lost some
     if (working_) stop_.request_stop();
     schedule();
 }
@@ -64,7 +64,7 @@ void View::acknowledge(std::uint32_t frame) {
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     held_ = frame;
     parts_.erase(parts_.begin(), parts_.lower_bound(frame));
-    quiet_until_ = Clock::now() + quiet; // the hand answers to what it sees now
+    quiet_until_ = Clock::now() + quiet; // the user may react to the frame that is shown now
     schedule();
 }
 
@@ -85,7 +85,7 @@ void View::schedule() {
         if (!mailbox_.empty()) window_.held_back();
         return;
     }
-    if (!connection_->may_send(frame_bytes_)) return; // look_again() follows
+    if (!connection_->may_send(frame_bytes_)) return; // look_again() is called when there is room
     const std::weak_ptr<View> weak = weak_from_this();
     if (!mailbox_.empty()) {
         queued_ = services_.workers.post([weak](Worker& worker) {
@@ -159,7 +159,8 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     }
     gave_up_ = false;
     gave_way_ = 0;
-    quiet_until_ = Clock::now() + quiet; // else a slow frame would be followed by its still at once, in the hand's way
+    // Restarts the pause: otherwise a still would follow a slow frame at once and delay the next interactive frame.
+    quiet_until_ = Clock::now() + quiet;
     finish();
     lock.unlock();
     if (bytes == 0) return;
@@ -216,7 +217,7 @@ void View::give_way() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
     ++gave_way_;
-    quiet_until_ = Clock::now(); // when its wait for the next turn begins
+    quiet_until_ = Clock::now(); // the still is due now: its time in the queue counts from here
     finish();
 }
 
@@ -250,13 +251,13 @@ bool View::shows(const frames::ContentKey& key, double grid) {
 }
 
 std::optional<double> View::grid_of_new(frames::ContentKey key, double needed) {
-    constexpr double much_finer = 16; // costs bytes that nobody sees
+    constexpr double much_finer = 16; // a grid finer than needed by this factor wastes bytes
     const std::scoped_lock lock(mutex_);
     const bool is_new = key != content_;
     const bool fine_enough = grid_ > 0 && grid_ <= needed && (!is_new || much_finer * grid_ >= needed);
     if (!is_new && fine_enough) return {};
     content_ = std::move(key);
-    if (!fine_enough) grid_ = needed; // else parts that have not changed stay what they are
+    if (!fine_enough) grid_ = needed; // else keeps the grid, so that unchanged arrays are not sent again
     return grid_;
 }
 

@@ -1,4 +1,4 @@
-// A stream of frames of one session to one connection: which scene is drawn next, and when.
+// A view: the stream of frames of one session to one connection. Decides which scene is drawn next, and when.
 #pragma once
 
 #include "engine/open_session.hpp"
@@ -17,24 +17,24 @@
 namespace ciel::engine {
 
 enum class Stream { image, geometry };
-using wire::MovingCodec; // of interactive pictures; a still is a PNG
+using wire::MovingCodec; // codec of interactive pictures; a still is always a PNG
 
-// What a worker is asked to show.
+// A frame that a worker is asked to make.
 struct FrameRequest {
     std::shared_ptr<const sessions::SceneVersion> version;
     geometry::ViewSize size;
     Stream stream = Stream::image;
     bool still = false;
-    bool gives_way = false;                // to interactive frames of other views, when it takes long
-    double scale = 1;                      // of an interactive picture, which is so much smaller than the view
-    wire::PictureStream* moving = nullptr; // the view's, that an interactive picture is one of
-    wire::HeldArrays held;                 // of polygons: what the client has
+    bool gives_way = false;                // a still that lets frames of other views go first if it takes long
+    double scale = 1;                      // side of an interactive picture as a fraction of the view's side
+    wire::PictureStream* moving = nullptr; // encoder of the view's interactive pictures; else null
+    wire::HeldArrays held;                 // arrays that the client has; geometry stream only
     std::stop_token stop;
     Clock::time_point started;
 };
 
-// Thread-safe. The newest scene waits in a mailbox until a worker is free and the window has room for one more frame on
-// the way. When nothing newer has come for a moment, the shown picture is followed by its still.
+// A View is thread-safe. The newest scene waits in a mailbox until a worker is free and the window has room for one
+// more frame in flight. When no newer scene has come for a moment, the shown picture is followed by its still.
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
@@ -45,42 +45,44 @@ public:
     [[nodiscard]] OpenSession& session() const { return *session_; }
 
     void offer(std::shared_ptr<const sessions::SceneVersion> version);
-    void resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio); // none: as it was
-    void set_stream(Stream stream, std::optional<wire::MovingCodec> moving);                   // none: as it was
-    void acknowledge(std::uint32_t frame);                                                     // and all before it
-    void look_again(); // the connection has room for frames again
+    void resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio); // absent: unchanged
+    void set_stream(Stream stream, std::optional<wire::MovingCodec> moving);                   // absent: unchanged
+    void acknowledge(std::uint32_t frame); // acknowledges earlier frames, too
+    void look_again();                     // the connection has room again
     void close();
 
-    // For the frame loop, which follows a take() that returned something by exactly one of deliver, give_up, give_way
-    // and fail.
+    // For the frame loop. If take() returns a request, exactly one call of deliver, give_up, give_way or fail must
+    // follow.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Before deliver: what the frame lacks is told when it differs from what the one before lacked. `drawn`: what its
-    // drawing added to that; none while something moves: as of the still before, or the sentence would come and go.
+    // Call before deliver. Notifies the client of what the frame lacks, if that differs from the previous frame.
+    // `drawn`: what the renderer could not draw. It is absent for an interactive picture; the list of the last still is
+    // then kept, because the notice would otherwise flicker.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const geometry::Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // `messages` in order; their headers get the frame number. Empty: nothing new to see. `parts`: of polygons, what
-    // the client has when it acknowledges the frame. Without room on the connection the frame is dropped, and made
-    // again when there is some. Throws LimitReached beyond the server's memory.
+    // Sends `messages` in order with the frame number in their headers; empty if nothing new is to be seen. `parts`:
+    // ids of the arrays that the client has when it acknowledges the frame; geometry stream only. If the connection has
+    // no room, the frame is dropped and made again when there is room. Throws LimitReached beyond the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
                  const FrameTimes& times);
-    void give_up();  // superseded, or nobody waits for it any more
-    void give_way(); // and be taken again
+    void give_up();  // the frame was superseded, or the view is closed
+    void give_way(); // the still let other views go first; it is taken again later
     void fail(const FrameRequest& request, const std::string& sentence);
 
-    // True when the last geometry frame had this content, on a grid as fine as this or finer.
+    // Returns whether the last geometry frame had this content, on a grid as fine as `grid` or finer.
     [[nodiscard]] bool shows(const frames::ContentKey& key, double grid);
-    // The step of the grid that this content is sent on; none where the client has it on one that is fine enough. Both
-    // are remembered as the last geometry frame's.
+    // Returns the grid step on which to send this content, or nothing if the client has it on a grid that is fine
+    // enough. Remembers the content and the step as those of the last geometry frame.
     [[nodiscard]] std::optional<double> grid_of_new(frames::ContentKey key, double needed);
 
 private:
-    void again();  // REQUIRES: the lock; the same scene, because size or stream changed
-    void finish(); // REQUIRES: the lock
-    [[nodiscard]] wire::PictureStream& pictures_now(); // REQUIRES: the lock, and that none has taken
+    void again();  // shows the same scene after a new size or stream; requires mutex_ to be held
+    void finish(); // requires mutex_ to be held
+    // Returns the encoder of the next interactive picture. Requires mutex_ to be held and no frame in progress.
+    [[nodiscard]] wire::PictureStream& pictures_now();
     void schedule();
-    // For one more frame on the way, of the size of the last.
+    // Returns whether window and connection have room for one more frame of the last frame's size.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
-    void make_again_later(const FrameRequest& request); // REQUIRES: the lock
+    void make_again_later(const FrameRequest& request); // requires mutex_ to be held
 
     const std::uint32_t id_;
     const std::shared_ptr<OpenSession> session_;
@@ -97,25 +99,27 @@ private:
     struct {
         wire::MovingCodec codec{};
         int quality = 0;
-        std::unique_ptr<wire::PictureStream> stream; // null: none has been asked for
-    } pictures_;                                     // for who has taken
+        std::unique_ptr<wire::PictureStream> stream; // null before the first interactive picture
+    } pictures_;                                     // used by the worker whose take() returned a request
     frames::Mailbox<std::shared_ptr<const sessions::SceneVersion>> mailbox_;
-    std::shared_ptr<const sessions::SceneVersion> newest_;       // last offered
-    std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown, and no still of it yet
-    std::stop_source stop_;                                      // of the work under way
+    std::shared_ptr<const sessions::SceneVersion> newest_;       // version of the last offer()
+    std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown version that has no still yet
+    std::stop_source stop_;                                      // cancels the frame in progress
     Clock::time_point started_, quiet_until_;
     bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
-    bool gave_up_ = false; // the last interactive frame: the next is not cancelled, or a steady drag would show nothing
-    unsigned gave_way_ = 0; // times that the still did that is wanted now
+    // Whether the last interactive frame was cancelled. The next one is then finished: otherwise nothing would be shown
+    // during a steady drag.
+    bool gave_up_ = false;
+    unsigned gave_way_ = 0; // how often the wanted still has given way
     std::uint32_t sent_ = 0;
     std::size_t frame_bytes_ = 0; // of the last frame
     frames::ContentKey content_;
-    double grid_ = 0;                                  // step that content_ was sent on
-    std::uint32_t held_ = 0;                           // the frame acknowledged last
-    std::map<std::uint32_t, wire::ArrayIds> parts_;    // by frame: the acknowledged one and those after it
+    double grid_ = 0;                                  // grid step of content_; 0 before the first geometry frame
+    std::uint32_t held_ = 0;                           // last acknowledged frame
+    std::map<std::uint32_t, wire::ArrayIds> parts_;    // arrays by frame, from the acknowledged frame on
     std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
     std::vector<geometry::EmptyLayer> empty_;          // of the last frame
-    std::vector<std::string> missing_;                 // layers with places without a value
+    std::vector<std::string> missing_;                 // layers of the last frame that have places without a value
 };
 
 } // namespace ciel::engine

@@ -1,4 +1,4 @@
-// Finds another font of this machine that has a character, through fontconfig.
+// Finds an installed font that has a given character, through fontconfig.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,11 @@ namespace ciel::fonts {
 
 struct FontFile {
     std::filesystem::path path;
-    int index = 0; // of the face in the file
+    int index = 0; // index of the face in the file
 };
 
-// Returns the outline font most similar to the font of annotations; none if no font has the character. Thread-safe.
+// Returns the outline font that has the character and is most similar to DejaVu Sans; nullopt if no font has it.
+// Thread-safe.
 [[nodiscard]] std::optional<FontFile> fallback_font(char32_t character);
 
 } // namespace ciel::fonts

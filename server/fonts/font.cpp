@@ -19,8 +19,8 @@ namespace ciel::fonts {
 namespace {
 
 constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted vertically only: letters keep their shapes
-constexpr double halo_share = 0.09;                   // of the em
-constexpr unsigned face_shift = 24;                   // PlacedGlyph::glyph: face in the bits above, glyph below
+constexpr double halo_share = 0.09;                   // width of the halo around a letter, in ems
+constexpr unsigned face_shift = 24;                   // PlacedGlyph::glyph is (face << face_shift) | glyph in the face
 constexpr std::uint32_t glyph_mask = (1U << face_shift) - 1;
 constexpr std::size_t most_faces = 64;
 
@@ -29,7 +29,7 @@ struct GlyphDeleter {
 };
 using OwnedGlyph = std::unique_ptr<FT_GlyphRec_, GlyphDeleter>;
 
-// Replaces the outline by its bitmap.
+// Returns the bitmap of a glyph's outline.
 OwnedGlyph bitmap_of(OwnedGlyph outline, FreeType& library, const std::filesystem::path& file) {
     FT_Glyph glyph = outline.release();
     const FT_Error error = FT_Glyph_To_Bitmap(&glyph, FT_RENDER_MODE_NORMAL, nullptr, 1);
@@ -58,32 +58,35 @@ struct Font::State {
     FT_Stroker stroker = nullptr;
     struct Face {
         std::filesystem::path file;
-        int index = 0; // of the face in the file
+        int index = 0; // index of the face in the file
         FT_Face face = nullptr;
-        int pixels = 0; // current size of the face
+        int pixels = 0; // size that the face is set to, in pixels per em
     };
     std::vector<Face> faces; // the font, then fallback fonts
     struct Character {
-        std::uint32_t glyph = 0; // as in PlacedGlyph
-        double advance = 0;      // ems
+        std::uint32_t glyph = 0; // as PlacedGlyph::glyph
+        double advance = 0;      // in ems
     };
     std::unordered_map<char32_t, Character> characters; // cache: a look-up in the file costs microseconds
     std::map<int, annotations::FontMetrics> metrics;
 
     explicit State(const std::filesystem::path& file) {
         if (!open(file, 0))
-            throw Error("titles, axes and legends cannot be written: this machine's font " + file.filename().string() +
-                        " cannot be read; leave them out, or install the package fonts-dejavu-core on it");
-        library.check(FT_Stroker_New(library.library(), &stroker), "draw around its glyphs", file);
+            throw Error("titles, axes and legends cannot be drawn: the font " + file.filename().string() +
+                        " cannot be read on the server; install the package fonts-dejavu-core there, or leave out "
+                        "titles, axes and legends");
+        library.check(FT_Stroker_New(library.library(), &stroker), "outline its glyphs", file);
     }
-    // Returns false if it cannot be read. Throws std::bad_alloc.
+    // Appends the face of a font file to `faces`. Returns false if the file is not a readable font. Throws
+    // std::bad_alloc.
     bool open(const std::filesystem::path& file, int index) {
         const FT_Face face = library.open(file, index);
         if (face == nullptr) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
-    // Returns the index of a face that has the character, and its glyph there; {0, 0}, the font's box, if none has.
+    // Returns the index of a face that has the character, and its glyph in that face. Returns {0, 0}, the box that the
+    // font shows for missing characters, if no face has it.
     std::pair<std::size_t, FT_UInt> find(char32_t character) {
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};
@@ -112,7 +115,7 @@ FT_FaceRec_* Font::at(int pixels, std::size_t place) {
     State& state = opened();
     State::Face& known = state.faces.at(place);
     if (known.pixels != pixels) {
-        state.library.check(FT_Set_Pixel_Sizes(known.face, 0, static_cast<FT_UInt>(pixels)), "use it at this size",
+        state.library.check(FT_Set_Pixel_Sizes(known.face, 0, static_cast<FT_UInt>(pixels)), "scale the font",
                             known.file);
         known.pixels = pixels;
     }
@@ -134,7 +137,7 @@ annotations::FontMetrics Font::metrics(int pixels) {
 Line Font::shape(std::string_view utf8, int pixels) {
     State& state = opened();
     Line line;
-    double pen = 0; // ems; not rounded per glyph, which would spoil the spacing
+    double pen = 0; // in ems; rounding it after each glyph would spoil the spacing
     std::uint32_t before = 0;
     for (const char32_t character : decode_utf8(utf8)) {
         auto known = state.characters.find(character);
@@ -175,8 +178,8 @@ GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
     FT_Stroker_Set(state.stroker, static_cast<FT_Fixed>(64 * std::max(1.0, halo_share * pixels)),
                    FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
     FT_Glyph stroked = loaded;
-    state.library.check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "draw around a glyph",
-                        file); // keeps `loaded`
+    state.library.check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "outline a glyph",
+                        file); // last argument 0: does not destroy `loaded`
     const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked), state.library, file);
     letter = bitmap_of(std::move(letter), state.library, file);
     const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());

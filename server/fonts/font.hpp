@@ -1,4 +1,4 @@
-// A font at any size, through FreeType. Independent of OpenGL.
+// Font: measures and draws text at any size with FreeType. Independent of OpenGL.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -15,24 +15,26 @@ struct FT_FaceRec_; // FreeType's
 namespace ciel::fonts {
 
 struct PlacedGlyph {
-    std::uint32_t glyph = 0; // for draw; 0: box for a character that no font has
+    std::uint32_t glyph = 0; // for Font::draw; 0 is the box for a character that no font has
     int x = 0;               // pixels from the start of the text
 };
 struct Line {
     std::vector<PlacedGlyph> glyphs;
-    int width = 0;
+    int width = 0; // pixels
 };
 struct GlyphImage {
-    int left = 0, top = 0; // of the image: pixels right of the pen, above the base line
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> coverage; // two bytes a pixel, rows from the top: letter, letter with halo
+    int left = 0, top = 0;     // upper left corner: pixels right of the pen, pixels above the baseline
+    int width = 0, height = 0; // pixels
+    // Two bytes per pixel: coverage of the letter, coverage of the letter with its halo. Rows from the top.
+    std::vector<std::uint8_t> coverage;
 };
 
-// A font, with other fonts of the machine for characters that it lacks. For one thread only. Sizes are pixels per em.
-// `metrics` describes the font itself, not the others.
+// A font, with installed fallback fonts for characters that it lacks. Not thread-safe. Sizes are in pixels per em.
+// `metrics` describes the font itself, not its fallback fonts.
 class Font final : public annotations::TextMeasure {
 public:
-    // Opens the file on first use. Every call throws Error, naming the package, when the font is missing.
+    // `file` is opened by the first call of another member function. If it cannot be read, every call throws Error that
+    // names the package to install.
     explicit Font(std::filesystem::path file = default_file());
     ~Font() override;
     Font(Font&&) noexcept;

@@ -82,7 +82,7 @@ FT_Face FreeType::open(const std::filesystem::path& file, int index) {
 void FreeType::check(FT_Error error, const char* what, const std::filesystem::path& file) {
     if (error == 0) return;
     throw_if_out_of_memory();
-    throw Error("this machine's font " + file.filename().string() + ": FreeType cannot " + what);
+    throw Error("the font " + file.filename().string() + ": FreeType cannot " + what);
 }
 
 } // namespace ciel::fonts

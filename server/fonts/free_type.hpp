@@ -1,5 +1,5 @@
-// FreeType's library with an allocator that records failed allocations. FreeType itself reports them as arbitrary
-// errors, such as a damaged font, and an unmappable file as an unknown format. One thread at a time.
+// FreeType: an FT_Library whose allocator records failed allocations. FreeType itself reports a failed allocation as an
+// arbitrary error, such as a damaged font, and a file that cannot be mapped as an unknown format. One thread at a time.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,8 @@ public:
 
     [[nodiscard]] FT_Library library() const { return library_; }
 
-    // Null if FreeType cannot read the file as a font. The face is owned by this object. Throws std::bad_alloc.
+    // Opens a face of a font file; this object owns it. Returns null if FreeType cannot read the file as a font. Throws
+    // std::bad_alloc.
     [[nodiscard]] FT_Face open(const std::filesystem::path& file, int index);
     // Throws ciel::Error, naming the file and `what`, if `error` is not 0; std::bad_alloc if memory was the reason.
     void check(FT_Error error, const char* what, const std::filesystem::path& file);
@@ -32,7 +33,7 @@ private:
     };
     using Mapping = std::unique_ptr<void, Unmap>;
 
-    static Mapping map(const std::filesystem::path& path); // null if it cannot be read
+    static Mapping map(const std::filesystem::path& path); // null if the file cannot be read
     static void* allocate(FT_Memory memory, long bytes);
     static void* reallocate(FT_Memory memory, long before, long bytes, void* block);
     static void release(FT_Memory memory, void* block);
@@ -40,7 +41,7 @@ private:
 
     FT_MemoryRec_ memory_;
     FT_Library library_ = nullptr;
-    bool ran_out_ = false;
+    bool ran_out_ = false;       // an allocation has failed
     std::vector<Mapping> files_; // must outlive the faces
 };
 

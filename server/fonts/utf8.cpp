@@ -1,4 +1,5 @@
-// Best practice of Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes one U+FFFD.
+// Decodes UTF-8 by the best practice of Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes
+// one U+FFFD.
 #include "fonts/font.hpp"
 
 namespace ciel::fonts {
@@ -7,10 +8,10 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 
 struct Lead {
-    int following = 0;           // bytes that must follow; 0 with `bits` unset: not a lead byte
-    char32_t bits = replacement; // its bits of the code point
-    std::uint8_t low = 0x80,
-                 high = 0xBF; // range of the next byte: excludes overlong forms, surrogates and values above U+10FFFF
+    int following = 0;           // number of bytes that must follow the lead byte
+    char32_t bits = replacement; // the lead byte's bits of the code point; U+FFFD if the byte cannot begin a character
+    // Range of the next byte. It excludes overlong forms, surrogates and values above U+10FFFF.
+    std::uint8_t low = 0x80, high = 0xBF;
 };
 
 Lead lead_of(std::uint8_t byte) {

@@ -11,7 +11,9 @@ namespace ciel::frames {
 
 namespace {
 
-// Returns 1/16384 of the range: invisible in 256 steps per channel. 0 for log scales: values near zero would show it.
+// Returns the quantization step of a layer's values: 1/16384 of the color range, which is invisible in 256 steps per
+// channel. Returns 0 (no quantization) for logarithmic scales, where values near zero would show it, and for a range
+// without width.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
     const double width = static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
@@ -25,7 +27,8 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    for (auto& plane : planes) plane[3] += static_cast<float>(grid); // caps lie in planes only to within the grid
+    // Positions of caps are off their plane by up to the grid step, so each plane keeps that much more.
+    for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {
         const Surface& surface = drawable.shape->surface;

@@ -1,4 +1,4 @@
-// Geometry -> the polygon batches of protocol/frame.md, kind 2.
+// Converts geometry to the polygon batches of protocol/frame.md, kind 2.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -7,14 +7,16 @@
 
 namespace ciel::frames {
 
-// Identifies the content of a geometry frame. A camera change alone does not change it, so no frame is sent.
+// Identifies the content of a geometry frame. A camera change alone does not change the key, so no frame is sent.
 using ContentKey = std::string;
 
-// Returns whole messages, header first, and the ids of their arrays. An empty scene gives one message without vertices.
-// Fills in the header's encoding time, sizes and flags. `pixel_ratio`: of the view. `grid`: its step (pixel_grid.hpp).
+// Returns the messages of a geometry frame, each whole with its header first, and the ids of their arrays. An empty
+// scene gives one message without vertices. Fills in the header's encoding time, sizes and flags. `pixel_ratio`: of the
+// view. `grid`: grid step in length units (pixel_grid.hpp).
 [[nodiscard]] wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometry::Geometry& geometry,
                                                       double pixel_ratio, double grid, const wire::HeldArrays& held);
-// The keys of two geometries are equal exactly if their messages carry the same polygons and colors, on one grid.
+// Returns the key of a geometry. Two keys are equal exactly if the messages carry the same polygons and colors, given
+// the same grid.
 [[nodiscard]] ContentKey content_of(const geometry::Geometry& geometry);
 
 } // namespace ciel::frames

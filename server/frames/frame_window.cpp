@@ -9,13 +9,13 @@ namespace {
 using std::chrono::seconds;
 
 constexpr double tolerance = 0.03;    // seconds: jitter of a browser's animation frames and decoder
-constexpr double very_late = 0.2;     // seconds: more than jitter of the browser
-constexpr unsigned late_in_a_row = 5; // smaller delays count then: a queue delays all frames, a busy browser some
-constexpr double longest_route = 1;   // seconds; a frame that takes longer does so by its size
-constexpr seconds soonest_lasts{10};  // the route may have become permanently longer
+constexpr double very_late = 0.2;     // seconds: longer than any jitter of a browser
+constexpr unsigned late_in_a_row = 5; // late frames in a row that count: a queue delays all frames, a busy browser some
+constexpr double longest_route = 1;   // seconds; a frame that takes longer is large, so the window must not grow
+constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured anew: the route may have become longer
 constexpr seconds rate_lasts{30};
-constexpr seconds best_lasts{2}; // a rate counts for 2 to 4 seconds
-constexpr double full = 0.9;     // of the best rate: a slower late frame waited for something other than the line
+constexpr seconds best_lasts{2}; // period of best_: a rate counts for 2 to 4 seconds
+constexpr double full = 0.9;     // fraction of the best rate: a slower late frame did not wait for the line
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -27,7 +27,7 @@ void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time 
         return;
     }
     const bool is_behind_still =
-        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged
+        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged yet
     sent_bytes_ += bytes;
     last_bytes_ = bytes;
     on_the_way_.push_back({frame, bytes, !is_behind_still, now, bytes_on_the_way()});
@@ -64,7 +64,7 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     if (rate_ && now - rate_->at > rate_lasts) rate_.reset();
     const double more_bytes = frame.bytes > soonest_bytes_ ? static_cast<double>(frame.bytes - soonest_bytes_) : 0;
     const double late = took - soonest_->value - (rate_ ? more_bytes / rate_->value : 0);
-    const double delivered = static_cast<double>(frame.bytes_on_the_way) / took; // Little's law
+    const double delivered = static_cast<double>(frame.bytes_on_the_way) / took; // bytes per second, by Little's law
     const double best = proven(delivered, now);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
     if (late_frames_ >= late_in_a_row || late > very_late)
@@ -83,14 +83,15 @@ double FrameWindow::proven(double rate, Time now) {
 }
 
 void FrameWindow::shrink(const Frame& frame, double delivered, double proven, double late, Time now) {
-    if (now < may_shrink_) return; // frames sent before the last shrink are late, too
+    if (now < may_shrink_) return; // frames sent before the last shrink are late as well
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= very_late) { // the line was not always full: not measured
+    if (std::exchange(doubles_, false) && late <= very_late) { // doubling does not always fill the line: no rate
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
-    // A busy browser is late with few bytes in flight, too. So the window keeps the rate that the line has proven.
+    // A busy browser acknowledges late even with few bytes in flight. So the window stays large enough for the highest
+    // rate that the line has reached.
     window_ = std::max(proven * (soonest_->value + tolerance), bytes);
     if (delivered >= full * proven && (!rate_ || delivered >= rate_->value)) rate_ = {delivered, now};
 }
@@ -99,7 +100,7 @@ void FrameWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;
-    else // per round trip a frame, or the line's bytes in `tolerance` if fewer
+    else // one frame per round trip, or the line's bytes in `tolerance` if fewer
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 

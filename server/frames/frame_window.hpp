@@ -1,6 +1,7 @@
-// Congestion window of a view: limits the bytes in flight so that the line is busy, but nothing queues in it. It grows
-// while acknowledgements are as early as ever and shrinks when they are late, as TCP Vegas does (Brakmo and Peterson,
-// 1995). It shrinks to the bytes delivered in a round trip (BBR: Cardwell et al., ACM Queue 14(5), 2016).
+// Congestion window of a view: limits the bytes in flight so that the line is busy, but nothing queues in it. The
+// window grows while acknowledgements arrive as early as the earliest, and shrinks when they are late, as in TCP Vegas
+// (Brakmo and Peterson, 1995). It shrinks to the bytes delivered in a round trip (BBR: Cardwell et al., ACM Queue
+// 14(5), 2016).
 #pragma once
 
 #include <chrono>
@@ -10,7 +11,7 @@
 
 namespace ciel::frames {
 
-// Deterministic: reads no clock. Not thread-safe.
+// FrameWindow is deterministic: it reads no clock. It is not thread-safe.
 class FrameWindow {
 public:
     using Time = std::chrono::steady_clock::time_point;
@@ -19,29 +20,29 @@ public:
     // `unknown_line`: frames that may be in flight before the first acknowledgement.
     explicit FrameWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Frame numbers ascend. A still takes no room: a newer frame replaces what is left of it. Frames behind a still do
-    // not measure the line: they are late by the still's length.
+    // Notes that a frame was sent. Frame numbers must ascend. A still takes no room, because a newer frame replaces its
+    // unsent rest. Frames sent behind an unacknowledged still do not measure the line: the still delays them.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
     // Acknowledges a frame and all before it. Returns true if any of them was in flight.
     bool acknowledged(std::uint32_t frame, Time now);
 
-    // True if one more frame of the size of the last one fits.
+    // Returns whether one more frame of the last frame's size fits.
     [[nodiscard]] bool has_room() const;
-    // Notes that a due frame waited for room. Without that, the window is wide enough and does not grow.
+    // Notes that a due frame waited for room. If no frame waits, the window is wide enough and does not grow.
     void held_back() { held_back_ = true; }
 
     [[nodiscard]] std::size_t frames_on_the_way() const { return on_the_way_.size(); }
     [[nodiscard]] std::size_t bytes_on_the_way() const { return sent_bytes_ - delivered_bytes_; }
-    // Bytes per second of the line; 0 if unknown. It is measured only when the line is full.
+    // Returns the rate of the line in bytes per second; 0 if unknown. The rate is measured only when the line is full.
     [[nodiscard]] double rate() const { return rate_ ? rate_->value : 0; }
 
 private:
     struct Frame {
         std::uint32_t number;
         std::size_t bytes;
-        bool measures; // neither a still nor behind one
+        bool measures; // false for a still and for frames behind one
         Time sent;
-        std::size_t bytes_on_the_way; // itself included
+        std::size_t bytes_on_the_way; // in flight when this frame was sent, its own bytes included
     };
     struct Known {
         double value;
@@ -58,14 +59,14 @@ private:
     std::deque<Frame> on_the_way_;
     std::uint32_t newest_still_ = 0;
     std::size_t sent_bytes_ = 0, delivered_bytes_ = 0, last_bytes_ = 0;
-    std::optional<Known> soonest_; // the shortest time to an acknowledgement, seconds
+    std::optional<Known> soonest_; // shortest time to an acknowledgement, in seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
-    double best_ = 0, best_before_ = 0; // highest delivery rates of this period and of the one before
+    double best_ = 0, best_before_ = 0; // highest delivery rates of this period and of the one before, bytes per second
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};
-    unsigned late_frames_ = 0; // in a row
+    unsigned late_frames_ = 0; // late frames in a row
     bool held_back_ = false, doubles_ = true;
 };
 

@@ -6,7 +6,7 @@
 
 namespace ciel::frames {
 
-// Not thread-safe: its owner has a lock.
+// A Mailbox is not thread-safe; its owner locks it.
 template <class T>
 class Mailbox {
 public:

@@ -20,9 +20,10 @@ void widen_lines(render::Frame& frame, double times) {
 void check_picture_size(const limits::Limits& limits, std::int64_t width, std::int64_t height) {
     if (static_cast<std::uint64_t>(std::max(width, height)) > limits.image_side)
         throw limits::LimitReached("a picture may be at most " + std::to_string(limits.image_side) +
-                                   " pixels wide and as many high");
+                                   " pixels wide and high; ask for a smaller picture");
     if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > limits.image_pixels)
-        throw limits::LimitReached("a picture may have at most " + std::to_string(limits.image_pixels) + " pixels");
+        throw limits::LimitReached("a picture may have at most " + std::to_string(limits.image_pixels) +
+                                   " pixels; ask for a smaller picture");
 }
 
 const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size,
@@ -32,7 +33,8 @@ const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
     render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
-    // Uses the still's camera: it depends on the picture's size, which determines the annotations.
+    // A smaller interactive picture uses the default camera of the still. That camera depends on the room for
+    // annotations, and so on the size of the picture.
     if (!scene.camera && scale < 1)
         frame.camera =
             geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));

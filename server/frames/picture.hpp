@@ -1,4 +1,4 @@
-// Geometry -> image -> bytes.
+// Draws geometry to an image and encodes the image.
 #pragma once
 
 #include "frames/still_samples.hpp"
@@ -14,11 +14,11 @@ namespace ciel::frames {
 
 // Throws limits::LimitReached if a picture of that size exceeds the limits.
 void check_picture_size(const limits::Limits& limits, std::int64_t width, std::int64_t height);
-// Returns a picture without annotations, which belongs to the renderer and is valid until its next draw. Without
+// Draws a picture without annotations. It belongs to the renderer and is valid until its next draw. Without
 // `moving_scale` it is a still of the requested size with `still_samples` per pixel. An interactive picture is
 // `moving_scale` times as large, with one sample per pixel and lines that are thinner by the same factor. The client
-// draws the annotations itself, at the screen's resolution and without waiting for a frame. `check_wanted`: as
-// render::Frame's. Throws Error, and what check_wanted throws.
+// draws the annotations itself, at the screen's resolution and without waiting for a frame. `check_wanted`: see
+// render::Frame. Throws Error, and what check_wanted throws.
 [[nodiscard]] const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene& scene,
                                         geometry::ViewSize size, std::optional<double> moving_scale,
                                         render::Renderer& renderer, int still_samples,
@@ -28,10 +28,11 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
                                        geometry::ViewSize size, int samples = default_still_samples);
 // Returns one sentence per part of the scene that the renderer's last picture does not show, or not in full.
 [[nodiscard]] std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const render::Renderer& renderer);
-// Returns header and picture encoded by `moving`, or as PNG if null. Fills in the header's encoding time, sizes, flags.
+// Returns the message of a picture: the header, and the image encoded by `moving`, or as PNG if `moving` is null. Fills
+// in the header's encoding time, sizes and flags.
 [[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
                                                       wire::PictureStream* moving);
-// Writes the frame number into a finished message: it is known only when the frame is sent.
+// Writes the frame number into a finished message. The number is known only when the frame is sent.
 void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame);
 
 } // namespace ciel::frames

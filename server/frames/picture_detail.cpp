@@ -15,7 +15,7 @@ constexpr Level jpeg_levels[]{{{80, 1}, 1},      {{60, 1}, 0.68},    {{40, 1}, 0
 constexpr Level png_levels[]{{{80, 1}, 1}, {{80, 0.7}, 0.55}, {{80, 0.5}, 0.3}, {{80, 0.35}, 0.17}, {{80, 0.25}, 0.09}};
 
 constexpr double fast_enough = 0.05; // seconds per picture: a higher rate is not worth less detail
-constexpr double margin = 0.8;       // of the line, that a finer picture may use
+constexpr double margin = 0.8;       // fraction of the line that a finer picture may use
 constexpr unsigned before_coarser = 2, before_finer = 8;
 
 std::span<const Level> levels_of(wire::MovingCodec codec) {
@@ -33,7 +33,7 @@ PictureDetail::Detail PictureDetail::of(wire::MovingCodec codec) const {
 void PictureDetail::sent(wire::MovingCodec codec, std::size_t bytes, double making, double rate) {
     const auto levels = levels_of(codec);
     level_ = std::min(level_, levels.size() - 1);
-    const double room = rate * std::max(making, fast_enough); // bytes of the line until the next picture
+    const double room = rate * std::max(making, fast_enough); // bytes that the line carries until the next picture
     const double finer = level_ == 0 ? 0 : static_cast<double>(bytes) * levels[level_ - 1].bytes / levels[level_].bytes;
     const bool is_slow = rate > 0;
     too_long_ = is_slow && static_cast<double>(bytes) > room ? too_long_ + 1 : 0;

@@ -8,12 +8,12 @@
 
 namespace ciel::frames {
 
-// Deterministic. Not thread-safe.
+// PictureDetail is deterministic. It is not thread-safe.
 class PictureDetail {
 public:
     struct Detail {
         int quality;  // of a JPEG
-        double scale; // of each side
+        double scale; // factor for each side
         bool operator==(const Detail&) const = default;
     };
 
@@ -24,7 +24,7 @@ public:
 
 private:
     std::size_t level_ = 0;               // 0: the finest
-    unsigned too_long_ = 0, fitting_ = 0; // pictures in a row
+    unsigned too_long_ = 0, fitting_ = 0; // pictures in a row that were too long, or for which a finer one would fit
 };
 
 } // namespace ciel::frames

@@ -13,10 +13,10 @@ namespace ciel::frames {
 namespace {
 
 constexpr double of_a_pixel = 0.25;
-constexpr double of_a_height = 1.0 / 32;     // tilts by 1 degree in the mean
-constexpr double nearest_of_farthest = 1e-4; // as the renderer's near plane
+constexpr double of_a_height = 1.0 / 32;     // of a triangle: rounding tilts it by 1 degree on average
+constexpr double nearest_of_farthest = 1e-4; // least depth of a visible point, as in the renderer
 constexpr std::size_t sampled_triangles = 4096;
-constexpr double small_heights = 0.1; // quantile of the heights that decides
+constexpr double small_heights = 0.1; // quantile of the triangle heights that limits the step
 
 Vec3d unit(const Vec3d& a) {
     const double by = length(a);
@@ -49,26 +49,29 @@ public:
     }
 
     [[nodiscard]] double nearest() const { return nearest_; }
-    [[nodiscard]] double nearest_corner() const { return nearest_corner_; } // of the bounds; below 0 behind the eye
+    // Returns the depth of the nearest corner of the bounds; below 0 behind the eye.
+    [[nodiscard]] double nearest_corner() const { return nearest_corner_; }
 
-    // (across, above, depth) in the camera's axes.
+    // Returns a position in the camera's axes: (to the right, up, depth).
     [[nodiscard]] Vec3d place(const Vec3f& p) const {
         const Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
         return {dot(right_, at), dot(up_, at), dot(forward_, at)};
     }
-    // How far a place lies inside each side; below 0 where it is outside.
+    // Returns for each side of the frustum (right, left, top, bottom, near) a number that is negative if the point is
+    // outside.
     [[nodiscard]] std::array<double, 5> inside(const Vec3d& at) const {
         const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
         return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
     }
-    // A bit for each side that a place lies beyond.
+    // Returns a bit mask of the sides of the frustum that have the point outside.
     [[nodiscard]] std::uint8_t outside(const Vec3d& at) const {
         unsigned bits = 0;
         const auto distances = inside(at);
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // Returns the least depth of the visible part of a convex polygon or line; infinite if there is none.
+    // Returns the least depth of the visible part of a convex polygon or line; infinite if nothing is visible.
+    // Overwrites both arguments.
     [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
             clip_polygon(
@@ -115,7 +118,8 @@ double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum)
     return nearest;
 }
 
-// Returns the height that decides (small_heights) for triangles lit without normals; infinite if there are none.
+// Returns the small_heights quantile of the heights of triangles that are lit without normals: the least one of all
+// drawables, infinite if there are no such triangles.
 double flat_height(const geometry::Geometry& geometry) {
     double least = INFINITY;
     for (const geometry::Drawable& drawable : geometry.drawables) {
@@ -161,7 +165,7 @@ double nearest_pixel(const geometry::Geometry& geometry, const annotations::Came
     double nearest = INFINITY;
     for (const geometry::Drawable& drawable : geometry.drawables)
         nearest = std::min(nearest, nearest_depth(drawable, frustum));
-    if (!(nearest < INFINITY)) nearest = length(camera.target - camera.position); // nothing in view
+    if (!(nearest < INFINITY)) nearest = length(camera.target - camera.position); // nothing is in view
     return pixel_at(std::max(nearest, frustum.nearest()), camera, size);
 }
 

@@ -1,12 +1,12 @@
-// Size of interactive pictures: that of the view, but at most 1280 x 720 pixels. If drawing is so slow that a drag
-// would show a few per second (in software: many transparent parts, volumes), they are half or a quarter as wide.
+// Size of interactive pictures: that of the view, but at most 1280 x 720 pixels. If drawing takes more than 0.3 s, as
+// volumes or many transparent parts may in software, pictures are half or a quarter as wide.
 #pragma once
 
 #include "geometry/view_size.hpp"
 
 namespace ciel::frames {
 
-// Not thread-safe.
+// PreviewSize is not thread-safe.
 class PreviewSize {
 public:
     // Returns the side of an interactive picture as a fraction of the side of the view.
@@ -15,7 +15,7 @@ public:
     void took(geometry::ViewSize view, double milliseconds);
 
 private:
-    int halvings_ = 0, slow_ = 0; // slow_: slow ones in a row; the first may wait for shaders
+    int halvings_ = 0, slow_ = 0; // slow_: slow pictures in a row; the first may wait for shaders
 };
 
 } // namespace ciel::frames

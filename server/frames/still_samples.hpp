@@ -1,4 +1,4 @@
-// Default number of samples per pixel of a still: edges are smooth, also in software.
+// Default number of samples per pixel of a still. Makes edges smooth, also in software.
 #pragma once
 
 namespace ciel::frames {

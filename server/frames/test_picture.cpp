@@ -23,7 +23,7 @@ bool is_test_picture(const render::Image& image) {
 }
 
 Readiness draw_test_picture(render::Renderer& renderer) {
-    // The triangle covers the middle and leaves the corners.
+    // The triangle covers the middle of the picture, but not its corners.
     const std::vector<Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
     const std::vector<Index> indices{0, 1, 2};
     render::Frame frame;
@@ -46,10 +46,11 @@ Readiness draw_test_picture(render::Renderer& renderer) {
     readiness.backend = render::name_of(renderer.backend());
     readiness.ready = is_test_picture(image);
     if (!readiness.ready) {
-        readiness.problem = readiness.gl_renderer + " drew a test picture with wrong pixels; try another --gl";
+        readiness.problem =
+            readiness.gl_renderer + " drew a test picture with wrong pixels; choose another back end with --gl";
         return readiness;
     }
-    frame.width = 1280; // size of a usual still
+    frame.width = 1280; // the size of a usual still, for the memory check
     frame.height = 720;
     frame.samples = 4;
     try {

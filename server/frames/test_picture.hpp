@@ -1,4 +1,4 @@
-// The picture behind /readyz: checks that this machine draws, and draws correctly.
+// The test picture of /readyz: checks that this machine draws, and draws correctly.
 #pragma once
 
 #include "render/renderer.hpp"
@@ -13,7 +13,8 @@ struct Readiness {
     std::string problem{}; // a sentence; empty when ready
 };
 
-// Draws a triangle and checks its pixels, and the memory for a usual still. Throws Error if drawing fails.
+// Draws a triangle and checks its pixels. Then checks that the memory suffices for a usual still. Throws Error if
+// drawing fails.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 

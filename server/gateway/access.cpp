@@ -17,11 +17,12 @@ bool listed(const std::vector<std::string>& names, std::string_view name) {
 }
 
 std::string_view without_port(std::string_view host) {
-    const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // an IPv6 address has colons
+    const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // skips the colons of [IPv6]
     return host.substr(0, host.find(':', end_of_address));
 }
 
-// 127.0.0.0/8: another site cannot have such a host name.
+// Returns whether a host name is an address in 127.0.0.0/8. DNS rebinding cannot produce such a Host header: the
+// browser sends the name of the attacking site.
 bool is_loopback_address(std::string_view name) {
     return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
 }
@@ -103,7 +104,7 @@ bool offers_subprotocol(std::string_view header) {
 }
 
 bool is_handshake_key(std::string_view header) {
-    constexpr std::size_t digits = 22; // of six bits each, before two padding characters
+    constexpr std::size_t digits = 22; // base64 digits for 16 bytes, without the two padding characters
     const auto is_digit = [](char c) {
         return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
     };
@@ -114,7 +115,8 @@ bool is_handshake_key(std::string_view header) {
 std::string generate_token() {
     std::array<unsigned char, 16> bytes{};
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        throw Error(std::string("no random bytes for a token (") + std::strerror(errno) + "); name one with --token");
+        throw Error(std::string("the system gave no random bytes for a token (") + std::strerror(errno) +
+                    "); set the token with --token");
     std::string token;
     for (const auto byte : bytes) {
         token += "0123456789abcdef"[byte >> 4];
@@ -129,7 +131,7 @@ void check_token_form(const std::string& token) {
                c == '~';
     };
     if (token.size() < 8 || !std::all_of(token.begin(), token.end(), allowed))
-        throw Error("a token needs at least 8 characters, letters, digits and -._~ only");
+        throw Error("the token is not valid; give at least 8 characters, each a letter, a digit or one of -._~");
 }
 
 } // namespace ciel::gateway

@@ -12,45 +12,47 @@
 namespace ciel::gateway {
 
 struct AccessRules {
-    bool loopback = true; // bound to the loopback interface: only local names may be in Host
+    bool loopback = true; // the server is bound to loopback: Host must be a local name or in allowed_hosts
     std::vector<std::string> allowed_hosts;
     std::vector<std::string> origins; // "https://example.org", in addition to the server's own
     std::string token;
-    bool own_user_enters = false; // a process of the server's user needs no token
+    bool own_user_enters = false; // local processes of the server's user need no token
     std::string cookie_name;      // contains the port: browsers share cookies between the ports of a host
     std::string cookie_path = "/";
 };
 
-// On loopback, Host must be localhost, a loopback address or one of allowed_hosts, with any port. Elsewhere this is
-// checked only if allowed_hosts is not empty. A request without Host passes: browsers always send it.
+// Returns whether the Host header is accepted. On loopback it must be localhost, a loopback address or one of
+// allowed_hosts, with any port. On other interfaces Host is checked only if allowed_hosts is not empty. A request
+// without Host passes: browsers always send the header.
 [[nodiscard]] bool host_allowed(const AccessRules& rules, std::string_view host);
 
-// Allows an absent Origin (scripts), the server's own (same host and port as Host) and the listed ones.
+// Returns whether the Origin header is absent (scripts), is the server's own (same host and port as Host), or is in
+// rules.origins.
 [[nodiscard]] bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host);
 
 // Returns the token from Authorization: Bearer, ?token= or the cookie, in this order; empty if there is none.
 [[nodiscard]] std::string presented_token(const AccessRules& rules, const Request& request, const Target& target);
-[[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // in constant time
+[[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // compares in constant time
 
 enum class Claim { token, own_user, wrong_token, none };
-// Returns the credential of a request. A proxied request, or one for a non-local host name, is never own_user: a proxy
-// forwards requests of any user.
+// Returns which credential a request carries. A proxied request is never own_user, because a proxy forwards requests of
+// any user. A request whose Host is not a local name is never own_user either.
 [[nodiscard]] Claim claim_of(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] inline bool is_let_in(Claim claim) { return claim == Claim::token || claim == Claim::own_user; }
 
-// Whether this header is added by proxies: Forwarded (RFC 7239), Via, X-Forwarded-*, X-Real-IP.
+// Returns whether proxies add a header of this name: Forwarded (RFC 7239), Via, X-Forwarded-*, X-Real-IP.
 [[nodiscard]] bool is_of_a_proxy(std::string_view header_name);
 
 // Returns the value of a cookie in a Cookie header (RFC 6265); empty if absent.
 [[nodiscard]] std::string cookie_value(std::string_view header, std::string_view name);
-// Returns the Set-Cookie value for a browser that sent ?token=. `secure`: the proxy in front speaks TLS.
+// Returns the Set-Cookie value for a browser that sent ?token=. `secure`: the proxy in front of the server uses TLS.
 [[nodiscard]] std::string token_cookie(const AccessRules& rules, bool secure);
 
-// Whether Sec-WebSocket-Protocol, its lines joined by commas, offers "ciel.v1".
+// offers_subprotocol returns whether Sec-WebSocket-Protocol, its lines joined by commas, offers "ciel.v1".
 inline constexpr std::string_view subprotocol = "ciel.v1";
 [[nodiscard]] bool offers_subprotocol(std::string_view header);
 
-// Whether Sec-WebSocket-Key is 16 bytes in base64 (RFC 6455, 4.2.1).
+// Returns whether Sec-WebSocket-Key is 16 bytes in base64 (RFC 6455, 4.2.1).
 [[nodiscard]] bool is_handshake_key(std::string_view header);
 
 // Throws Error unless the token has at least 8 characters, all valid without quoting in a URL, a header and a cookie.

@@ -21,8 +21,8 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using boost::system::error_code;
 
-// Runs `work` on a worker thread and returns its text on the coroutine's own executor. Methods may take long, so they
-// never run on socket threads.
+// Runs `work` on a thread of `workers`, then resumes the coroutine on its own executor with the text that `work`
+// returned. JSON-RPC methods may take long, so they must not run on socket threads.
 template <typename Work>
 asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     auto task = [&work]() -> asio::awaitable<std::string> { co_return work(); };

@@ -7,7 +7,7 @@
 namespace ciel::gateway {
 namespace {
 
-constexpr std::size_t refusals_at_once = 32; // beyond these, connections are closed without an answer
+constexpr std::size_t refusals_at_once = 32; // refused connections that may be open at once; further ones get no answer
 
 } // namespace
 
@@ -97,7 +97,8 @@ void Connections::drain_all() {
         const std::lock_guard lock(mutex_);
         for (const auto& [id, entry] : entries_) drains.push_back(entry.hooks.drain);
     }
-    for (const auto& drain : drains) drain(); // unlocked: drain may destroy the ticket at once
+    // Called without the lock, because drain may destroy the ticket, whose destructor locks mutex_.
+    for (const auto& drain : drains) drain();
 }
 
 } // namespace ciel::gateway

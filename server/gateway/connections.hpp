@@ -12,38 +12,40 @@ namespace ciel::gateway {
 
 struct ConnectionRules {
     std::size_t most = 128;
-    std::size_t reserved = 32;   // of these, for authorized connections (token or own user); at most half
-    std::size_t of_address = 64; // per counting_key(); an empty key is not counted
+    // How many of `most` connections are kept for authorized ones (token or own user); at most half of `most`.
+    std::size_t reserved = 32;
+    std::size_t of_address = 64; // most connections per counting_key(); connections with an empty key are not counted
 };
 
-// Called from any thread, cut with the registry locked: neither may block or call back. Both may still be called once
-// during the ticket's destruction.
+// Callbacks of one connection, called from any thread. They must not block or call Connections: `cut` is called with
+// its mutex locked. While the ticket is being destroyed, each may still be called once; `drain` may come even shortly
+// afterwards.
 struct ConnectionHooks {
-    std::function<void()> drain; // end soon
-    std::function<void()> cut;   // end now
+    std::function<void()> drain; // asks the connection to end soon
+    std::function<void()> cut;   // closes the connection at once
 };
 
-// Thread-safe. At a limit, a new connection closes the oldest one that may be closed. WebSockets and connections in an
-// authorized request are never closed. If none may be closed, the new connection is refused.
+// Connections is thread-safe. At a limit, a new connection closes the oldest one that may be closed. WebSockets and
+// connections in an authorized request are never closed. If no connection may be closed, the new one is refused.
 class Connections {
     struct Entry;
 
 public:
     explicit Connections(const ConnectionRules& rules = {}) : rules_(rules) {}
 
-    // Registers a connection as long as it lives.
+    // Keeps its connection registered until the ticket is destroyed.
     class Ticket {
     public:
         ~Ticket();
         Ticket(const Ticket&) = delete;
         Ticket& operator=(const Ticket&) = delete;
 
-        [[nodiscard]] bool is_refused() const { return is_refused_; } // it gets a refusal and is closed
+        [[nodiscard]] bool is_refused() const { return is_refused_; } // true: to be answered with 503 and closed
 
-        // Call when a request's head is complete. A `key` that is not empty also counts the connection for that
-        // address until the request ends. Returns false if the address is at its limit.
+        // Call when the head of a request is complete. `let_in`: the request is authorized. A non-empty `key` also
+        // counts the connection for that address until the request ends. Returns false if the address is at its limit.
         [[nodiscard]] bool begin_request(bool let_in, const std::string& key);
-        void end_request(); // never called for a WebSocket: its request stays open
+        void end_request(); // for a WebSocket: call it when the WebSocket has closed
 
     private:
         friend class Connections;
@@ -55,11 +57,12 @@ public:
         bool is_refused_;
     };
 
-    // `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another connection must be cut.
-    // Returns null if the connection must be closed without an answer: 32 refusals are pending, or needs_room.
+    // Registers a connection. `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another
+    // connection must be closed. Returns null if the connection is refused and must be closed without an answer:
+    // because needs_room is set, or 32 refused connections are still open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
-    [[nodiscard]] std::size_t count() const; // including refused and cut ones that have not ended
+    [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet
     [[nodiscard]] std::uint64_t cut_count() const;
     void drain_all();
 
@@ -67,20 +70,20 @@ private:
     struct Entry {
         ConnectionHooks hooks;
         std::string key;
-        std::string request_key; // of the current request
+        std::string request_key; // key of begin_request(); empty between requests
         bool is_refused = false, is_cut = false;
-        bool is_let_in = false; // the last request was authorized
-        bool is_busy = false;   // a WebSocket, or in an authorized request
+        bool is_let_in = false; // the latest request was authorized
+        bool is_busy = false;   // is a WebSocket, or has an authorized request in progress
 
         [[nodiscard]] bool counts() const { return !is_refused && !is_cut; }
     };
-    using Entries = std::map<std::uint64_t, Entry>; // by age
+    using Entries = std::map<std::uint64_t, Entry>; // by ascending id: the oldest connection first
 
-    // REQUIRE: the lock.
+    // The functions below require mutex_ to be held.
     template <typename Predicate>
     [[nodiscard]] std::size_t count_if(const Predicate& holds) const;
     template <typename Predicate>
-    bool cut_oldest(const Predicate& holds); // false if all matching ones are busy
+    bool cut_oldest(const Predicate& holds); // returns false if all matching connections are busy
     [[nodiscard]] std::size_t count_of(const std::string& key) const;
     [[nodiscard]] bool make_room(const std::string& key, bool needs_room);
 

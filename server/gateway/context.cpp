@@ -10,7 +10,8 @@
 namespace ciel::gateway {
 namespace {
 
-constexpr rlim_t enough_files = 65536; // no more: some programs close every possible descriptor
+// Highest soft limit of open files to set: some child programs close every possible descriptor, which takes long.
+constexpr rlim_t enough_files = 65536;
 
 ConnectionRules rules_of(const limits::Limits& limits) {
     return {limits.connections, limits.reserved_connections, limits.connections_of_address};
@@ -25,7 +26,8 @@ std::string own_user_name() {
     return std::to_string(::geteuid());
 }
 
-// Raises the soft limit as far as the hard limit allows. Returns the new soft limit.
+// Raises the soft limit of open files (RLIMIT_NOFILE) to enough_files, or as far as the hard limit allows. Returns the
+// resulting soft limit.
 std::size_t raised_file_limit() {
     rlimit files{};
     ::getrlimit(RLIMIT_NOFILE, &files);

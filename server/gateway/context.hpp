@@ -14,9 +14,9 @@
 
 namespace ciel::gateway {
 
-struct Counters { // for /metrics
+struct Counters { // values that GET /metrics shows
     std::atomic<std::uint64_t> connections{0}, refused_connections{0}, websockets_open{0};
-    std::array<std::atomic<std::uint64_t>, 6> responses{}; // by status / 100
+    std::array<std::atomic<std::uint64_t>, 6> responses{}; // HTTP responses, by status / 100
     std::atomic<std::uint64_t> texts_received{0}, texts_sent{0}, frames_sent{0}, frames_dropped{0}, bytes_sent{0};
 };
 
@@ -33,7 +33,7 @@ struct Context {
     std::size_t most_files; // file descriptor limit of the process
     logging::LogLimiter log_limiter;
     PeerOwners owners;
-    std::atomic<std::uint64_t> guesses_waiting{0}; // delayed answers to wrong tokens
+    std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens that are being delayed
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};
 };

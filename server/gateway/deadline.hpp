@@ -1,4 +1,5 @@
-// A time-out that leaves the socket open, so that an answer can still be sent. That of tcp_stream closes it.
+// A time-out for reads that leaves the socket open, so that an answer can still be sent. The time-out of
+// beast::tcp_stream closes the socket.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -7,7 +8,8 @@
 
 namespace ciel::gateway {
 
-// For the stream's executor only. Must not outlive the stream. Must be stopped before the stream is moved.
+// Use a Deadline only on the executor of its stream. It must not outlive the stream, and must be stopped before the
+// stream is moved.
 class Deadline {
 public:
     explicit Deadline(beast::tcp_stream& stream) : stream_(stream), timer_(stream.get_executor()) {}
@@ -15,14 +17,15 @@ public:
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
 
-    // After `time`, pending operations of the stream end with operation_aborted and passed() is true.
+    // Starts or restarts the deadline. When `time` has passed, pending operations of the stream end with
+    // operation_aborted and passed() returns true.
     void start(std::chrono::seconds time) {
         stop();
         passed_ = false;
         armed_ = std::make_shared<bool>(true);
         timer_.expires_after(time);
         timer_.async_wait([this, armed = armed_](const error_code&) {
-            if (!*armed) return; // stopped while the expiry was queued
+            if (!*armed) return; // stop() was called while the expiry was queued
             passed_ = true;
             stream_.cancel();
         });
@@ -37,7 +40,7 @@ public:
 private:
     beast::tcp_stream& stream_;
     asio::steady_timer timer_;
-    std::shared_ptr<bool> armed_; // of the latest start()
+    std::shared_ptr<bool> armed_; // shared with the timer of the latest start(); false after stop()
     bool passed_ = false;
 };
 

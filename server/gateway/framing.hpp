@@ -1,4 +1,5 @@
-// Where a request's body ends (RFC 9112, 6). If server and proxy disagree, requests can be smuggled in a body.
+// Checks Transfer-Encoding, which decides where the body of a request ends (RFC 9112, 6). If server and proxy disagreed
+// about the end, requests could be smuggled in a body.
 #pragma once
 
 #include <string_view>
@@ -6,12 +7,13 @@
 namespace ciel::gateway {
 
 enum class Framing {
-    readable,       // chunked only
+    readable,       // chunked is the only coding
     malformed,      // chunked is repeated or not the last coding: the end of the body is unknown
     unknown_coding, // chunked after an unsupported coding
 };
 
-// `transfer_encoding`: all Transfer-Encoding lines of the request, joined by commas; there must be one.
+// Returns the framing of a request body. `transfer_encoding`: all Transfer-Encoding lines of the request, joined by
+// commas; there must be one.
 [[nodiscard]] Framing framing_of(std::string_view transfer_encoding);
 
 } // namespace ciel::gateway

@@ -31,7 +31,7 @@ AccessRules access_rules(const GatewayOptions& options, bool loopback, unsigned 
     return rules;
 }
 
-// The process's sockets and threads, until the drain has ended.
+// Owns the listening socket and the threads of the gateway until the drain has ended.
 class Gateway {
 public:
     Gateway(Service& service, const GatewayOptions& options)
@@ -87,12 +87,12 @@ private:
             server_drained_ = true;
         });
         co_await until(begin + half, [this] { return frames_drained_.load(); });
-        context_.connections.drain_all(); // first: end after the answers are read
+        context_.connections.drain_all(); // first call: a connection ends when its answers have been sent
         co_await until(begin + half, is_over);
         context_.service.give_up();
-        context_.connections.drain_all(); // second: end without waiting for answers
+        context_.connections.drain_all(); // second call: connections end without waiting for answers
         co_await until(begin + 2 * half - half / 4, is_over);
-        context_.connections.drain_all(); // third: end without waiting for the client
+        context_.connections.drain_all(); // third call: connections end without waiting for the client
         co_await until(begin + 2 * half, is_over);
         drained_ = is_over();
     }
@@ -107,16 +107,16 @@ private:
         }
     }
 
-    // Ends the process without destructors: running calls still refer to the service. Datasets are only read, so
-    // nothing is left half-written.
+    // Ends the process without running destructors, because running calls still refer to the service. A commit of
+    // uploaded data that is cut off leaves its dataset as it was.
     [[noreturn]] static void abandon() {
-        spdlog::warn("stopped with requests still under way");
+        spdlog::warn("the server stopped before all requests were answered");
         spdlog::shutdown();
         std::_Exit(0);
     }
 
     asio::io_context io_;
-    asio::signal_set signals_{io_, SIGINT, SIGTERM}; // stores a signal that arrives before the wait
+    asio::signal_set signals_{io_, SIGINT, SIGTERM}; // keeps a signal that arrives before async_wait()
     // Serializes accepting and draining: draining closes the acceptor.
     asio::strand<asio::io_context::executor_type> one_at_a_time_{asio::make_strand(io_)};
     asio::ip::address address_;

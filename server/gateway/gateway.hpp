@@ -20,8 +20,8 @@ struct GatewayOptions {
     std::vector<std::string> origins;         // "https://example.org", in addition to the server's own
     std::vector<std::string> allowed_hosts;   // names in Host; localhost too when bound to loopback
     std::vector<std::string> trusted_proxies; // addresses or ranges "172.30.0.0/16" whose X-Forwarded-For is used
-    unsigned threads = 2;                     // for sockets
-    unsigned workers = 8; // for quick methods; slow ones have threads of their own (Limits::slow_calls)
+    unsigned threads = 2;                     // threads that read and write sockets
+    unsigned workers = 8; // threads for quick methods; slow methods run on other threads (Limits::slow_calls)
     std::string version;  // for the Server header
 };
 
@@ -29,19 +29,19 @@ struct GatewayOptions {
 struct Listening {
     std::string host; // in URL form: "127.0.0.1", "[::1]"
     unsigned short port = 0;
-    std::string prefix; // normalised: empty or "/ciel"
-    std::string token;  // given or generated
+    std::string prefix; // normalized: empty or "/ciel"
+    std::string token;  // the given or generated one
 };
 
 // Returns 128 random bits as 32 hexadecimal digits. Throws Error when the system gives no random bytes.
 [[nodiscard]] std::string generate_token();
 
-// Serves until SIGINT or SIGTERM, then drains; a second signal ends the process at once. Returns the process's exit
-// code. Throws Error when the address cannot be bound, the token is malformed, or the web client's folder is
-// unreadable. on_listening is called on the caller's thread before the first connection is accepted. Drain: new
-// connections are refused, clients are notified, and WebSockets close with 1001. Calls have half of
-// Limits::drain_seconds to finish. Then they are cancelled, WebSockets close without waiting for answers, and clients
-// that do not read or do not answer the close are disconnected.
+// Serves until SIGINT or SIGTERM, then drains; a second signal ends the process at once. Returns the exit code of the
+// process. Throws Error when the address cannot be bound, the token is malformed, or the web client's folder is
+// unreadable. on_listening is called on the caller's thread before the first connection is accepted.
+// Draining refuses new connections, notifies clients, and closes WebSockets with 1001. Calls have half of
+// Limits::drain_seconds to finish. Then they are cancelled, and WebSockets close without waiting for answers. In the
+// end, clients that do not read or do not answer the close are disconnected.
 int serve(Service& service, const GatewayOptions& options, const std::function<void(const Listening&)>& on_listening);
 
 } // namespace ciel::gateway

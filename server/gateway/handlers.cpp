@@ -45,7 +45,7 @@ std::string gateway_metrics(Context& context) {
 } // namespace
 
 Response websocket_expected(Context&, const Request&, const Target&) {
-    Response response = sentence(426, "This is a WebSocket: connect with the subprotocol ciel.v1.");
+    Response response = sentence(426, "This address is a WebSocket; connect with the subprotocol ciel.v1.");
     response.headers.emplace_back("Upgrade", "websocket");
     return response;
 }
@@ -81,8 +81,9 @@ Response static_file(Context& context, const Request& request, const Target& tar
         response = sentence(200, no_client_page);
         response.content_type = "text/html; charset=utf-8";
     } else
-        return sentence(404, "There is no " + target.path + " here.");
-    const auto offered = target.query.find("token"); // an own user may send the token of an earlier server
+        return sentence(404, "The server has no page " + target.path + ".");
+    // The own user is let in without a token, and may still send the token of an earlier server.
+    const auto offered = target.query.find("token");
     if (offered != target.query.end() && token_allowed(context.access, offered->second))
         response.headers.emplace_back("Set-Cookie", token_cookie(context.access, request.forwarded_proto == "https"));
     return response;

@@ -1,4 +1,4 @@
-// One handler per route.
+// Handlers of the routes in routes.cpp. POST /rpc has none: rpc_call.hpp answers it.
 #pragma once
 
 #include "gateway/context.hpp"
@@ -13,7 +13,7 @@ namespace ciel::gateway {
 [[nodiscard]] Response metrics(Context& context, const Request& request, const Target& target);
 [[nodiscard]] Response static_file(Context& context, const Request& request, const Target& target);
 
-// Security headers, and CORS for listed origins.
+// Adds the security headers to a response, and the CORS headers if the request's origin is one of AccessRules::origins.
 void add_common_headers(const Context& context, const Request& request, Response& response);
 
 } // namespace ciel::gateway

@@ -18,7 +18,8 @@ namespace ciel::gateway {
     return text;
 }
 
-// Calls visit with each trimmed part until it returns true. Returns whether it did.
+// Calls visit with each part of `text` between separators, trimmed, until visit returns true. Returns whether a call
+// did.
 template <typename Visit>
 bool any_part(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {

@@ -14,12 +14,12 @@ struct Request {
     std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
     std::string forwarded_for, forwarded_proto;
     std::string body;
-    std::string user;            // for logs: named by a trusted proxy, or owner of the local peer process; else empty
-    std::string remote;          // address and port, for logs
-    std::string id;              // in the log, in X-Request-Id and in errors of its calls
-    std::string address;         // without the port
+    std::string user;    // for logs: named by a trusted proxy, or owner of the local peer process; else empty
+    std::string remote;  // address and port, for logs
+    std::string id;      // given by the server: in the log, in X-Request-Id and in errors of the request's calls
+    std::string address; // without the port
     bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
-    bool is_proxied = false;     // has a header of a proxy
+    bool is_proxied = false;     // has a header that proxies add
 };
 
 struct Response {
@@ -29,7 +29,7 @@ struct Response {
     std::vector<std::pair<std::string, std::string>> headers;
 };
 
-// Plain text: the sentence and a newline.
+// Returns a text/plain response whose body is the sentence and a newline.
 [[nodiscard]] Response sentence(unsigned status, std::string text);
 [[nodiscard]] Response json(unsigned status, std::string text);
 

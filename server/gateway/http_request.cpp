@@ -16,7 +16,7 @@ namespace http = boost::beast::http;
 std::string_view view_of(boost::string_view view) { return {view.data(), view.size()}; }
 std::string text_of(boost::string_view view) { return std::string(view_of(view)); }
 
-// Joins all lines of a list field (RFC 9110, 5.3).
+// Joins all lines of a list field by commas (RFC 9110, 5.3).
 template <typename Name>
 std::string joined(const HttpRequest& message, Name name) {
     std::string all;
@@ -34,7 +34,7 @@ Request plain_request(const HttpRequest& message) {
     Request request;
     request.method = text_of(message.method_string());
     request.target = text_of(message.target());
-    const auto authority = authority_of(request.target); // overrides Host (RFC 9112, 3.2.2)
+    const auto authority = authority_of(request.target); // of an absolute-form target; overrides Host (RFC 9112, 3.2.2)
     request.host = authority.empty() ? text_of(message[http::field::host]) : std::string(authority);
     request.origin = text_of(message[http::field::origin]);
     request.authorization = text_of(message[http::field::authorization]);
@@ -52,12 +52,13 @@ Request plain_request(const HttpRequest& message) {
 
 std::optional<Response> refused_bytes(const boost::system::error_code& error) {
     if (error == http::error::header_limit)
-        return sentence(431, "The request's header is larger than this server takes; server.info names the limit.");
+        return sentence(431,
+                        "The header of the request exceeds the limit of this server; server.info names the limit.");
     if (error == http::error::body_limit)
-        return sentence(413, "The request is larger than this server takes; server.info names the limit.");
+        return sentence(413, "The body of the request exceeds the limit of this server; server.info names the limit.");
     if (error == http::error::end_of_stream || error == http::error::partial_message) return std::nullopt;
     if (error.category() == http::make_error_code(http::error::bad_method).category())
-        return sentence(400, "This is not an HTTP/1.1 request: " + error.message() + ".");
+        return sentence(400, "The request is not valid HTTP/1.1: " + error.message() + ".");
     return std::nullopt;
 }
 
@@ -65,16 +66,17 @@ std::optional<Response> refused_head(const HttpRequest& message) {
     if (message.version() >= 11 && message.count(http::field::host) != 1)
         return sentence(400, "HTTP/1.1 needs exactly one Host header.");
     if (message.count(http::field::transfer_encoding) == 0) return std::nullopt;
-    if (message.version() < 11) return sentence(400, "HTTP/1.0 has no Transfer-Encoding.");
+    if (message.version() < 11)
+        return sentence(400, "An HTTP/1.0 request must not have a Transfer-Encoding; use HTTP/1.1.");
     switch (framing_of(joined(message, http::field::transfer_encoding))) {
     case Framing::readable:
         return std::nullopt;
     case Framing::unknown_coding:
-        return sentence(501, "This server knows the transfer coding chunked alone.");
+        return sentence(501, "The transfer coding is not supported; use chunked.");
     case Framing::malformed:
         break;
     }
-    return sentence(400, "The last transfer coding of a request must be chunked, once.");
+    return sentence(400, "The last transfer coding of a request must be chunked, and chunked must occur once.");
 }
 
 std::optional<Response> refused_handshake(const HttpRequest& message) {

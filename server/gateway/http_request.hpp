@@ -13,20 +13,22 @@ namespace ciel::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
-// Leaves out the body and the members that the connection sets: remote, id, address, is_of_own_user.
+// Converts a request to plain data, except for its body and the members that the connection sets: remote, id, address,
+// is_of_own_user.
 [[nodiscard]] Request plain_request(const HttpRequest& message);
 
-// Returns the answer to a read or parse error; nothing when the peer has gone.
+// Returns the response to a read or parse error, or nothing when the peer has gone.
 [[nodiscard]] std::optional<Response> refused_bytes(const boost::system::error_code& error);
 
-// Returns the answer to an HTTP/1.1 head without exactly one Host, and to a body without a certain end (RFC 9112, 6).
-// The connection must then be closed.
+// Returns the refusal of a request head, or nothing for a valid one. An HTTP/1.1 head must have exactly one Host, and
+// the end of the body must be certain (RFC 9112, 6). The connection must be closed after a refusal.
 [[nodiscard]] std::optional<Response> refused_head(const HttpRequest& message);
 
-// Returns the answer to a handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455, 4.2.1).
+// Returns the refusal of a WebSocket handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455, 4.2.1), or
+// nothing for a valid one.
 [[nodiscard]] std::optional<Response> refused_handshake(const HttpRequest& message);
 
-// "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).
+// Formats a time for an HTTP header: "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).
 [[nodiscard]] std::string http_date(std::time_t time);
 
 } // namespace ciel::gateway

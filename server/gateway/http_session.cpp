@@ -54,7 +54,8 @@ public:
     }
 
 private:
-    // Called once, before the first read: a closed client socket no longer has an owner.
+    // Sets is_of_own_user_. Called once, before the first read: a socket that the client has closed no longer has an
+    // owner.
     asio::awaitable<void> look_up_user() {
         if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
         error_code gone;
@@ -63,7 +64,7 @@ private:
         is_of_own_user_ = co_await context_.owners.is_own_user(start_.peer, own);
     }
 
-    // Returns false if the connection must end.
+    // Reads and answers one request. Returns false if the connection must end.
     asio::awaitable<bool> one_request() {
         if (context_.draining && buffer_.size() == 0) co_return false;
         waiting_ = true;
@@ -92,11 +93,12 @@ private:
         deadline_.start(std::chrono::seconds(seconds));
     }
 
-    // Returns false if the peer has gone or was idle too long: this is no error and gets no answer.
+    // Waits for the first bytes of a request. Returns false if the peer has gone or was idle too long; such a peer gets
+    // no answer.
     asio::awaitable<bool> request_begins() {
         error_code error;
         for (int skipped = 0; skipped < blank_lines && !error; skipped += skip_blank_line()) {
-            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // may be pipelined
+            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // maybe pipelined
             if (buffer_.size() >= blank_line.size()) continue;
             start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
                                      : limits_.keep_alive_seconds);
@@ -107,7 +109,7 @@ private:
         co_return !error;
     }
 
-    // Also true for the first half of a blank line.
+    // Returns whether the buffer begins with a blank line (CR LF). Also true for an empty buffer and for a lone CR.
     bool begins_with_blank_line() const {
         const auto data = buffer_.data();
         const std::string_view text(static_cast<const char*>(data.data()), data.size());
@@ -119,7 +121,8 @@ private:
         return 1;
     }
 
-    // Sets the address of a request forwarded by a trusted proxy. Returns its counting_key(); empty for other requests.
+    // Sets address and remote of a request that a trusted proxy has forwarded. Returns the counting_key() of that
+    // address; empty for other requests.
     std::string client_of(Request& request) const {
         const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
         if (!client) return {};
@@ -138,7 +141,7 @@ private:
         return request;
     }
 
-    // Returns the route or refusal, and whether the connection must end after the answer.
+    // Returns the route or the refusal of a request, and whether the connection must end after the answer.
     std::pair<Resolved, bool> look_at(const HttpRequest& message, Request& request) {
         const std::string client = client_of(request);
         if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
@@ -186,7 +189,7 @@ private:
         co_return written&& keep_alive;
     }
 
-    // Logs a refusal, except redirects and 404.
+    // Logs the refusal of a request, except redirects and 404.
     void tell_refusal(const Request& request, const Response& refusal) {
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
@@ -197,24 +200,24 @@ private:
                             {"remote", request.address},
                             {"user", request.user},
                             {"request", request.id},
-                            {"note", "further ones of this address are not logged for a minute"}});
+                            {"note", "further refusals for this address are not logged for a minute"}});
     }
 
-    // Slows down guessing: delays the answer to a wrong token. Beyond the limit of delayed answers, answers 429 at
-    // once.
+    // Delays the answer to a wrong token, to slow down guessing. If wrong_tokens_waiting answers are already delayed,
+    // answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
                                {{"remote", request.address},
                                 {"user", request.user},
                                 {"request", request.id},
-                                {"note", "further ones of this address are not logged for a minute"}});
+                                {"note", "further refusals for this address are not logged for a minute"}});
         if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
             guess_pause_.expires_after(std::chrono::seconds(limits_.wrong_token_seconds));
             error_code ignored;
             co_await guess_pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         } else {
-            resolved.refusal = sentence(429, "Too many wrong tokens; try again later.");
+            resolved.refusal = sentence(429, "The server has too many requests with wrong tokens; try again later.");
             resolved.refusal->headers.emplace_back("Retry-After", std::to_string(limits_.wrong_token_seconds));
         }
         --context_.guesses_waiting;
@@ -225,19 +228,21 @@ private:
     static std::optional<Response> stopping() { return sentence(503, "The server is about to stop."); }
 
     static Response too_many_of_address() {
-        Response response = sentence(429, "Your address has as many connections as the server takes; try again later.");
+        Response response = sentence(429, "Your address has reached the limit on connections of one address; close a "
+                                          "connection, or try again later.");
         response.headers.emplace_back("Retry-After", "1");
         return response;
     }
 
     static Response too_many_connections() {
-        Response response = sentence(503, "The server has as many connections as it takes; try again later.");
+        Response response = sentence(503, "The server has reached its limit on connections; try again later.");
         response.headers.emplace_back("Retry-After", "1");
         return response;
     }
 
     std::optional<Response> too_slow() const {
-        return sentence(408, "The request did not arrive whole within " + std::to_string(allowed_seconds_) + " s.");
+        return sentence(408, "The request did not arrive completely within " + std::to_string(allowed_seconds_) +
+                                 " s; send it again.");
     }
 
     asio::awaitable<void> upgrade(HttpRequest message, Client client) {
@@ -304,14 +309,16 @@ private:
         serializer.split(head);
         error_code error;
         while (!error && !(head ? serializer.is_header_done() : serializer.is_done())) {
-            stream_.expires_after(std::chrono::seconds(limits_.request_seconds)); // time to accept some bytes
+            // The client has this time to accept some bytes.
+            stream_.expires_after(std::chrono::seconds(limits_.request_seconds));
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }
-        stream_.expires_never(); // reads use deadline_
+        stream_.expires_never(); // deadline_ limits reads
         co_return !error;
     }
 
-    // Reads until the peer closes: closing at once while the peer sends would reset the connection and lose the answer.
+    // Discards input until the peer closes or linger_time has passed. Closing while the peer still sends would reset
+    // the connection, and the answer would be lost.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
@@ -333,13 +340,13 @@ private:
     const limits::Limits& limits_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
-    Deadline deadline_; // of reads
+    Deadline deadline_; // limits the reads from stream_
     asio::steady_timer guess_pause_;
     beast::flat_buffer buffer_;
-    std::string remote_, address_; // peer
+    std::string remote_, address_; // of the peer: address with port, address alone
     std::uint64_t allowed_seconds_ = 0;
     bool is_of_own_user_ = false, is_first_ = true;
-    bool waiting_ = false; // for a request or the rest of its header
+    bool waiting_ = false; // waits for a request, or for the rest of its header
 };
 
 } // namespace

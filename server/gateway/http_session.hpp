@@ -8,19 +8,21 @@
 
 namespace ciel::gateway {
 
-// Current drain or cut handler of a connection; runs on the connection's executor. Drain is called up to three times:
-// to finish, then to end without waiting for answers, then to end without waiting for the client.
+// The current drain or cut handler of a connection; empty when the connection needs none. Runs on the connection's
+// executor. A drain handler is called up to three times: first the connection may still finish its answers, then it
+// must end without waiting for answers, then without waiting for the client.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {
     asio::ip::tcp::socket socket;
     asio::ip::tcp::endpoint peer;
     bool is_of_trusted_proxy = false;
-    std::shared_ptr<Connections::Ticket> ticket{}; // if refused: answer 503 and close
+    std::shared_ptr<Connections::Ticket> ticket{}; // if is_refused(): answer 503 and close
     OnDrain on_drain{}, on_cut{};
 };
 
-// Runs on the socket's executor, a strand. Ends without throwing when the connection has ended.
+// Serves one connection on the socket's executor, which must be a strand. Returns without throwing when the connection
+// has ended.
 asio::awaitable<void> http_session(ConnectionStart start, Context& context, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

@@ -16,17 +16,18 @@ namespace {
 
 using asio::ip::tcp;
 
-// Descriptors kept for datasets, child processes and libraries.
+// File descriptors that connections must leave free for datasets, child processes and libraries.
 constexpr std::size_t reserved_files = 24;
-constexpr std::chrono::milliseconds pause_when_short{10}; // lets cut connections end before the next accept
+// Pause after an accept while file descriptors are short: lets connections that were closed for the new one end.
+constexpr std::chrono::milliseconds pause_when_short{10};
 
 std::size_t count_files() {
-    std::error_code none; // without /proc 0: descriptor numbers decide
+    std::error_code none; // without /proc the count is 0; is_short_of_files() then relies on descriptor numbers
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// The kernel assigns the lowest free number, so all numbers below are in use. After a descriptor was freed, connections
-// may hold higher numbers, so they are counted too.
+// Returns whether fewer than reserved_files descriptors are left. The kernel gives a new socket the lowest free number,
+// so all lower numbers are in use. Other connections may hold higher numbers, so they are counted too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
@@ -95,10 +96,11 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
     if (!error) acceptor.bind(endpoint, error);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error == asio::error::address_in_use)
-        throw Error(name +
-                    " is in use by another program; end it, or choose another port with --port (0: any free one)");
+        throw Error(
+            name +
+            " is in use by another program; end that program, or choose another port with --port (0: any free one)");
     if (error == asio::error::access_denied)
-        throw Error(name + " may not be bound by this user; choose a port above 1023 with --port");
+        throw Error(name + " cannot be bound by this user; choose a port above 1023 with --port");
     if (error)
         throw Error(name + " cannot be bound (" + error.message() + "); name an address of this machine with --host");
     return acceptor;
@@ -119,7 +121,7 @@ asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_conte
                 pause.expires_after(pause_when_short);
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
             }
-        } else if (error != asio::error::operation_aborted) { // out of descriptors: wait until connections end
+        } else if (error != asio::error::operation_aborted) { // no descriptor is free: wait until connections end
             if (context.log_limiter.allows("accept"))
                 spdlog::warn("a connection was not accepted: {}", error.message());
             pause.expires_after(std::chrono::milliseconds(100));

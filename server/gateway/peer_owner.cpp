@@ -52,9 +52,9 @@ std::optional<SocketRow> parse_socket_row(std::string_view line) {
     row.local = take_word(line);
     row.remote = take_word(line);
     const auto state = take_word(line);
-    for (int skipped = 0; skipped < 3; ++skipped) take_word(line); // queues, timer, retransmissions
+    for (int skipped = 0; skipped < 3; ++skipped) take_word(line); // skips queues, timer, retransmissions
     const auto user = take_word(line);
-    take_word(line); // timeout
+    take_word(line); // skips the timeout
     if (!parse(state, row.state, 16) || !parse(user, row.user, 10) || !parse(take_word(line), row.inode, 10))
         return std::nullopt;
     return row;

@@ -1,5 +1,5 @@
-// Owner of the peer process of a connection within this machine. Linux lists sockets with their owners in /proc/net/tcp
-// and /proc/net/tcp6 (proc(5)).
+// Finds the user who owns the peer process of a connection within this machine. Linux lists sockets with their owners
+// in /proc/net/tcp and /proc/net/tcp6 (proc(5)).
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -23,17 +23,18 @@ struct SocketRow {
     std::uint64_t inode = 0; // 0: no process holds the socket, `user` is meaningless
 };
 
-// Parses one line of the table; returns nothing for the heading and malformed lines. The views point into `line`.
+// Parses one line of /proc/net/tcp. Returns nothing for the heading and malformed lines. The views point into `line`.
 [[nodiscard]] std::optional<SocketRow> parse_socket_row(std::string_view line);
 
-// "0100007F:1F90" for 127.0.0.1:8080 on a little-endian machine: the address is 32-bit words in native byte order.
+// Returns the kernel's name of a socket: "0100007F:1F90" for 127.0.0.1:8080 on a little-endian machine. The address is
+// written as 32-bit words in native byte order.
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Returns "LOCAL REMOTE" of the established sockets held by processes of `user`. Empty for user 65534 (nobody): in a
 // user namespace all outside users have that number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
-// The sockets of this process's user. Not thread-safe.
+// The established sockets of this process's user. Not thread-safe.
 class OwnSockets {
 public:
     using Clock = std::chrono::steady_clock;
@@ -42,8 +43,8 @@ public:
     OwnSockets(); // reads the kernel's tables
     explicit OwnSockets(Open open) : open_(std::move(open)) {}
 
-    // Whether a socket connects `peer` to `own`. A table is read again, which takes milliseconds, only if the last
-    // reading began before `asked`: one reading serves all waiting calls.
+    // Returns whether a socket of this process's user connects `peer` to `own`. Reading a table takes milliseconds. A
+    // table is read again only if its last reading began before `asked`, so one reading serves all waiting calls.
     [[nodiscard]] bool contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
                                Clock::time_point asked);
 
@@ -59,16 +60,18 @@ private:
     Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
 };
 
-// Reads the tables on its own thread: with thousands of connections this would block the worker threads.
+// Finds the owners of peers. Reads the kernel's tables on a separate thread: with thousands of connections a reading
+// would block the worker threads.
 class PeerOwners {
 public:
-    // Whether a process of this process's user holds the peer's end. Await on the connection's executor.
+    // Returns whether a process of this process's user holds the peer's end of a connection. Await on the connection's
+    // executor.
     [[nodiscard]] asio::awaitable<bool> is_own_user(asio::ip::tcp::endpoint peer, asio::ip::tcp::endpoint own);
     void join() { reader_.join(); } // call after the last is_own_user()
 
 private:
     asio::thread_pool reader_{1};
-    OwnSockets sockets_; // used on that thread only
+    OwnSockets sockets_; // used on the thread of reader_ only
 };
 
 } // namespace ciel::gateway

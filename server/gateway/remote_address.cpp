@@ -31,7 +31,8 @@ TrustedProxies::TrustedProxies(const std::vector<std::string>& ranges) {
             v6_.push_back(ip::make_network_v6(is_single ? range + "/128" : range, error));
         else
             v4_.push_back(ip::make_network_v4(is_single ? range + "/32" : range, error));
-        if (error) throw Error(range + " is no address of a proxy; name one such as 10.0.0.7 or 172.30.0.0/16");
+        if (error)
+            throw Error(range + " is not the address of a proxy; give an address such as 10.0.0.7 or 172.30.0.0/16");
     }
 }
 

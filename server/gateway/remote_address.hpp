@@ -1,4 +1,4 @@
-// The address that a connection is counted for: the peer's, or the one that a trusted proxy forwards.
+// The address for which a connection is counted: the peer's, or the one that a trusted proxy forwards.
 #pragma once
 
 #include "gateway/asio.hpp"

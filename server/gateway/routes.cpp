@@ -7,7 +7,7 @@ namespace ciel::gateway {
 namespace {
 
 constexpr std::array<Route, 6> table{{
-    // path, method, needs_token, kind, handler
+    // Columns: path, method, needs_token, kind, handler.
     {"/ws", "GET", true, Route::Kind::websocket, websocket_expected},
     {"/rpc", "POST", true, Route::Kind::rpc, nullptr},
     {"/healthz", "GET", false, Route::Kind::quick, healthz},
@@ -31,8 +31,8 @@ const Route& route_of(std::string_view path) {
 }
 
 Response refuse_token() {
-    Response response = sentence(401, "This server needs its token: open the address that it printed when it started, "
-                                      "or send \"Authorization: Bearer TOKEN\".");
+    Response response = sentence(401, "The server needs its token; open the address that the server printed at its "
+                                      "start, or send \"Authorization: Bearer TOKEN\".");
     response.headers.emplace_back("WWW-Authenticate", "Bearer");
     return response;
 }
@@ -48,7 +48,8 @@ Response preflight(const Request& request, const Route& route) {
     return response;
 }
 
-// Media types are case-insensitive and may have parameters such as a charset (RFC 9110, 8.3.1).
+// Returns whether a Content-Type is JSON. Media types are case-insensitive and may have parameters such as a charset
+// (RFC 9110, 8.3.1).
 bool is_json(std::string_view content_type) {
     std::string type(content_type.substr(0, content_type.find(';')));
     while (!type.empty() && (type.back() == ' ' || type.back() == '\t')) type.pop_back();
@@ -64,14 +65,14 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
         return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
     if (request.method == "OPTIONS" && route.method == "POST") return preflight(request, route);
     if (!method_matches(route, request.method)) {
-        Response response = sentence(405, target.path + " does not know the method " + request.method + ".");
+        Response response = sentence(405, target.path + " does not accept the method " + request.method + ".");
         response.headers.emplace_back("Allow", methods_of(route));
         return response;
     }
     const bool offered_in_url = target.query.count("token") != 0;
     if ((route.needs_token || offered_in_url) && !is_let_in(claim)) return refuse_token();
     if (route.kind == Route::Kind::rpc && !is_json(request.content_type))
-        return sentence(415, "Send JSON-RPC 2.0 with the header \"Content-Type: application/json\".");
+        return sentence(415, "The request must be JSON-RPC 2.0; send the header \"Content-Type: application/json\".");
     return std::nullopt;
 }
 
@@ -93,8 +94,8 @@ Resolved resolve(const Context& context, const Request& request) {
     auto target = parse_target(request.target);
     if (!target) return refused(sentence(400, "The request's path is malformed."));
     if (!host_allowed(context.access, request.host))
-        return refused(
-            sentence(403, "The host name " + request.host + " is not this server's; allow it with --allowed-host."));
+        return refused(sentence(403, "The host name " + request.host +
+                                         " is not allowed on this server; allow it with --allowed-host."));
     const auto path = below_prefix(target->path, context.prefix);
     if (path.empty()) return refused(to_prefix(context, request));
     target->path = std::string(path);
@@ -119,7 +120,7 @@ Response respond(Context& context, const Request& request, const Resolved& resol
                                 {"reason", error.what()},
                                 {"request", request.id},
                                 {"remote", request.remote}});
-            response = sentence(500, "The request failed; the server's log says why.");
+            response = sentence(500, "The request failed; the log of the server names the reason.");
         }
     add_common_headers(context, request, response);
     return response;

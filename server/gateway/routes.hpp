@@ -29,10 +29,12 @@ struct Resolved {
     Claim claim = Claim::none;
 };
 
-// Checks everything except the body: target, Host, method, Origin, token, content type.
+// Finds the route of a request and checks everything except the body: target, Host, method, Origin, token, content
+// type.
 [[nodiscard]] Resolved resolve(const Context& context, const Request& request);
 
-// Calls the route's handler, turns exceptions into a 500, and adds the common headers.
+// Returns the refusal, or the answer of the route's handler, with the common headers added. An exception of the handler
+// becomes a 500.
 [[nodiscard]] Response respond(Context& context, const Request& request, const Resolved& resolved);
 
 } // namespace ciel::gateway

@@ -17,33 +17,36 @@
 
 namespace ciel::gateway {
 
-// A client and its send callbacks. A WebSocket has all three, an HTTP POST none. They may be called from any thread
-// until the Client is destroyed, and never block. On a slow socket a newer frame replaces older ones.
+// A client and its callbacks. A WebSocket sets all three callbacks, an HTTP POST none. The callbacks never block and
+// may be called from any thread until the Client is destroyed. On a slow socket, a newer frame replaces older ones.
 struct Client {
     std::uint64_t id = 0;
     std::string remote;     // address, for logs
     std::string user{};     // for logs; empty: not known
     std::string request{};  // id of the HTTP request; empty for a WebSocket
-    bool has_token = false; // presented the server's token; the own user enters without it
+    bool has_token = false; // has presented the server's token; the own user may enter without it
     std::stop_token stop{}; // requested when the connection has ended
     std::function<void(std::string text)> send_text{};
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary{};
-    std::function<bool(std::size_t bytes)> has_room{}; // whether a frame of this size may be sent now
+    std::function<bool(std::size_t bytes)> has_room{}; // returns whether a frame of this size may be sent now
 };
 
-// Called exactly once, from any thread. Must not throw. Empty text: no answer is due.
+// Receives the answer to a text; an empty text if no answer is due. Called exactly once, from any thread. Must not
+// throw.
 using Answer = std::function<void(std::string text)>;
 
-// Takes the messages of one client. Called on worker threads, one call at a time except closed(). Never throws.
+// Takes the messages of one client. text() and binary() are called on worker threads, one call at a time. closed() may
+// be called during such a call. No function throws.
 class Peer {
 public:
     virtual ~Peer() = default;
 
-    // `text` is borrowed until the call returns; the answer may come later.
+    // Handles a text. `text` is borrowed until the call returns; `answer` may be called later.
     virtual void text(std::string_view text, Answer answer) = 0;
-    // Returns the reason to close the connection, or nothing.
+    // Handles a binary message. Returns the reason to close the connection, or nothing.
     [[nodiscard]] virtual std::optional<std::string> binary(std::span<const std::uint8_t> message) = 0;
-    // Called when there is room again after Client::has_room was false. Runs on the socket's thread: must not block.
+    // Called when there is room again after Client::has_room() returned false. Runs on the socket's thread and must not
+    // block.
     virtual void has_room() = 0;
     // Called when the client has gone. Not called for a POST whose client stays until the answer.
     virtual void closed() = 0;
@@ -55,7 +58,7 @@ struct Readiness {
     std::vector<std::pair<std::string, std::string>> facts{}; // name and value
 };
 
-// Thread-safe.
+// The process behind the gateway. All functions are thread-safe.
 class Service {
 public:
     virtual ~Service() = default;
@@ -66,11 +69,12 @@ public:
     [[nodiscard]] virtual Readiness readiness() = 0; // may block briefly
     [[nodiscard]] virtual std::string metrics() = 0; // Prometheus text exposition format 0.0.4
 
-    // Shutdown, in this order. announce_end notifies clients; does not block.
+    // announce_end, drain_frames and drain shut the service down, in this order. announce_end notifies clients and does
+    // not block.
     virtual void announce_end() = 0;
-    virtual void drain_frames() = 0; // starts no new frames; returns when none is in progress
+    virtual void drain_frames() = 0; // starts no new frames; returns when no frame is in progress
     virtual void drain() = 0;        // returns when all running calls have ended
-    virtual void give_up() = 0;      // cancels running calls; does not block
+    virtual void give_up() = 0;      // cancels running calls, so that drain() returns soon; does not block
 };
 
 } // namespace ciel::gateway

@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> mime_typ
     {".woff2", "font/woff2"},
 }};
 
-// ETag from FNV-1a, 64 bits. Only distinguishes versions of one file.
+// Returns an ETag: the 64-bit FNV-1a hash of the content. It only has to distinguish versions of one file.
 std::string content_tag(std::string_view content) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
@@ -46,14 +46,14 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
-// True for text and code. Images and most fonts are already compressed.
+// Returns whether gzip helps: for text and code. Images and most fonts are already compressed.
 bool is_compressible(std::string_view mime) {
     return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
            mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
            mime == "font/ttf";
 }
 
-// Returns empty if the result would not be smaller.
+// Returns the content as gzip; empty if that would not be smaller.
 std::string gzipped(const std::string& content) {
     z_stream stream{};
     constexpr int gzip_header = 16, memory_level = 8;
@@ -71,7 +71,7 @@ std::string gzipped(const std::string& content) {
     return out;
 }
 
-// Returns 0.5 for "gzip;q=0.5"; 1 without a weight; 0 for a malformed one.
+// Returns the weight of a coding in Accept-Encoding: 0.5 for "gzip;q=0.5", 1 without a weight, 0 for a malformed one.
 double weight_of(std::string_view coding) {
     double weight = 1;
     any_part(coding, ';', [&](std::string_view parameter) {
@@ -84,7 +84,8 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// Names of the client's build: assets/NAME-HASH.EXT with an 8-character hash.
+// Returns whether the name contains a hash of the content: the web client's build names such files
+// assets/NAME-HASH.EXT, with an 8-character hash.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;
@@ -103,7 +104,7 @@ StaticFiles::StaticFiles(const std::filesystem::path& root) {
     const fs::path base = fs::canonical(root, failure);
     if (failure || !fs::is_directory(base))
         throw Error("the web client's folder " + root.string() +
-                    " cannot be read; build it, or name it with --webclient");
+                    " cannot be read; build the web client, or name its folder with --webclient");
     std::size_t total = 0;
     for (const auto& entry : fs::recursive_directory_iterator(base)) {
         if (!entry.is_regular_file(failure)) continue;
@@ -112,8 +113,9 @@ StaticFiles::StaticFiles(const std::filesystem::path& root) {
         StaticFile file;
         file.content.assign(std::istreambuf_iterator<char>(stream), {});
         if ((total += file.content.size()) > size_limit)
-            throw Error(root.string() +
-                        " holds more than 64 MiB: it is no web client; name its folder with --webclient");
+            throw Error(
+                root.string() +
+                " holds more than 64 MiB and is not a web client; name the folder of the web client with --webclient");
         const fs::path relative = entry.path().lexically_relative(base);
         file.mime = mime_type(relative.extension().string());
         file.etag = content_tag(file.content);

@@ -13,7 +13,7 @@ namespace ciel::gateway {
 
 struct StaticFile {
     std::string content, mime, etag;
-    std::string gzip, gzip_etag; // empty if compression saves nothing
+    std::string gzip, gzip_etag; // empty if gzip saves nothing
     bool immutable = false;      // the name contains a hash of the content
 };
 
@@ -24,18 +24,20 @@ public:
     // holds more than 64 MiB.
     explicit StaticFiles(const std::filesystem::path& root);
 
-    // "/" is index.html. Returns nullptr if there is no such file.
+    // Returns the file of a request path ("/" is index.html), or nullptr if there is none.
     [[nodiscard]] const StaticFile* find(std::string_view path) const;
     [[nodiscard]] std::size_t count() const { return files_.size(); }
 
 private:
-    std::map<std::string, StaticFile, std::less<>> files_; // by "/assets/index-1a2b3c4d.js"
+    std::map<std::string, StaticFile, std::less<>> files_; // by request path, such as "/assets/index-1a2b3c4d.js"
 };
 
-[[nodiscard]] std::string_view mime_type(std::string_view extension); // of ".js"; unknown: application/octet-stream
-// Whether Accept-Encoding (RFC 9110, 12.5.3) allows gzip.
+// Returns the media type of an extension such as ".js"; application/octet-stream if it is unknown.
+[[nodiscard]] std::string_view mime_type(std::string_view extension);
+// Returns whether an Accept-Encoding header (RFC 9110, 12.5.3) allows gzip.
 [[nodiscard]] bool accepts_gzip(std::string_view accept_encoding);
-// Returns 200, compressed if the client accepts gzip, or 304 if if_none_match names the ETag of that answer.
+// Returns the file with status 200, compressed if the client accepts gzip. Returns 304 without a body if if_none_match
+// names the ETag of that answer.
 [[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match,
                                      std::string_view accept_encoding);
 

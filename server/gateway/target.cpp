@@ -81,9 +81,9 @@ std::string normal_prefix(const std::string& prefix) {
     std::string result = prefix;
     while (result.ends_with('/')) result.pop_back();
     if (!result.empty() && result.front() != '/') result.insert(result.begin(), '/');
-    for (const std::string_view removed : {"//", "/./", "/../"}) // by browsers or proxies
+    for (const std::string_view removed : {"//", "/./", "/../"}) // browsers and proxies remove such parts
         if ((result + '/').find(removed) != std::string::npos)
-            throw Error("the prefix \"" + prefix + "\" may have no empty part and neither . nor ..");
+            throw Error("the prefix \"" + prefix + "\" must not have an empty part, . or ..");
     return result;
 }
 

@@ -19,11 +19,11 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr int unsent_bytes = 128 << 10;         // in the socket buffer: a text cannot overtake them
-constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 of a control frame less 2 of the code
-constexpr unsigned last_close_code = 4999;      // RFC 6455, 7.4.2; Beast refuses invalid codes below
+constexpr int unsent_bytes = 128 << 10;         // most unsent bytes in the socket buffer: a text cannot overtake them
+constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 bytes of a control frame less 2 of the code
+constexpr unsigned last_close_code = 4999; // largest valid code (RFC 6455, 7.4.2); Beast refuses invalid smaller ones
 
-// Everything runs on the socket's strand, except work on `workers` and the Client's callbacks.
+// All members are used on the socket's strand, except by work on `workers` and by the Client's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
@@ -44,7 +44,8 @@ private:
     template <typename Part>
     void start(Part part);
 
-    // The timer never expires and serves as a condition variable: cancelling it wakes all waiters.
+    // Waits until `timer` is cancelled. The timer never expires: it serves as a condition variable, and cancelling it
+    // wakes all waiters.
     static asio::awaitable<void> changed(asio::steady_timer& timer) {
         error_code ignored;
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -75,16 +76,16 @@ private:
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
-    std::optional<websocket::close_reason> close_; // requested; sent when nothing is in progress
+    std::optional<websocket::close_reason> close_; // requested close; sent when no message or answer is pending
     bool ended_ = false, closes_now_ = false, writing_ = false;
-    int parts_ = 0, unanswered_ = 0; // unanswered_: messages taken from the inbox
+    int parts_ = 0, unanswered_ = 0; // running coroutines; messages taken from the inbox but not answered
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     const auto& limits = context_.service.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
     ::setsockopt(beast::get_lowest_layer(socket_).socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT,
-                 &unsent_bytes, sizeof unsent_bytes); // optional: without it texts wait longer
+                 &unsent_bytes, sizeof unsent_bytes); // if this fails, texts wait longer
     websocket::stream_base::timeout timeouts{};
     timeouts.handshake_timeout = std::chrono::milliseconds(500) * limits.drain_seconds;
     timeouts.idle_timeout = std::chrono::seconds(limits.websocket_idle_seconds);
@@ -95,7 +96,8 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
         response.set(beast::http::field::server, "CIEL/" + context_.version);
     }));
     socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
-        if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut(); // no echo
+        // Cuts the connection on an invalid close code, which must not be echoed.
+        if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut();
     });
     socket_.read_message_max(limits.message_bytes);
     socket_.auto_fragment(false); // writes each message as one WebSocket frame, without a copy
@@ -158,7 +160,7 @@ asio::awaitable<void> WebSocketSession::read() {
         beast::flat_buffer buffer;
         error_code error;
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
-        if (error) co_return; // closed, gone or idle too long; Beast has sent 1002, 1007 or 1009 where due
+        if (error) co_return; // closed, lost or idle too long; Beast has sent 1002, 1007 or 1009 where due
         if (close_) continue;
         if (socket_.got_text()) ++context_.counters.texts_received;
         inbox_bytes_ += buffer.size();
@@ -199,7 +201,8 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Slow methods answer later, from other threads, possibly after the socket has gone. Later texts do not wait for them.
+// Returns the callback for the answer to one message. Slow methods call it later, from other threads, possibly after
+// the socket has gone. Later texts do not wait for them.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) outbox->push_text(std::move(text));
@@ -237,11 +240,11 @@ asio::awaitable<void> WebSocketSession::write() {
         context_.counters.bytes_sent += asio::buffer_size(bytes);
         if (outbox_->sent()) peer_->has_room();
     }
-    cut(); // also ends a read that waits for a lost peer
+    cut(); // also ends a pending read from a lost peer
 }
 
-// First call: closes after all answers have been read. Second call: closes without waiting for answers. Third call:
-// cuts without waiting for the client's close.
+// First call: closes the WebSocket after all answers have been sent. Second call: closes it without waiting for
+// answers. Third call: disconnects without waiting for the client's close.
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
     const bool is_third = std::exchange(closes_now_, true);
@@ -254,7 +257,7 @@ void WebSocketSession::drain() {
 
 void WebSocketSession::outbox_pushed() {
     if (outbox_->overflowed()) {
-        spdlog::info("{}: does not read its answers; disconnected", remote_);
+        spdlog::info("{} does not read its answers and was disconnected", remote_);
         cut();
     }
     outbox_changed_.cancel();

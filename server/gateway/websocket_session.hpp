@@ -1,5 +1,5 @@
-// A WebSocket. Texts and upload pieces come in and are handled in order on worker threads; answers, notifications and
-// frames go out.
+// Session of one WebSocket. Incoming texts and upload pieces are handled in order on worker threads. Answers,
+// notifications and frames are sent from an Outbox.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -9,8 +9,8 @@
 
 namespace ciel::gateway {
 
-// `client` has remote, user and has_token set; the other members are set here. Ends after the connection, its last call
-// and its last write have ended.
+// Serves one WebSocket. The caller sets remote, user and has_token of `client`; the session sets the other members.
+// Returns when the connection, its last call and its last write have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
                                         Context& context, asio::thread_pool& workers);
 

@@ -49,17 +49,17 @@ struct Absence {
         return array + " goes from " + range_text({range[0], range[1]}) + " at this time.";
     }
     EmptyLayer operator()(const scene::IsoLayer& iso) const {
-        if (iso.values.empty()) return {id, EmptyLayer::Why::nothing, "It has no value."};
+        if (iso.values.empty()) return {id, EmptyLayer::Why::nothing, "The layer has no iso-value."};
         const auto range = range_of(dataset, iso.array, geometry.step);
         const auto is_outside = [&](double value) { return value < range[0] || value > range[1]; };
         if (!std::all_of(iso.values.begin(), iso.values.end(), is_outside))
-            return {id, EmptyLayer::Why::nothing, "No cell has values on both sides of what it shows."};
+            return {id, EmptyLayer::Why::nothing, "No cell has values on both sides of an iso-value."};
         const std::string what =
-            iso.values.size() == 1 ? annotations::number_label(iso.values[0]) + " is" : "Its values are";
+            iso.values.size() == 1 ? annotations::number_label(iso.values[0]) + " is" : "The iso-values are";
         return {id, EmptyLayer::Why::outside, what + " outside the range: " + array_goes(iso.array)};
     }
     EmptyLayer operator()(const scene::SliceLayer&) const {
-        return {id, EmptyLayer::Why::outside, "Its plane lies beside the data."};
+        return {id, EmptyLayer::Why::outside, "The plane does not cut the data."};
     }
     template <class Kind>
     EmptyLayer operator()(const Kind& layer) const {
@@ -67,10 +67,10 @@ struct Absence {
             if (layer.threshold) {
                 const std::string& array = layer.threshold->array;
                 return {id, EmptyLayer::Why::threshold,
-                        "Its threshold from " + range_text(layer.threshold->range) +
+                        "The threshold from " + range_text(layer.threshold->range) +
                             " keeps no cell: " + array_goes(array)};
             }
-        return {id, EmptyLayer::Why::nothing, "There is nothing of its kind in the data."};
+        return {id, EmptyLayer::Why::nothing, "The data has no geometry of the layer's type."};
     }
 };
 
@@ -104,10 +104,10 @@ public:
         if (is_there) return {};
         if (!has_pieces && blew_up)
             return EmptyLayer{layer.id, EmptyLayer::Why::nothing,
-                              "No cell that it would show has a number for its array at this time."};
+                              "No cell of the layer has a number for the array of the layer at this time."};
         if (!has_pieces) return std::visit(Absence{geometry_, dataset_, layer.id}, layer.kind);
-        if (is_transparent(layer)) return EmptyLayer{layer.id, EmptyLayer::Why::opacity, "Its opacity is 0."};
-        return EmptyLayer{layer.id, EmptyLayer::Why::clipped, "All of it is clipped away."};
+        if (is_transparent(layer)) return EmptyLayer{layer.id, EmptyLayer::Why::opacity, "The opacity is 0."};
+        return EmptyLayer{layer.id, EmptyLayer::Why::clipped, "The clip planes cut away the whole layer."};
     }
 
 private:

@@ -28,7 +28,7 @@ std::string full_name(const store::Dataset& dataset, const std::string& scalar) 
 
 namespace {
 
-// For a line in a legend, which must fit narrow pictures.
+// Returns the number with at most 4 significant digits, so that a line of a legend fits narrow pictures.
 std::string short_number(double value) {
     std::ostringstream text;
     text << std::setprecision(4) << value;
@@ -125,8 +125,7 @@ void LayerUpdate::color(Drawable& drawable, const scene::Coloring& coloring, con
     drawable.scale = color_scale_of(coloring, range);
     if (!is_shown_by(coloring, range))
         out.lacking.push_back("layer " + layer.id + " has no colors: " + coloring.array +
-                              " has no value above zero at this time, and only those have a place on a "
-                              "logarithmic scale; choose a linear one");
+                              " has no value above zero at this time; choose a linear scale");
 }
 
 void LayerUpdate::add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,

@@ -107,8 +107,9 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
     }
     if (contoured.lines->indices.empty() && !shape->indices.empty())
         out.remarks.push_back("layer " + layer.id + " has no contour lines: " + contours->array +
-                              " has none of their values on it, and goes from " + annotations::number_label(own[0]) +
-                              " to " + annotations::number_label(own[1]) + " in all of the data at this time");
+                              " takes none of the values of the lines on the layer; the data goes from " +
+                              annotations::number_label(own[0]) + " to " + annotations::number_label(own[1]) +
+                              " at this time");
     tell_left_out(contours->array, true);
     Drawable& lines =
         add_lines(contoured.lines, contours->color, contours->width, layer, contoured.identity, contoured.revision);

@@ -46,7 +46,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
         loaded_ = loaded;
     }
     const auto& dataset = checked.dataset();
-    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append one to see it");
+    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append a step");
 
     auto geometry = std::make_shared<Geometry>();
     geometry->step = dataset->step_at(scene.time);
@@ -97,7 +97,7 @@ void SceneGeometry::forget_all_but(const scene::Scene& scene) {
         const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind);
         if (layer.visible) shown.insert(layer.id);
         if (!layer.visible)
-            cuts_of[layer.id] = SIZE_MAX; // showing it again costs nothing
+            cuts_of[layer.id] = SIZE_MAX; // keeps all, so that showing the layer again needs no cut
         else if (surface != nullptr)
             cuts_of[layer.id] = surface->groups.empty() ? caps : 0;
         else

@@ -23,8 +23,8 @@ public:
         : source_(source), options_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    // Nothing where most steps turned out to have other components of an array than were taken: components() has those
-    // of most steps. What was written is gone then.
+    // Returns nothing, and writes nothing, if most steps have other components of an array than the chosen ones. Then
+    // components() returns those of most steps.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] ComponentsOf components() const { return arrays_.components().of_most_steps(); }
 
 private:
-    // `phase_share`: how much of this step is done.
+    // `phase_share`: share of the current step that is done, in [0, 1].
     void tell(double phase_share, const std::string& what) const {
         const auto steps = static_cast<double>(source_.times().size());
         const double done = std::min((static_cast<double>(step_) + phase_share) / steps, 1.0);
@@ -54,13 +54,13 @@ private:
         progress(0.98 * done, phase);
     }
 
-    // A misspelt name is told before hours of reading, where the reader lists what is there.
+    // Throws Error for an unknown --array before any data is read, if the reader can list its arrays.
     void check_listing() {
         for (std::size_t step = 0; step < source_.times().size() && !selection_.complete(); ++step) {
             std::optional<std::vector<ArrayName>> listed;
             try {
                 listed = source_.listed_arrays(step);
-            } catch (const Error&) { // told when the step is read
+            } catch (const Error&) { // reported when the step is read
                 return;
             }
             if (!listed) return;
@@ -69,7 +69,7 @@ private:
         selection_.check();
     }
 
-    // The same for readers that list nothing; a later step could still bring the array.
+    // Throws Error for an unknown --array if the input has one step. With several, a later step could have the array.
     void check_only_step(const DataSets& data_sets) {
         if (source_.times().size() > 1) return;
         for (const FieldName& field : field_names(data_sets)) selection_.saw(field);
@@ -104,7 +104,7 @@ private:
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
-    // False when the step's mesh cannot be built: the step is lost, and the mesh before stays.
+    // Builds and writes the step's mesh. Returns false if it cannot be built; the step is lost and the mesh stays.
     bool new_mesh(const DataSets& data_sets, double time) {
         tell(0.5, "building the mesh");
         try {
@@ -127,21 +127,24 @@ private:
         return true;
     }
 
-    // False where it is another mesh in spite of its cells.
+    // Updates the mesh to a step with the same cells. Returns false if welded or joined points differ at this step, so
+    // that it needs a new mesh.
     bool same_mesh(const DataSets& data_sets, bool moved, double time) {
         update_step_mesh(mesh_, data_sets, moved);
         if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
             std::ostringstream sentence;
             sentence << "From time " << time << " on " << what
-                     << " differs across a seam that was welded until then: the mesh is another one from there.";
+                     << " differs across a seam that was welded at earlier times; from that time on the dataset has "
+                        "another mesh.";
             note(sentence.str());
-            print_ = {}; // mesh_ has other positions than it was written with
+            print_ = {}; // mesh_ no longer has the positions that were written
             return false;
         }
         if (!still_the_same(mesh_.joined_pieces, mesh_.parts)) {
             std::ostringstream sentence;
             sentence << "From time " << time
-                     << " on points of two pieces differ that were one until then: the mesh is another one from there.";
+                     << " on, points of two pieces differ that were welded at earlier times; from that time on the "
+                        "dataset has another mesh.";
             note(sentence.str());
             print_ = {};
             return false;
@@ -177,7 +180,7 @@ private:
         header.input_edges = mesh_.input_edges;
         header.input_cells = mesh_.input_cells;
         writer_.emplace(options_.output, header, options_.force);
-        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // of steps that were lost before
+        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // of steps lost so far
         for (const std::string& sentence : source_.notes()) note(sentence);
     }
 
@@ -197,7 +200,7 @@ private:
     Fingerprint print_;
     std::size_t step_ = 0, mesh_index_ = 0, coordinates_index_ = 0;
     std::optional<double> last_time_;
-    std::string first_reason_; // for which a step was lost
+    std::string first_reason_; // error of the first lost step
     std::set<std::string> noted_;
     ConvertResult result_;
 };
@@ -209,7 +212,7 @@ ConvertResult convert(Source& source, const Options& options) {
     while (true) {
         Converter converter(source, options, components);
         if (auto result = converter.run()) return std::move(*result);
-        components = converter.components(); // once: they are what most steps have
+        components = converter.components(); // the second run succeeds: most steps have these
     }
 }
 

@@ -1,6 +1,5 @@
-// ciel-import: VTK's readers -> NAME.ciel. Started by `ciel`, which watches over it; every file that is not ours is
-// read here. Standard output: "progress SHARE PHASE" and "note SENTENCE" lines, or a listing. Standard error: one
-// sentence.
+// ciel-import: reads simulation results with VTK and writes NAME.ciel. `ciel` starts and supervises it. Standard
+// output: "progress SHARE PHASE" and "note SENTENCE" lines, or a listing. Standard error: one sentence.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
 #include "import/listing.hpp"
@@ -29,7 +28,7 @@ enum ExitCode : int {
     something_lost = 3,
     out_of_memory = ciel::importing::import_out_of_memory,
 };
-constexpr double most_bad_cells = 0.001; // of all
+constexpr double most_bad_cells = 0.001; // share of all cells; with more, the exit code is something_lost
 
 // The options are declared once, in importing/import_options.hpp, for `ciel import` and for this program.
 void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
@@ -58,16 +57,17 @@ Options options_from(ciel::importing::ImportValues& values) {
     options.allow_bad = flag("allow-bad");
     options.force = flag("force");
     if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
-    if (flag("weld") && flag("no-weld")) throw CLI::ValidationError("--weld and --no-weld exclude each other");
+    if (flag("weld") && flag("no-weld"))
+        throw CLI::ValidationError("--weld and --no-weld exclude each other; give one of them");
     if (!options.list && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
     if (!options.list && !options.output.ends_with(".ciel"))
-        throw CLI::ValidationError("-o " + options.output + ": the name of a dataset ends in .ciel");
+        throw CLI::ValidationError("-o " + options.output + ": the name of a dataset must end in .ciel");
     if (flag("weld")) options.weld = ciel::importer::Weld::all;
     if (flag("no-weld")) options.weld = ciel::importer::Weld::none;
     return options;
 }
 
-// What the supervisor passes on: libraries of the readers write to standard error too.
+// Prints the sentence with a prefix by which the supervisor finds it, because libraries also write to standard error.
 int fail(const std::string& sentence, ExitCode code = failed) {
     std::fprintf(stderr, "%s%s\n", ciel::importing::import_error_prefix.data(), sentence.c_str());
     return code;
@@ -77,14 +77,14 @@ int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
     capture_vtk_errors();
-    if (!options.list) ciel::store::check_place(options.output, options.force); // before long work
+    if (!options.list) ciel::store::check_place(options.output, options.force); // fails before any reading
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
         print_listing(*source);
         return done;
     }
     const ConvertResult result = convert(*source, options);
-    // The dataset stands: from here on there is nothing left to cancel, and "done" would be the place that throws.
+    // The dataset is complete. Without this call, an earlier signal would make progress() below throw.
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     progress(1.0, "done");
@@ -95,12 +95,12 @@ int run(const Options& options) {
     if (lost.empty() || options.allow_bad) return done;
     const std::string others =
         lost.size() > 1 ? " (" + std::to_string(lost.size() - 1) + " more are in the notes)" : "";
-    return fail(options.inputs.front() + ": the dataset was written without all that the input has: " + lost.front() +
-                    others + "; --allow-bad accepts that",
+    return fail(options.inputs.front() + ": the dataset was written without a part of the input: " + lost.front() +
+                    others + "; --allow-bad accepts the loss",
                 something_lost);
 }
 
-// An error of the mesh does not know the file it came from; one of the store is about the output.
+// Prepends the first input to the sentence unless it names an input or the output. Errors about the mesh name no file.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
     const bool named =
@@ -109,7 +109,7 @@ std::string naming_input(const Options& options, const std::string& sentence) {
     return named ? sentence : options.inputs.front() + ": " + sentence;
 }
 
-// What the C++ library makes of a failed allocation, a stack for a thread included.
+// True for std::bad_alloc, and for the std::system_error of a thread that cannot be started.
 bool is_out_of_memory(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
     const auto* failed = dynamic_cast<const std::system_error*>(&error);
@@ -126,7 +126,8 @@ int run_and_report(const Options& options) {
     } catch (const ciel::Error& error) {
         return fail(naming_input(options, error.what()));
     } catch (const std::exception& error) {
-        if (is_out_of_memory(error)) return fail(input + ": needs more memory than it may use", out_of_memory);
+        if (is_out_of_memory(error))
+            return fail(input + ": the import needs more memory than it may use; raise --memory-limit", out_of_memory);
         return fail(input + ": cannot be imported: " + error.what());
     }
 }

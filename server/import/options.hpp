@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The options of ciel-import's command line.
 #pragma once
 
 #include "import/mesh/welds.hpp"

@@ -5,17 +5,17 @@
 
 namespace ciel::importer {
 
-// Thrown from progress() after SIGINT or SIGTERM: unwinding removes what was written aside.
+// Thrown by progress() after SIGINT or SIGTERM. Unwinding removes the unfinished dataset.
 struct Cancelled {};
 
 // From now on SIGINT and SIGTERM make progress() throw.
 void install_cancel_handlers();
 
-// From now on progress() no longer throws: what was asked for stands, whether or not a signal comes, or came.
+// From now on progress() does not throw, even if a signal has already arrived. Call when the dataset is complete.
 void ignore_cancelling();
 
-// Prints "progress SHARE PHASE" when it has advanced: a reader that starts over again and again prints nothing, which
-// is how the supervisor notices. SHARE in [0, 1].
+// Prints "progress SHARE PHASE" if the percentage grew or the phase changed; SHARE in [0, 1]. A reader that starts over
+// prints nothing, so that the supervisor can detect it. Throws Cancelled after a signal.
 void progress(double share, const std::string& phase);
 
 } // namespace ciel::importer

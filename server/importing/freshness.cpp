@@ -10,14 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using Time = fs::file_time_type;
-constexpr std::string_view grid_ending = "xyz"; // "bluntfinxyz.bin" and "bluntfinq.bin", as NASA names them
+constexpr std::string_view grid_ending = "xyz"; // NASA names a grid "bluntfinxyz.bin", its solution "bluntfinq.bin"
 
 bool is_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error);
 }
 
-// Returns the earliest time on an error: a running simulation may remove a file.
+// Returns the modification time. On an error returns Time::min(), since a running simulation may remove the file.
 Time time_of(const fs::path& path) {
     std::error_code error;
     const Time time = fs::last_write_time(path, error);
@@ -25,7 +25,7 @@ Time time_of(const fs::path& path) {
 }
 
 Time newest_below(const fs::path& directory) {
-    Time newest = time_of(directory); // changes when a file is added or removed
+    Time newest = time_of(directory); // the directory's own time changes when a file is added or removed
     std::error_code error;
     for (auto entry = fs::recursive_directory_iterator(directory, error);
          !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
@@ -39,7 +39,7 @@ bool is_time_directory(const std::string& name) {
     return !name.empty() && *end == '\0';
 }
 
-// constant/polyMesh, and constant/REGION/polyMesh.
+// Returns the newest time in constant/polyMesh and constant/REGION/polyMesh.
 Time newest_mesh(const fs::path& constant) {
     Time newest = newest_below(constant / "polyMesh");
     std::error_code error;
@@ -48,7 +48,7 @@ Time newest_mesh(const fs::path& constant) {
     return newest;
 }
 
-// `directory`: a case, or the part of it that one processor wrote.
+// `directory`: an OpenFOAM case, or a processor directory in it.
 Time newest_of_case(const fs::path& directory) {
     Time newest = std::max(time_of(directory / "system" / "controlDict"), newest_mesh(directory / "constant"));
     std::error_code error;

@@ -20,7 +20,7 @@ std::string number(double value) {
 
 struct Words {
     std::string own;   // the importer's sentence
-    std::string other; // last line of a library, the loader or the runtime
+    std::string other; // last line by a library, the dynamic loader or the C++ runtime
 };
 
 Words last_words(const std::string& errors) {
@@ -35,7 +35,7 @@ Words last_words(const std::string& errors) {
     return words;
 }
 
-// The dynamic loader and the C++ runtime report it in their own words.
+// Whether the import ran out of memory: by its exit code, or by messages of the dynamic loader or the C++ runtime.
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;
@@ -47,23 +47,25 @@ bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
 
 std::string describe_memory(const std::string& input, const ImportLimits& limits) {
     if (limits.memory_gigabytes <= 0)
-        return input + ": needs more memory than the machine has, or is damaged and declares more than it holds" +
+        return input +
+               ": the import needs more memory than the machine has, or the file is damaged and declares more data "
+               "than it holds" +
                nothing_written;
     return input + ": the memory limit of " + number(limits.memory_gigabytes) +
-           " GB was reached; raise it with --memory-limit (0: none), unless the file is damaged and declares more than "
-           "it holds" +
+           " GB was reached; raise the limit with --memory-limit (0: none), unless the file is damaged and declares "
+           "more data than it holds" +
            nothing_written;
 }
 
 std::string describe_signal(int signal, const std::string& input, const ImportLimits& limits) {
     if (signal == SIGKILL)
         return input +
-               ": the import was killed from outside, most likely because the machine ran out of memory; the "
-               "file may be sound: free some memory, or choose a lower --memory-limit to be told" +
+               ": the import was killed from outside, most likely because the machine ran out of memory, and the file "
+               "may be sound. Free some memory, or set a lower --memory-limit to get an error instead" +
                nothing_written;
     std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
     if (limits.memory_gigabytes > 0)
-        sentence += ", or needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";
+        sentence += ", or the import needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";
     return sentence + nothing_written;
 }
 
@@ -72,17 +74,18 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
 std::string describe_end(const processes::ChildEnd& end, const std::string& input, const ImportLimits& limits) {
     if (end.cancelled) return "the import was cancelled; nothing was written";
     if (end.timed_out)
-        return input + ": the import took longer than " + number(limits.seconds) + " s and was stopped (--time-limit)" +
-               nothing_written;
+        return input + ": the import took longer than " + number(limits.seconds) +
+               " s and was stopped; raise --time-limit (0: none)" + nothing_written;
     if (end.stalled)
         return input + ": the import made no progress for " + number(limits.stalled_seconds) +
-               " s and was stopped: the file is damaged, or needs a longer --stall-limit (0: none)" + nothing_written;
+               " s and was stopped: the file is damaged, or the import needs a longer --stall-limit (0: none)" +
+               nothing_written;
     const Words last = last_words(end.errors);
     if (ran_out_of_memory(end, last)) return describe_memory(input, limits);
     if (end.signal != 0) return describe_signal(end.signal, input, limits);
     if (!last.own.empty()) return last.own;
-    if (!last.other.empty()) return input + ": the reader gave up: " + last.other;
-    return input + ": ciel-import ended with code " + std::to_string(end.exit_code) + " and no reason";
+    if (!last.other.empty()) return input + ": the reader failed: " + last.other;
+    return input + ": ciel-import ended with code " + std::to_string(end.exit_code) + " without a reason";
 }
 
 } // namespace ciel::importing

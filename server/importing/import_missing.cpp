@@ -17,7 +17,7 @@ constexpr const char* extension = ".ciel";
 
 bool is_dataset(const fs::path& path) { return fs::exists(path / store::layout::commit_marker); }
 
-// A folder that is no OpenFOAM case holds datasets, perhaps later.
+// True for any folder that is not an OpenFOAM case, even if it has no dataset yet.
 bool is_folder_of_datasets(const fs::path& path) { return fs::is_directory(path) && !is_openfoam_case(path); }
 
 fs::path without_slash(const fs::path& path) {
@@ -25,7 +25,7 @@ fs::path without_slash(const fs::path& path) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// "run.vtu.series" and "run.vtu" are both "run"; a directory keeps its dots.
+// Returns "run" for "run.vtu" and "run.vtu.series". Returns the whole name of a directory, dots included.
 std::string dataset_name(const fs::path& input) {
     if (fs::is_directory(input)) return input.filename().string();
     fs::path name = input.stem();
@@ -33,20 +33,20 @@ std::string dataset_name(const fs::path& input) {
     return name.string();
 }
 
-// A checksum of the path separates inputs of the same name in different folders.
+// Returns folder/KEY/NAME.ciel. KEY is a checksum of the input's path, so that inputs of the same name do not collide.
 fs::path target_of(const fs::path& input, const fs::path& folder) {
     const std::string path = fs::weakly_canonical(input).string();
     const std::string sum = store::checksum(std::as_bytes(std::span(path)));
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
-// import_one sets the marker's time to that of the imported input.
+// Returns whether `target` is as new as `input`. import_one sets the time of its commit marker to that of the input.
 bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Adds the file that names the input to a copy by an earlier version. Errors are ignored: appends to an unwritable copy
-// fail anyway.
+// Adds the file that names a copy's input, which copies by earlier versions of CIEL lack. Ignores errors: appends to an
+// unwritable copy fail anyway.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);
@@ -55,17 +55,17 @@ void complete_sign(const fs::path& input, const fs::path& target) {
     }
 }
 
-// Returns the importer's sentence; empty if `target` is a dataset now. Throws Error if `cancel` is set.
+// Imports `input` to `target`. Returns the importer's error; empty on success. Throws Error if `cancel` is set.
 std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
     store::make_directory(target.parent_path());
     listener.line("importing " + input.string());
-    const auto imported = last_change(input); // read before the import, which may miss later changes
+    const auto imported = last_change(input); // before the import: later changes may not be imported
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
     if (end.exit_code == 1 || end.exit_code == 2) {
         std::error_code error;
-        fs::remove(target.parent_path(), error); // only if empty
+        fs::remove(target.parent_path(), error); // removes the folder only if it is empty
         if (cancel) throw Error(end.problem);
         return end.problem;
     }

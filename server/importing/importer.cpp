@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr const char* program = "ciel-import";
 constexpr double gigabyte = 1e9;
-constexpr double default_share = 0.8; // of the memory
+constexpr double default_share = 0.8; // of the machine's memory
 
 std::vector<std::string> command_line(const ImportValues& values) {
     std::vector<std::string> arguments{find_import_program().string()};
@@ -60,7 +60,7 @@ fs::path find_import_program() {
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
         if (fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
-    throw Error("ciel-import was not found beside ciel or on PATH; it is built with -DCIEL_IMPORT=ON and needs VTK 9");
+    throw Error("ciel-import was not found beside ciel or on PATH; build ciel-import with -DCIEL_IMPORT=ON and VTK 9");
 }
 
 double default_memory_gigabytes() { return default_share * static_cast<double>(limits::machine_memory()) / gigabyte; }
@@ -68,7 +68,7 @@ double default_memory_gigabytes() { return default_share * static_cast<double>(l
 ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, const ImportListener& listener,
                      const std::atomic<bool>& cancel) {
     const std::string& input = values.at("inputs").at(0);
-    if (cancel) { // before it starts
+    if (cancel) { // cancelled before the import starts
         processes::ChildEnd end;
         end.cancelled = true;
         return {1, describe_end(end, input, limits)};

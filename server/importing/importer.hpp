@@ -10,13 +10,13 @@
 
 namespace ciel::importing {
 
-// Four fifths of the machine's memory, so that a damaged file cannot exhaust it.
+// Returns four fifths of machine_memory(), in GB, so that a damaged file cannot exhaust the memory.
 [[nodiscard]] double default_memory_gigabytes();
 
-struct ImportLimits { // 0: none
+struct ImportLimits { // 0: no limit
     double memory_gigabytes = default_memory_gigabytes();
     double seconds = 0;
-    // Without progress (child_process.hpp). The longest silence of a valid import is the building of a huge mesh.
+    // Time without progress (child_process.hpp). A valid import is silent for longest while it builds a huge mesh.
     double stalled_seconds = 1800;
 };
 
@@ -26,8 +26,8 @@ struct ImportListener {
 };
 
 struct ImportEnd {
-    int exit_code = 0;   // 0 done, 1 failed, 2 wrong usage, 3 done with cells left out
-    std::string problem; // a sentence; empty when done
+    int exit_code = 0;   // 0 done, 1 failed, 2 wrong usage, 3 done with data left out
+    std::string problem; // a sentence; empty for exit code 0
 };
 
 // `values`: options by their names in import_options. Removes leftovers at values["output"] after a failure. Throws
@@ -35,7 +35,7 @@ struct ImportEnd {
 [[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 
-// ciel-import beside this program, or on PATH. Throws Error when there is none.
+// Returns the path of ciel-import, beside this program or on PATH. Throws Error when there is none.
 [[nodiscard]] std::filesystem::path find_import_program();
 
 } // namespace ciel::importing

@@ -1,4 +1,4 @@
-// Errors with their own code in the contract. All others are plain Error.
+// Errors with their own error code in protocol/openrpc.json. All other errors are plain Error.
 #pragma once
 
 #include "ciel/types.hpp"

@@ -9,10 +9,10 @@
 
 namespace ciel::limits {
 
-// Bytes: `percent` of the memory of the machine, or of the process's control group if that has less.
+// Returns `percent` of the bytes of machine_memory().
 [[nodiscard]] std::uint64_t memory_share(unsigned percent);
 
-// A new limit: a member here, and its row in limits.cpp.
+// To add a limit, add a member here and its row in limits.cpp.
 struct Limits {
     std::uint64_t message_bytes = 1 << 20;
     std::uint64_t json_depth = 32;
@@ -59,12 +59,13 @@ struct Limits {
 };
 
 struct LimitRow {
-    enum class Unit { count, bytes, memory, pixels, seconds }; // memory: bytes, also given as "25%" of the machine's
-    std::string_view name;                                     // of the member, and in server.info
+    // memory: bytes, or a share of the machine's memory such as "25%"
+    enum class Unit { count, bytes, memory, pixels, seconds };
+    std::string_view name; // of the member of Limits, and in server.info
     std::uint64_t Limits::*member;
     Unit unit;
     std::string_view description;
-    std::uint64_t most;      // larger values are useless, or refused by the contract
+    std::uint64_t most;      // larger values are useless, or refused by openrpc.json
     std::uint64_t least = 1; // a server with less is unusable
 };
 
@@ -72,10 +73,10 @@ struct LimitRow {
 [[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
 [[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
 
-// Parses a whole number from row.least to row.most. Bytes may have a suffix K, M, G or T (powers of 1024), memory may
-// be a share: "25%". Throws Error for other texts.
+// Parses a whole number from row.least to row.most. Bytes may have a suffix K, M, G or T (powers of 1024); memory may
+// also be a share such as "25%". Throws Error for other texts.
 [[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
-// "64", "1 MiB", "30 s".
+// Returns the value with its unit, such as "64", "1 MiB" or "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);
 
 } // namespace ciel::limits

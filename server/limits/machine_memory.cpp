@@ -23,7 +23,7 @@ std::uint64_t physical_memory() {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-// The number in a file of a control group; nothing if the file says "max" or does not exist.
+// Returns the number in a file of a control group; nothing if the file says "max" or does not exist.
 std::optional<std::uint64_t> number_in(const fs::path& file) {
     std::uint64_t number = 0;
     if (std::ifstream(file) >> number) return number;
@@ -35,7 +35,7 @@ struct GroupFiles {
     const char *limit, *used;
 };
 
-// The control groups of this process. Version 2 has a single hierarchy without controller names.
+// Returns the memory control groups of this process. Version 2 has a single hierarchy without controller names.
 std::vector<GroupFiles> control_groups() {
     std::vector<GroupFiles> found;
     std::ifstream groups("/proc/self/cgroup"); // lines of "number:controllers:group"
@@ -62,7 +62,7 @@ void for_limits(const GroupFiles& files, Visit&& visit) {
     }
 }
 
-// Pages of files count as used but are reclaimable.
+// Returns the bytes of inactive file pages, which a control group counts as used although they are reclaimable.
 std::uint64_t file_pages(const fs::path& directory) {
     std::ifstream statistics(directory / "memory.stat");
     std::uint64_t number = 0;
@@ -81,7 +81,7 @@ std::uint64_t available_on_machine() {
 
 std::uint64_t spare_address_space() {
     rlimit limit{};
-    std::uint64_t pages = 0; // of the whole process
+    std::uint64_t pages = 0; // address space of the process
     if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
     if (!(std::ifstream("/proc/self/statm") >> pages)) return unlimited;
     const std::uint64_t used = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));

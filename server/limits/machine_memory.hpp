@@ -5,7 +5,8 @@
 
 namespace ciel::limits {
 
-// Bytes: the machine's memory, or the limit of the control group (a container, a service) if that is less.
+// Returns the bytes of the machine's memory, or the limit of the control group (a container, a service) if that is
+// less.
 [[nodiscard]] std::uint64_t machine_memory();
 
 // Bytes that this process can still allocate; the largest number where there is no limit.
@@ -15,8 +16,8 @@ struct SpareMemory {
 };
 [[nodiscard]] SpareMemory spare_memory();
 
-// Returns freed heap memory to the system if 64 MiB or more were freed since the last time. The heap would keep it
-// otherwise. Takes some milliseconds when it does. Thread-safe.
+// Returns freed heap memory to the system if 64 MiB or more were freed since the last return; malloc would keep it. A
+// return takes some milliseconds. Thread-safe.
 void give_back_free_memory();
 
 } // namespace ciel::limits

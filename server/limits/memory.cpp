@@ -28,7 +28,7 @@ void Memory::add_or_throw(Held held, std::uint64_t more) {
 }
 
 bool Memory::add(Held held, std::uint64_t more) {
-    const std::uint64_t datasets = dataset_bytes_(); // takes other locks, so not under mutex_
+    const std::uint64_t datasets = dataset_bytes_(); // dataset_bytes_ takes other locks, so not under mutex_
     const std::scoped_lock lock(mutex_);
     if (charged() + datasets + more > most_) return false;
     bytes_[static_cast<std::size_t>(held)] += more;
@@ -38,7 +38,7 @@ bool Memory::add(Held held, std::uint64_t more) {
 std::string Memory::refusal() const {
     return "the server may hold " + std::to_string(most_ >> 20) + " MB for all its clients, and " +
            std::to_string((most_ - room()) >> 20) +
-           " MB are in use. Show fewer layers or values, or try again when others have finished";
+           " MB are in use. Show fewer layers or values, or try again when other clients have finished";
 }
 
 std::uint64_t Memory::room() const {

@@ -13,7 +13,7 @@ namespace ciel::limits {
 enum class Held {
     scenes,   // documents of sessions and their histories
     surfaces, // query state and surfaces of scenes
-    answers,  // of calls under way: files, pictures, texts of batches
+    answers,  // files, pictures and batch texts of running calls
     unsent    // frames and answers not yet accepted by a socket
 };
 inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"};
@@ -21,11 +21,11 @@ inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"
 // Thread-safe. Must outlive its charges.
 class Memory {
 public:
-    // dataset_bytes: memory of all datasets now. release: frees unused datasets. Both are called from charging threads
-    // and must not charge.
+    // dataset_bytes returns the bytes of all datasets. release frees unused datasets. Both are called on the thread
+    // that changes a Charge, and must not change one themselves.
     Memory(std::uint64_t most_bytes, std::function<std::uint64_t()> dataset_bytes, std::function<void()> release);
 
-    // Bytes counted for one holder; the destructor releases them. Not thread-safe.
+    // The bytes counted for one holder. The destructor subtracts them from the total. Not thread-safe.
     class Charge {
     public:
         Charge(Memory& memory, Held held) : memory_(memory), held_(held) {}
@@ -35,7 +35,7 @@ public:
 
         // Call before the allocation. Throws LimitReached and keeps the old count if the total would be exceeded.
         void change(std::size_t bytes);
-        void note(std::size_t bytes); // for memory already allocated: never refused
+        void note(std::size_t bytes); // for memory already allocated; never throws LimitReached
         [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
     private:
@@ -44,15 +44,16 @@ public:
         std::size_t bytes_ = 0;
     };
 
-    // The sentence for a client whose request does not fit.
+    // Returns the error message for a client whose request would exceed the total.
     [[nodiscard]] std::string refusal() const;
     [[nodiscard]] std::uint64_t room() const;
     [[nodiscard]] std::uint64_t most() const { return most_; }
     [[nodiscard]] std::uint64_t bytes(Held held) const;
 
 private:
-    [[nodiscard]] std::uint64_t charged() const;           // REQUIRES: the lock
-    [[nodiscard]] bool add(Held held, std::uint64_t more); // false if it does not fit; then adds nothing
+    [[nodiscard]] std::uint64_t charged() const; // the caller holds mutex_
+    // Adds nothing and returns false if the total would be exceeded.
+    [[nodiscard]] bool add(Held held, std::uint64_t more);
     void add_or_throw(Held held, std::uint64_t more);
     void replace(Held held, std::size_t before, std::size_t after);
 

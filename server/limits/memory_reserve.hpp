@@ -3,8 +3,8 @@
 
 namespace ciel::limits {
 
-// Reserves 4 MiB, and again if they were used since the last call. The first operator new that fails releases them and
-// tries once more; later failures throw std::bad_alloc. The rest of the reserve serves to answer, log and clean up.
+// Reserves 4 MiB of heap memory unless they are already reserved. The first operator new that fails releases the
+// reserve and tries again; later failures throw std::bad_alloc. What remains serves to answer, log and clean up.
 // Thread-safe.
 void keep_memory_in_reserve();
 

@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_text = 400; // bytes of a value: a reason may repeat a client's text
-constexpr char separator = '\x1f';        // between the event and its fields, each a name, '=' and JSON
+constexpr std::size_t longest_text = 400; // bytes logged of a value, which may quote a client's text
+constexpr char separator = '\x1f';        // between the event and its fields of the form NAME=JSON
 
 std::string json_of(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -27,7 +27,7 @@ bool is_plain(std::string_view quoted) {
     return quoted.size() > 2 && quoted.find_first_of(" \\=\"", 1) == quoted.size() - 1;
 }
 
-// Writes the event and its fields, after time and level.
+// Formats the event and its fields, which follow the time and level in a line.
 class Payload : public spdlog::custom_flag_formatter {
 public:
     explicit Payload(LogFormat format) : format_(format) {}
@@ -37,7 +37,7 @@ public:
         const std::string_view event = take(rest);
         if (format_ == LogFormat::json)
             append(out, {"\"event\":", json_of(event)});
-        else // a control character could start a new line
+        else // printable() escapes control characters, which could start a new line
             append(out, {printable(event)});
         while (!rest.empty()) {
             const std::string_view field = take(rest);

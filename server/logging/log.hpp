@@ -30,7 +30,7 @@ struct LogField {
     std::string json; // the value as JSON; empty: unknown
 
 private:
-    static LogField of_number(std::string_view name, double number); // with three decimals
+    static LogField of_number(std::string_view name, double number); // formats the number with three decimals
 };
 
 // Writes the line if the level is enabled. Thread-safe.

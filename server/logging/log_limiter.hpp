@@ -8,12 +8,13 @@
 
 namespace ciel::logging {
 
-// Thread-safe. Remembers at most 4096 topics. If all of them were logged within the last minute, new topics are
+// Thread-safe. Remembers at most 4096 topics. If all of them were allowed within the last minute, new topics are
 // refused.
 class LogLimiter {
 public:
     using Clock = std::chrono::steady_clock;
 
+    // Returns whether a line on the topic may be logged now, and remembers that it was.
     [[nodiscard]] bool allows(const std::string& topic, Clock::time_point now = Clock::now());
 
 private:

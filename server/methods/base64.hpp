@@ -11,7 +11,7 @@
 namespace ciel::methods {
 
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
-// Returns the bytes; nothing if `text` is not canonical, that is padded, without blanks, with unused bits zero.
+// Decodes canonical base64: padded, without white space, with unused bits zero. Returns nothing for other text.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
 } // namespace ciel::methods

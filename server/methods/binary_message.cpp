@@ -31,7 +31,7 @@ std::optional<std::string> receive_binary(engine::Server& server, const sessions
         add(server, connection, piece);
         return {};
     } catch (const limits::NotAllowed&) {
-        return "send JSON-RPC as text";
+        return "this connection may not send binary messages; send JSON-RPC as text";
     } catch (const std::exception& error) {
         return error.what();
     }

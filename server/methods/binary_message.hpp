@@ -14,8 +14,9 @@ class Server;
 
 namespace ciel::methods {
 
-// Thread-safe; never throws for any bytes. A refused piece is answered with append.refused. Returns a reason if this
-// connection may not send the message; the caller should then close it.
+// Handles a binary message of a client. Thread-safe; never throws for any bytes. A refused piece is answered with the
+// notification append.refused. If the message is malformed or the connection may not send it, returns the reason; the
+// caller should then close the connection.
 [[nodiscard]] std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                                         std::span<const std::uint8_t> message);
 

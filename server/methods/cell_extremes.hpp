@@ -1,4 +1,4 @@
-// The lowest and the highest cell value in the form of an answer.
+// Converts the lowest and the highest cell value of an array to the form of an answer.
 #pragma once
 
 #include "methods/context.hpp"

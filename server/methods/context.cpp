@@ -20,15 +20,17 @@ std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) 
 
 void Context::check_wanted() const {
     if (connection.stop.stop_requested())
-        throw Error("the connection ended before the answer; keep it open until the answer has come");
-    if (stop.stop_requested()) throw Error("the server is about to stop and has given the call up; ask again later");
+        throw Error("the connection ended before the answer; keep the connection open until the answer has arrived");
+    if (stop.stop_requested())
+        throw Error("the server is about to stop and has cancelled the call; try again after its restart");
 }
 
 void check_may_append(const engine::Server& server, const sessions::Connection& connection) {
     if (!server.options().allow_append)
-        throw limits::NotAllowed("this server takes no steps; start it with `ciel serve --allow-append`");
+        throw limits::NotAllowed(
+            "this server does not accept steps; start the server with `ciel serve --allow-append`");
     if (!connection.has_token)
-        throw limits::NotAllowed("only who has the server's token may append; send it with every request: "
+        throw limits::NotAllowed("appending needs the token of the server; send the token with every request: "
                                  "\"Authorization: Bearer TOKEN\"");
 }
 

@@ -17,7 +17,7 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
     return info;
 }
 
-// The range over all steps at which the array was written.
+// Describes an array. Its range and its counts of invalid and missing values cover all steps at which it was written.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
     protocol::ArrayInfo info;
     info.name = array.name;

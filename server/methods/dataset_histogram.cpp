@@ -13,7 +13,7 @@ std::array<double, 2> finite_range(const std::vector<float>& values) {
     return range;
 }
 
-// Bins are [low, high); the last one includes its upper end.
+// Counts values into the bins of result.range. A bin is [low, high); the last one includes its upper end.
 void count(protocol::DatasetHistogramResult& result, const std::vector<float>& values) {
     const auto [low, high] = result.range;
     const auto bins = static_cast<double>(result.counts.size());
@@ -53,10 +53,10 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
     if (params.bins > static_cast<std::int64_t>(limit))
         throw limits::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");
     if (params.range && !((*params.range)[0] < (*params.range)[1]))
-        throw InvalidParams("/range", "/range must be [minimum, maximum]");
+        throw InvalidParams("/range", "/range must be [minimum, maximum] with minimum < maximum");
     const auto loaded = context.dataset(params.dataset);
     const auto dataset = loaded->dataset();
-    if (dataset->steps().empty()) throw Error(params.dataset + " has no time step yet");
+    if (dataset->steps().empty()) throw Error(params.dataset + " has no time step yet; append a step");
     const store::ScalarName name = [&] {
         try {
             return store::parse_scalar(*dataset, params.array);

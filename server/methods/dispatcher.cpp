@@ -18,7 +18,8 @@ namespace {
 using nlohmann::json;
 using Turn = engine::SlowCalls::Turn;
 
-// Checked before parsing, so that no parser or destructor recurses deeper than `limit`.
+// Returns whether JSON text is nested deeper than `limit`. Checked before parsing, so that no parser or destructor
+// recurses deeper.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
     std::size_t depth = 0;
     bool in_string = false;
@@ -40,10 +41,10 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
     return false;
 }
 
-// A name from a file system may not be UTF-8.
+// Returns an answer as text. Invalid UTF-8 is replaced: a name from a file system may contain it.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Inserts the literal text of an id that the parser would change.
+// Returns an answer as text, with the literal text `id` as its id. `id` is empty if the parser does not change the id.
 std::string text_of(const json& answer, const std::string& id) {
     if (id.empty() || !answer["id"].is_number()) return text_of(answer);
     json rest = answer;
@@ -51,7 +52,7 @@ std::string text_of(const json& answer, const std::string& id) {
     return text_of(rest).insert(1, "\"id\":" + id + ",");
 }
 
-// Whether the parser changes the id. It keeps 64-bit integers except -0.
+// Returns whether the parser changes the id of a request. It keeps 64-bit integers except -0.
 bool changes_id(const json& request) {
     const auto id = request.is_object() ? request.find("id") : request.end();
     if (!request.is_object() || id == request.end()) return false;
@@ -60,7 +61,7 @@ bool changes_id(const json& request) {
 
 struct Read { // NOLINT(bugprone-exception-escape): moving a string does not throw
     json requests;
-    std::vector<std::string> ids; // of raw_ids; empty if the parser changed no id
+    std::vector<std::string> ids; // result of raw_ids(); empty if the parser changed no id
 };
 
 // Handles the requests of one text in order: quick ones on the current thread, slow ones in the queue of slow calls.
@@ -115,20 +116,20 @@ private:
     std::optional<json> given_up() {
         context_.begin();
         try {
-            throw Error("the call was given up: the connection has ended, or the server is about to stop");
+            throw Error("the call was cancelled: the connection has ended, or the server is about to stop");
         } catch (...) {
             return refuse(context_, requests_[next_]);
         }
     }
 
-    // Converts to text at once, so that a batch holds no second copy of its answers.
+    // Adds an answer to text_. Converts it to text at once, so that a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
         if (!one) return;
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
         answered_.push_back({(*one)["id"], id});
         try {
             append(text_of(*one, id));
-        } catch (...) { // over the limit of the batch or the server's memory
+        } catch (...) { // the answer exceeds the limit of the batch or the server's memory
             append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);
         }
     }
@@ -138,7 +139,7 @@ private:
         if (is_batch_ && !in_any_case && text_.size() + one.size() > limit)
             throw limits::LimitReached("the answers of this batch would have more than the " +
                                        std::to_string(limit >> 20) +
-                                       " MB that a batch may have; send this request by itself");
+                                       " MB that a batch may have; send this request alone");
         in_any_case ? held_.note(text_.size() + one.size()) : held_.change(text_.size() + one.size());
         if (is_batch_) text_ += text_.empty() ? '[' : ',';
         text_ += one;
@@ -147,15 +148,16 @@ private:
     void finish() {
         if (is_batch_ && !text_.empty()) text_ += ']';
         if (connection_->is_streaming() && text_.size() > wire::longest_message) refuse_as_too_long(text_.size());
-        held_.note(0); // from here on, the sender counts it
+        held_.note(0); // from here on, the sender counts the text
         answer_(std::move(text_));
     }
 
-    // Refuses every answer of a batch: it does not help the client to know which one made it too long.
+    // Replaces every answer by an error when their text is too long for a WebSocket message. Knowing which answer of a
+    // batch made it too long would not help the client.
     void refuse_as_too_long(std::size_t bytes) {
         const std::string reason = "the answer is " + std::to_string(bytes) +
-                                   " bytes long, and a message of a WebSocket " +
-                                   std::to_string(wire::longest_message) + " at most; ask by POST /rpc";
+                                   " bytes long, and a message on a WebSocket may have at most " +
+                                   std::to_string(wire::longest_message) + " bytes; send the call with POST /rpc";
         text_.clear();
         for (const auto& [id, as_it_came] : answered_) {
             if (is_batch_) text_ += text_.empty() ? '[' : ',';
@@ -167,7 +169,7 @@ private:
 
     struct Answered {
         json id;
-        std::string as_it_came; // if the parser would change it
+        std::string as_it_came; // literal text, if the parser would change it
     };
     struct Stop {
         std::stop_source& source;
@@ -183,9 +185,9 @@ private:
     const Answer answer_;
     const std::stop_callback<Stop> on_hang_up_{connection_->stop, Stop{stop_}};
     const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
-    std::vector<Answered> answered_; // answers in text_
+    std::vector<Answered> answered_; // ids of the answers in text_
     std::string text_;
-    limits::Memory::Charge held_; // text_
+    limits::Memory::Charge held_; // counts text_
     std::size_t next_ = 0;
     bool has_had_a_turn_ = false, given_up_ = false;
 };
@@ -198,7 +200,7 @@ void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std
     for (const auto& [request, id] : large) read.ids.at(request) = id;
 }
 
-// Throws the exceptions of json::parse, but accepts ids beyond a double.
+// Parses `text` into `read`. Throws the exceptions of json::parse, but accepts ids outside the range of a double.
 void read_requests(const limits::Limits& limits, std::string_view text, Read& read) {
     try {
         read.requests = scene::read_json(text);
@@ -211,7 +213,7 @@ void read_requests(const limits::Limits& limits, std::string_view text, Read& re
     }
 }
 
-// Parses the text into `read`. Returns the error of an invalid text, else nothing.
+// Parses `text` into `read`. Returns the error of an invalid text, or nothing.
 std::optional<json> refusal(const limits::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
         return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");
@@ -247,7 +249,8 @@ void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> conn
 }
 
 std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text) {
-    const auto answered = std::make_shared<std::promise<std::string>>(); // set_value may outlast this function
+    // The promise is shared, because set_value may still run when this function returns.
+    const auto answered = std::make_shared<std::promise<std::string>>();
     const std::shared_ptr<sessions::Connection> borrowed(std::shared_ptr<void>(), &connection);
     dispatch(server, borrowed, text, [answered](std::string answer) { answered->set_value(std::move(answer)); });
     return answered->get_future().get();

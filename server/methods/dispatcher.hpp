@@ -14,15 +14,15 @@ class Server; // datasets, sessions, limits: everything a method may use
 
 namespace ciel::methods {
 
-// Gets an empty text if there is no answer (only notifications). Must not throw.
+// Receives the answer; an empty text if there is none, because the text has only notifications. Must not throw.
 using Answer = std::function<void(std::string text)>;
 
-// Thread-safe. Handles single requests, notifications and batches exactly as the specification says. Never throws for
-// any input. `answer` is called exactly once: before this returns, or, when the text asks for a slow method, perhaps
-// later and from another thread. The requests of a batch are handled in order.
+// Handles a JSON-RPC text: a single request, a notification or a batch, as JSON-RPC 2.0 specifies. Thread-safe. Never
+// throws for any input. `answer` is called exactly once: before dispatch returns or, if the text calls a slow method,
+// possibly later from another thread. The requests of a batch are handled in order.
 void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> connection, std::string_view text,
               Answer answer);
-// The same, but waits for the answer and returns it.
+// Handles a JSON-RPC text like the overload with a callback, but waits for the answer and returns it.
 [[nodiscard]] std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text);
 
 } // namespace ciel::methods

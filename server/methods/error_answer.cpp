@@ -50,7 +50,7 @@ json error_of_current_exception() {
         if (store::is_out_of_memory(e)) return limit_error(store::sentence_for_clients(e));
         return error(-32603, "Internal error", e.what());
     } catch (...) {
-        return error(-32603, "Internal error", "an exception that is none of the standard's");
+        return error(-32603, "Internal error", "an exception of an unknown type");
     }
 }
 

@@ -1,4 +1,4 @@
-// Exceptions -> the error objects of JSON-RPC 2.0 (section 5.1) and of the contract.
+// Converts exceptions to error objects of JSON-RPC 2.0 (section 5.1) with the codes of the contract.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,8 @@ public:
 [[nodiscard]] nlohmann::json invalid_request(const std::string& reason);
 [[nodiscard]] nlohmann::json limit_error(const std::string& reason);
 [[nodiscard]] nlohmann::json too_long_error(const std::string& reason);
-// Call it inside a catch block. Handles every exception.
+// Returns the error object of the exception that is being handled. Call it inside a catch block. Accepts every
+// exception.
 [[nodiscard]] nlohmann::json error_of_current_exception();
 
 } // namespace ciel::methods

@@ -36,8 +36,8 @@ std::map<std::string, ParamsSchema> make_schemas() {
 
 json by_name(const json& params, const std::vector<std::string>& order) {
     if (params.size() > order.size())
-        throw InvalidParams("/" + std::to_string(order.size()), "there are " + std::to_string(params.size()) +
-                                                                    " params; the method has " +
+        throw InvalidParams("/" + std::to_string(order.size()), "the call has " + std::to_string(params.size()) +
+                                                                    " params; the method has at most " +
                                                                     std::to_string(order.size()));
     json named = json::object();
     for (std::size_t i = 0; i < params.size(); ++i) named[order[i]] = params[i];

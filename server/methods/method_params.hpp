@@ -1,4 +1,4 @@
-// Params of a request, checked against the contract's schemas.
+// Checks the params of a request against the contract's schemas.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,9 +7,9 @@
 
 namespace ciel::methods {
 
-// By-position params become by-name ones, in the declared order. Throws InvalidParams. `ignored`: not null if unknown
-// members are to be removed; receives their JSON pointers. REQUIRES: the contract has the method, and `params` is an
-// object or an array.
+// Returns the params by name. Params by position are named in the order that the contract declares. Throws
+// InvalidParams. `ignored`: if not null, unknown members are removed, and their JSON pointers are stored there.
+// REQUIRES: the contract has the method, and `params` is an object or an array.
 [[nodiscard]] nlohmann::json checked_params(const std::string& method, nlohmann::json params,
                                             std::vector<std::string>* ignored = nullptr);
 

@@ -6,7 +6,7 @@
 namespace ciel::methods {
 
 namespace {
-// The file, and three base64 copies (result, JSON, text): 1 + 3 * 4 / 3.
+// Memory for an answer, in sizes of the PNG file: the file, and three base64 copies (result, JSON, text) of 4/3 each.
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 
@@ -17,7 +17,8 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     charge.change(pixel_bytes);
-    const auto geometry = source.geometry(); // not on the worker, which serves other calls meanwhile
+    // Makes the geometry on this thread, because the worker serves other calls meanwhile.
+    const auto geometry = source.geometry();
     std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](engine::Worker& worker) {
         context.check_wanted();

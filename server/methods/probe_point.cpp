@@ -11,13 +11,13 @@ namespace ciel::methods {
 namespace {
 
 geometry::ViewSize size_of(const Context& context, const protocol::ProbePointParams& params) {
-    if (!params.width) throw InvalidParams("/width", "a pixel needs the width of the picture it is in");
-    if (!params.height) throw InvalidParams("/height", "a pixel needs the height of the picture it is in");
+    if (!params.width) throw InvalidParams("/width", "a pixel needs /width, the width of its picture");
+    if (!params.height) throw InvalidParams("/height", "a pixel needs /height, the height of its picture");
     frames::check_picture_size(context.server.limits(), *params.width, *params.height);
     return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
 }
 
-// Adds what the scene shows at the pixel and position.
+// Sets layer and patch of the result to those that the scene shows at the pixel and position, if there are any.
 void name_what_is_there(protocol::ProbePointResult& result, const geometry::Geometry& geometry,
                         const scene::Scene& scene, geometry::ViewSize size, const protocol::ProbePointParams& params,
                         const store::Dataset& dataset) {
@@ -48,14 +48,15 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     const auto size = params.pixel ? size_of(context, params) : geometry::ViewSize{};
     SceneSource source(context, params.session, params.scene);
     const auto dataset = source.version().checked.dataset();
-    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet");
+    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append a step");
     const std::size_t step = dataset->step_at(source.version().scene().time);
     const auto locator = context.server.locators().get(dataset, step);
 
     std::optional<Vec3d> position = params.position;
     std::shared_ptr<const geometry::Geometry> geometry;
     if (params.pixel) {
-        geometry = source.geometry(); // not on the worker, which serves other calls meanwhile
+        // Makes the geometry on this thread, because the worker serves other calls meanwhile.
+        geometry = source.geometry();
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();
             return frames::position_under(*geometry, source.version().scene(), size, *params.pixel, *locator,

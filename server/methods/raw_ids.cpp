@@ -15,10 +15,11 @@ public:
     bool boolean(bool) override { return value(); }
     bool string(string_t&) override { return value(); }
     bool binary(binary_t&) override { return value(); }
-    // Called for numbers with a minus sign; only -0 would lose it.
+    // The parser calls number_integer for integers with a minus sign. Only -0 would lose the sign.
     bool number_integer(number_integer_t number) override { return value(number == 0 ? "-0" : std::to_string(number)); }
     bool number_unsigned(number_unsigned_t number) override { return value(std::to_string(number)); }
-    bool number_float(number_float_t, const string_t& token) override { return value(token); } // also beyond 64 bits
+    // The parser calls number_float also for integers beyond 64 bits.
+    bool number_float(number_float_t, const string_t& token) override { return value(token); }
 
     bool start_object(std::size_t) override { return open(); }
     bool end_object() override { return close(); }
@@ -40,13 +41,14 @@ public:
         return false;
     }
 
-    // The end in the text and the token of the id at which reading stopped; empty token: none.
+    // Returns the id that stopped the parser because a double cannot hold it: the offset of its end in the text, and
+    // its token. An empty token means that there is no such id.
     [[nodiscard]] const std::pair<std::size_t, std::string>& large() const { return large_; }
     [[nodiscard]] std::size_t request() const { return ids_.size() - 1; }
 
 private:
     bool value(const std::string& number = {}) {
-        if (depth_ == request_depth_) ids_.emplace_back(); // a request, or an invalid element in its place
+        if (depth_ == request_depth_) ids_.emplace_back(); // a request, or an invalid element of a batch
         if (is_id_) ids_.back() = number;
         is_id_ = false;
         return true;
@@ -82,7 +84,7 @@ std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most) 
         if (json::sax_parse(result.text.begin(), result.text.end(), &reader)) return result;
         const auto& [end, token] = reader.large();
         if (token.empty() || end > result.text.size() || end < token.size()) break;
-        std::string small = "0.5"; // shorter than any such number
+        std::string small = "0.5"; // shorter than any number beyond the range of a double
         small.resize(token.size(), ' ');
         result.text.replace(end - token.size(), token.size(), small);
         result.large[reader.request()] = token;

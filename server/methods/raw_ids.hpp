@@ -14,11 +14,11 @@ namespace ciel::methods {
 [[nodiscard]] std::vector<std::string> raw_ids(std::string_view text);
 
 struct IdsInRange {
-    std::string text;                         // with 0.5 instead of each id beyond a double
+    std::string text;                         // has 0.5 in place of each id beyond the range of a double
     std::map<std::size_t, std::string> large; // the replaced ids, by index of the request
 };
-// For a text that the parser refuses because of a number beyond a double. Returns nothing if such a number is not an
-// id, or if there are more than `most`. Thread-safe.
+// Replaces ids beyond the range of a double, in a text that the parser refuses because of them. Returns nothing if such
+// a number is not an id, or if there are more than `most`. Thread-safe.
 [[nodiscard]] std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most);
 
 } // namespace ciel::methods

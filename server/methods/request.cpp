@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int internal_error = -32603;
-constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // the latter for methods with x-slow
+constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // slow_call_ms is for x-slow methods
 
 json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
@@ -24,7 +24,7 @@ json answer(const json& id, const char* member, json content) {
 
 bool is_id(const json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
-// The id of a request if it is valid, else null.
+// Returns the id of a request if it is valid, else null.
 json id_of(const json& request) {
     if (!request.is_object()) return nullptr;
     const auto id = request.find("id");
@@ -44,7 +44,8 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// ignored: receives the unknown members of a request of a later minor version.
+// Calls the method of a request and returns its result. ignored: receives the JSON pointers of unknown members, if the
+// request declares a later minor version.
 json call(Context& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
@@ -62,13 +63,15 @@ json call(Context& context, const json& request, std::vector<std::string>& ignor
     }
 }
 
-// The server's failures are warnings or errors; mistakes of a client are information.
+// Returns the log level of an error: failures of the server are warnings or errors, mistakes of a client are
+// information.
 logging::LogLevel level_of(int code) {
     if (code == internal_error) return logging::LogLevel::error;
     return code == protocol::Failed || code == protocol::Limit ? logging::LogLevel::warning : logging::LogLevel::info;
 }
 
-// Returns "unknown" for names outside the contract, which are arbitrary text of the client.
+// Returns the method of a request for the log. A name outside the contract is arbitrary text of the client, so
+// "unknown" replaces it.
 std::string method_of(const json& request) {
     if (!is_request(request)) return {};
     const auto& name = request["method"].get_ref<const std::string&>();
@@ -133,9 +136,10 @@ std::optional<json> refuse(Context& context, const json& request) {
 std::optional<json> handle(Context& context, const json& request, double waited) {
     context.begin();
     if (!is_request(request))
-        return failed(context, request, invalid_request("a request is an object with jsonrpc \"2.0\" and a method"));
+        return failed(context, request,
+                      invalid_request("a request must be an object with jsonrpc \"2.0\" and a method"));
     if (const auto id = request.find("id"); id != request.end() && !is_id(*id))
-        return failed(context, request, invalid_request("an id is a text, a number or null"));
+        return failed(context, request, invalid_request("the id of a request must be a string, a number or null"));
     try {
         std::vector<std::string> ignored;
         json result = call(context, request, ignored);

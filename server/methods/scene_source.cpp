@@ -11,8 +11,8 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
     else if (session_)
         version_ = session_->status().version;
     else
-        throw InvalidParams("/session", "give a session, or a scene");
-    if (scene) session_ = nullptr; // separate geometry: it would replace the session's
+        throw InvalidParams("/session", "give a session or a scene");
+    if (scene) session_ = nullptr; // the given scene gets separate geometry: it would replace the session's
 }
 
 std::shared_ptr<const geometry::Geometry> SceneSource::geometry() {

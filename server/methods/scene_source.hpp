@@ -9,13 +9,15 @@ namespace ciel::methods {
 
 class SceneSource {
 public:
-    // Throws InvalidParams without a session and a scene; scene::Invalid, NotFound. Borrows `context`.
+    // Takes the given scene, or else the session's. Throws InvalidParams when there is neither, scene::Invalid,
+    // NotFound. Borrows `context`.
     SceneSource(const Context& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
-    // Returns the session's geometry, which is shared with its views. A given scene's geometry is made for this call
-    // and counted as long as this object lives. Throws LimitReached, and Error if the connection ends meanwhile.
+    // Returns the geometry of the scene. A session's geometry is shared with its views. The geometry of a given scene
+    // is made for this call, and its memory is counted as long as the SceneSource lives. Throws LimitReached, and Error
+    // if the connection ends meanwhile.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry();
 
 private:

@@ -7,7 +7,8 @@ namespace {
 std::string first_dataset(store::Catalog& catalog) {
     for (const auto& entry : catalog.list())
         if (entry.problem.empty()) return entry.name;
-    throw limits::NotFound("the server offers no dataset; start it with one, or import one into its folder");
+    throw limits::NotFound(
+        "the server has no dataset; start the server with a dataset, or import a dataset into its folder");
 }
 
 } // namespace

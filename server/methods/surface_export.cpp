@@ -10,7 +10,7 @@
 namespace ciel::methods {
 namespace {
 
-// The part of a drawable that the picture shows: the whole surface without clip planes.
+// The part of a drawable inside the clip planes; the whole surface if the scene has none.
 struct Shown {
     ClippedSurface cut;
     bool is_cut = false;
@@ -29,7 +29,8 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     return shown;
 }
 
-// Joins the layer's drawables to one surface, in order. Throws LimitReached before the file's limit is exceeded.
+// Joins the drawables of a layer to one surface, in order. Throws LimitReached if the file would exceed
+// Limits::export_bytes.
 wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const std::string& layer,
                            wire::SurfaceFormat format, bool triangles) {
     const std::size_t limit = context.server.limits().export_bytes;
@@ -56,7 +57,8 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// The stream, the file, and three base64 copies (result, JSON, text): 2 + 3 * 4 / 3.
+// Memory for an answer, in sizes of the file: the stream, the file, and three base64 copies (result, JSON, text) of 4/3
+// each.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

@@ -7,7 +7,8 @@ protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenPar
     const auto session = context.session(params.session);
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     const auto connection = context.streaming_connection();
-    if (!connection) throw NeedsWebSocket("frames travel over a WebSocket; over HTTP use picture.render");
+    if (!connection)
+        throw NeedsWebSocket("view.open needs a WebSocket, which carries the frames; over HTTP, use picture.render");
     const auto view = context.server.sessions().open_view(
         *session, connection,
         {static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height), params.pixel_ratio},

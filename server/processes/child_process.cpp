@@ -26,7 +26,7 @@ constexpr std::chrono::seconds patience{5};
 constexpr std::size_t max_errors = 64 * 1024;
 constexpr std::size_t max_line = 1024 * 1024;
 constexpr int could_not_start = 127;
-constexpr double silent_factor = 8; // see the header
+constexpr double silent_factor = 8; // times stalled_seconds: longest time without a line of output
 
 struct Pipe {
     store::Descriptor read, write;
@@ -95,7 +95,7 @@ public:
         return output_.read.get() >= 0 || errors_.read.get() >= 0;
     }
 
-    // Bytes read and written so far (rchar and wchar of the kernel); 0 if unavailable.
+    // Returns the bytes that the child has read and written so far (rchar and wchar of the kernel); 0 if unavailable.
     [[nodiscard]] std::uint64_t transferred() const {
         std::ifstream counters("/proc/" + std::to_string(pid_) + "/io");
         std::uint64_t total = 0, count = 0;
@@ -121,7 +121,7 @@ private:
         if (count > 0)
             to.append(buffer.data(), static_cast<std::size_t>(count));
         else if (count == 0 || errno != EINTR)
-            from = store::Descriptor(); // poll ignores a negative descriptor
+            from = store::Descriptor(); // closes it; poll ignores a negative descriptor
     }
 
     Pipe output_, errors_;
@@ -200,11 +200,11 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
     while (child.read(output, end.errors)) {
         if (end.errors.size() > max_errors) end.errors.resize(max_errors);
         pass_lines(output, take_line);
-        watch.look(end); // after the lines: one may make the caller cancel
+        watch.look(end); // after on_line, which may set `cancel`
     }
     pass_lines(output, take_line);
     std::optional<int> status = child.reap(WNOHANG);
-    for (; !status; status = child.reap(WNOHANG)) { // it closed its streams but still runs
+    for (; !status; status = child.reap(WNOHANG)) { // the child closed its streams but still runs
         watch.look(end);
         ::usleep(poll_milliseconds * 1000 / 10);
     }

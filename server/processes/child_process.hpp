@@ -17,19 +17,19 @@ struct ChildLimits {
 };
 
 struct ChildEnd {
-    int exit_code = -1; // if it exited by itself
-    int signal = 0;     // if a signal ended it
+    int exit_code = -1; // if the child exited by itself
+    int signal = 0;     // if a signal ended the child
     bool timed_out = false;
     bool stalled = false;
     bool cancelled = false;
-    std::string errors; // its standard error, at most 64 KiB
+    std::string errors; // the child's standard error, at most 64 KiB
 };
 
 // Runs arguments[0] (a path) to its end. `on_line` gets the lines of standard output on the calling thread.
-// When `cancel` becomes true or a time limit is over, it gets SIGTERM, and SIGKILL 5 s later if it still runs. It is
-// also killed when the calling thread dies. It gets no signals from the terminal. Transferred bytes without output
-// count as progress for at most 8 * stalled_seconds, so that a program that reads a file over and over ends, too.
-// Throws Error if it cannot be started. Thread-safe.
+// When `cancel` becomes true or a time limit is over, the child gets SIGTERM, and SIGKILL 5 s later if it still runs.
+// The child is also killed when the calling thread dies. It gets no signals from the terminal.
+// Bytes read or written without a line of output count as progress for at most 8 * stalled_seconds, so that a child
+// that reads a file over and over is ended. Throws Error if the child cannot be started. Thread-safe.
 [[nodiscard]] ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                                  const std::function<void(std::string_view line)>& on_line,
                                  const std::atomic<bool>& cancel);

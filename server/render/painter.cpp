@@ -15,9 +15,10 @@ std::string text_of(const Gl& gl, GLenum name) {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-constexpr int limits_unit = 2, occlusion_unit = 2; // after those of the color scales
+constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// Whether the plain program suffices. A software rasteriser also pays for features of a program that are not used.
+// Returns whether the plain program can draw the mesh. A software rasterizer also spends time on unused features of the
+// full program.
 bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
@@ -40,14 +41,14 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
         const Image& image = draw_paced(frame, after);
         pacing_.end();
         return image;
-    } catch (...) { // anywhere between two calls of the GL
+    } catch (...) { // the exception may have left any GL state
         pacing_.end();
         set_first_state();
         throw;
     }
 }
 
-// Sets the GL state that every picture starts with and leaves.
+// Sets the GL state that draw_paced() expects at its start and restores at its end.
 void Painter::set_first_state() {
     for (const GLenum off : {GL_BLEND, GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_CLAMP})
         gl_.Disable(off);
@@ -81,7 +82,7 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
         throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
     origin_ = frame.origin;
     remarks_.clear();
-    width_ = height_ = 0; // nothing to pick from if this throws
+    width_ = height_ = 0; // pick() finds nothing after a failed draw
     pacing_.begin(frame.check_wanted);
     load_scales(frame);
     upload(frame);
@@ -112,7 +113,8 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     return image;
 }
 
-// Must be off for the background: its shader has no distances to the planes.
+// Switches the clip distances of the frame's planes. They must be off for shaders that write no gl_ClipDistance, such
+// as the background's.
 void Painter::enable_clip_planes(bool on) {
     for (std::size_t i = 0; i < clip_planes_; ++i) {
         const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
@@ -155,7 +157,8 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// Buffers keep their mesh, at any place in the frame. Buffers of removed meshes are reused.
+// Assigns buffers to each mesh except transparent triangles and points. A mesh keeps the buffers that hold its
+// identity, at any index in the frame. Other meshes get buffers of meshes that are no longer in the frame, or new ones.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -177,7 +180,8 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-// Volumes and multisampled frames touch all tiles: their drawing takes much longer than clearing and reading.
+// Returns the tiles that the frame draws on. For volumes and multisampled frames it returns all tiles: clearing and
+// reading take little of their time.
 TouchedTiles Painter::touched_by(const Frame& frame) const {
     TouchedTiles touched(frame.width, frame.height);
     if (frame.samples > 1 || !frame.volumes.empty()) {
@@ -199,7 +203,8 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
     gl_.Uniform3f(program.lights, frame.lighting.ambient, frame.lighting.headlight, frame.lighting.key_light);
-    // Unused planes keep everything: llvmpipe may still clip by a plane after it was disabled.
+    // The plane (0, 0, 0, 1) clips nothing. llvmpipe may still clip by a plane after glDisable, so unused planes are
+    // set to it.
     std::array<std::array<float, 4>, most_clip_planes> planes{};
     planes.fill({0, 0, 0, 1});
     std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
@@ -210,7 +215,8 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-// Sets uniforms of the plain program. Its only attribute besides the position is the normal.
+// Sets the plain program's uniforms for one mesh. Its vertices have only position and normal, so color and lighting are
+// uniforms.
 void Painter::use_look(const Frame& frame, const Primitives& mesh) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
@@ -248,14 +254,15 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
     }
 }
 
-// `factor`: drawn pixels per pixel of the picture.
+// `factor`: framebuffer pixels per picture pixel along a side.
 void Painter::use_line(const Program& program, const Primitives& mesh, float factor) const {
     gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
-// Sorted transparent triangles are drawn later, and not behind the depth of a line. A soft edge with depth would be a
-// hole in them. So the outer half of an edge writes no depth, and the inner half is drawn at full coverage.
+// Draws lines. If sorted transparent triangles follow, a partly covered pixel of a line that wrote depth would hide the
+// triangles behind it. So pixels that a line covers by less than half write no depth, and the others are drawn fully
+// covered.
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
@@ -280,7 +287,7 @@ void Painter::draw_opaque(const Frame& frame) {
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);
 }
 
-// Finds the slopes of surfaces, for lines and points on them.
+// Finds the depth of opaque surfaces and the slopes of transparent ones, for lines and points that lie on them.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
     if (std::ranges::none_of(frame.primitives, is_overlay)) return;

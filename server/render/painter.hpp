@@ -1,4 +1,4 @@
-// Draws frames with the GL objects of one context. They live as long as the context.
+// Draws frames with the GL objects of one context. The objects are freed only with the context.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -23,15 +23,15 @@ namespace ciel::render {
 
 class Painter {
 public:
-    explicit Painter(const Gl& gl); // the context must be current in this and every other call
+    explicit Painter(const Gl& gl); // the GL context must be current in all calls
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Returns the picture, valid until the next draw. An exception does not affect the next draw. Throws as
-    // Renderer::draw, except for memory.
+    // Returns the picture, valid until the next draw. Throws like Renderer::draw, but does not check the memory. After
+    // an exception, the next draw works as usual.
     const Image& draw(const Frame& frame, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
-    // Sentences about what the last frame does not show in full.
+    // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -75,24 +75,24 @@ private:
     std::vector<std::string> remarks_;
     Program triangles_, plain_, normals_, occluded_, lines_, points_;
     ColorScales scales_;
-    std::vector<ScaleRow> scale_rows_; // of the frame's meshes
+    std::vector<ScaleRow> scale_rows_; // one per mesh of the frame
     Target target_;
     KeptPicture picture_;
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
-    std::list<PrimitiveBuffers> buffers_;  // one per mesh of the largest frame so far
-    std::vector<PrimitiveBuffers*> slots_; // of the frame's meshes; null for transparent triangles and points
+    std::list<PrimitiveBuffers> buffers_;  // as many as the largest frame so far needed
+    std::vector<PrimitiveBuffers*> slots_; // buffers of each mesh; null for transparent triangles and points
     TransparentTriangles transparent_;
     TransparentPoints transparent_points_;
     DepthPeeling peeling_;
     VolumePainter volumes_;
     OverlayPainter overlay_;
     annotations::ViewTransform transform_;
-    std::size_t clip_planes_ = 0; // of the last frame
+    std::size_t clip_planes_ = 0; // number of clip planes of the last frame
     Vec3d origin_{};
-    int width_ = 0, height_ = 0;           // of the last frame, 0 before the first
-    bool transparent_depth_drawn_ = false; // draw() leaves no depth of transparent surfaces; pick() adds it
+    int width_ = 0, height_ = 0;           // pixels of the last picture; 0 if there is none to pick from
+    bool transparent_depth_drawn_ = false; // whether the target has the depth of transparent triangles, for pick()
 };
 
 } // namespace ciel::render

@@ -1,11 +1,12 @@
-// Painter: points, volumes, and transparent primitives in depth order.
+// Part of Painter: draws points, volumes, and transparent primitives in depth order.
 #include "render/frame/frame_parts.hpp"
 #include "render/painter.hpp"
 
 namespace ciel::render {
 namespace {
 
-// Returns `line_reach` of point_shaders.cpp, in drawn pixels. `factor`: drawn pixels per pixel of the picture.
+// Returns the uniform `line_reach` of point_shaders.cpp: half the width of the widest line and half a pixel, in
+// framebuffer pixels. `factor`: framebuffer pixels per picture pixel along a side.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -13,7 +14,8 @@ float line_reach(const Frame& frame, float factor) {
 
 } // namespace
 
-// Opaque points are drawn before the lines, whose soft edges blend with them. Volumes end on them, as on surfaces.
+// Draws opaque points before the lines, so that the soft edges of lines blend with the points. With volumes, the points
+// are also drawn into the opaque depth, because rays of volumes end on opaque points.
 void Painter::draw_opaque_points(const Frame& frame) {
     if (!has(frame, is_opaque_points) || has_overlays_in_layers(frame)) return;
     draw_points(frame, target_.sample_places());
@@ -40,16 +42,16 @@ void Painter::draw_points(const Frame& frame, const std::vector<std::array<float
     draw_opaque_points_with(frame);
 }
 
-// Draws with the program in use.
+// Draws the opaque points with the program in use.
 void Painter::draw_opaque_points_with(const Frame& frame) {
     for (std::size_t i = 0; i < frame.primitives.size(); ++i)
         if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
 }
 
-// Volumes do not end on lines, whose soft edges would cut them off. So lines are drawn before the volumes, and those in
-// front are drawn again.
+// Draws the volumes over the lines, then the lines in front of the volumes once more. Rays of volumes do not end on
+// lines: the soft edges of a line would cut a fringe out of the volume.
 void Painter::draw_volumes(const Frame& frame) {
-    enable_clip_planes(false); // the volumes' programs cut rays, not triangles
+    enable_clip_planes(false); // programs of volumes clip rays and write no gl_ClipDistance
     volumes_.draw(frame, transform_, target_);
     enable_clip_planes(true);
     draw_meshes(frame, lines_, true);
@@ -73,7 +75,7 @@ void Painter::draw_transparent(const Frame& frame) {
     gl_.DepthMask(GL_TRUE);
 }
 
-// For pick: peeled layers write no depth to the target.
+// Draws the depth of lines and points for pick(): peeled layers write no depth to the target.
 void Painter::draw_depth_of_overlays(const Frame& frame) {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_meshes(frame, lines_);
@@ -127,13 +129,14 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(false);
     peeling_.draw(layers, target_);
     if (peeling_.was_cut())
-        remarks_.push_back("somewhere more than " + std::to_string(layers.most_layers) +
-                           " transparent layers lie behind each other, and those behind are not seen; show fewer, or "
-                           "make them less transparent");
+        remarks_.push_back("more than " + std::to_string(layers.most_layers) +
+                           " transparent surfaces lie behind each other, and the farthest are not drawn; show fewer "
+                           "transparent layers, or make the layers less transparent");
     enable_clip_planes(true);
 }
 
-// Sets up a program of lines or points. Returns layer pixels per picture pixel: sizes are multiplied by it.
+// Sets the uniforms of a peeling program of lines or points. Returns layer pixels per picture pixel along a side, by
+// which the caller multiplies line widths and point sizes.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
@@ -144,7 +147,8 @@ float Painter::use_in_layers(const Frame& frame, const Program& program, bool jo
     return factor;
 }
 
-// Lines are among the layers: drawn before the surfaces, their soft edges would hide transparent surfaces.
+// Draws lines as a part of the layer. If lines were drawn before all layers, their soft edges would hide transparent
+// surfaces behind them.
 void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
@@ -157,7 +161,8 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     }
 }
 
-// Draws the opaque points; with volumes also the transparent ones, which are otherwise blended between layers.
+// Draws the opaque points, and with volumes also the transparent ones. Without volumes, draw_points_between_layers()
+// blends the transparent points.
 void Painter::draw_points_of_layer(const Frame& frame) {
     const Program& program = peeling_.points();
     use_for_points(frame, program);

@@ -6,14 +6,14 @@
 namespace ciel::render {
 namespace {
 
-// Bytes per pixel; `scene` is in bytes.
+// Memory of a picture in bytes per pixel, except `scene`, which is in bytes.
 constexpr std::uint64_t color_and_depth = 8;
-constexpr std::uint64_t image = 6;        // RGB and its encoding
-constexpr std::uint64_t layers = 36;      // color, two depths, sum, opaque depths (depth_peeling.hpp)
-constexpr std::uint64_t lines = 16;       // records of both layers
+constexpr std::uint64_t image = 6;        // RGB image and its encoded copy
+constexpr std::uint64_t layers = 36;      // depth peeling: color, two layer depths, sum, three opaque depths
+constexpr std::uint64_t lines = 16;       // depth peeling: records of transparent lines for two layers
 constexpr std::uint64_t occlusion = 48;   // depth, normals, raw and averaged light (ambient_occlusion.hpp)
-constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, rays, reach and coverage (volume_painter.hpp)
-constexpr std::uint64_t scene = 24 << 20; // the GL's copy of the triangles being drawn
+constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, ray parts, reach, coverage (volume_painter.hpp)
+constexpr std::uint64_t scene = 24 << 20; // the software GL's copy of the triangles being drawn
 
 std::uint64_t bytes_of(const Primitives& mesh) {
     return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
@@ -39,7 +39,8 @@ std::uint64_t picture_memory(const Frame& frame) {
     if (frame.occlusion.radius > 0) of_pixel += occlusion;
     if (!frame.volumes.empty()) of_pixel += volumes;
     std::uint64_t bytes = pixels * of_pixel + scene;
-    for (const Primitives& mesh : frame.primitives) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh); // sorted
+    // Transparent meshes are also copied and sorted on the CPU.
+    for (const Primitives& mesh : frame.primitives) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh);
     for (const Volume& volume : frame.volumes) bytes += bytes_of(volume);
     return bytes + bytes / 8;
 }

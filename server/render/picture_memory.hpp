@@ -1,5 +1,5 @@
-// Estimates the memory of a picture before it is drawn, so that one that does not fit is refused with an Error.
-// A software GL that runs out of memory while it draws ends the process.
+// Estimates the memory of a picture before drawing, so that a picture that does not fit is refused with an Error. A
+// software GL that runs out of memory while drawing ends the process.
 #pragma once
 
 #include "render/frame/frame.hpp"

@@ -13,15 +13,17 @@
 namespace ciel::render {
 namespace {
 
-// A context that drew a larger picture is recreated. Stills of a large screen are smaller, so they need not wait.
+// Number of pixels. A context that drew a larger picture is destroyed before a picture of less than half that size, to
+// free its memory. Stills of a large screen are smaller, so they do not wait for a new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
-// For other work of the process during a draw, and for shaders compiled for the picture.
+// Bytes kept free for the rest of the process during a draw, and for shaders compiled for the picture.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// Address space that a new llvmpipe reserves, mostly stacks and heaps of its threads. Little of it is used.
+// Returns the bytes of address space that a new llvmpipe context reserves, mostly for stacks and heaps of its threads.
+// Little of this space is used.
 std::uint64_t addresses_of_a_context() {
-    constexpr std::uint64_t whole = 240, of_thread = 136; // MB; 463 measured with 2 threads
+    constexpr std::uint64_t whole = 240, of_thread = 136; // MB, per context and per thread; 463 measured with 2 threads
     return (whole + of_thread * std::min(32U, std::max(1U, std::thread::hardware_concurrency()))) << 20;
 }
 
@@ -38,23 +40,24 @@ struct Renderer::State {
     std::function<Spare()> spare;
     std::string selection, renderer_name, version;
     Gl gl;
-    std::unique_ptr<Context> context; // null before the next draw creates it
+    std::unique_ptr<Context> context; // null after stop(); the next draw creates a context
     std::optional<Painter> painter;
-    std::int64_t drawn_pixels = 0; // of the last frame
-    std::uint64_t kept = 0;        // bytes of the largest picture of this context
+    std::int64_t drawn_pixels = 0; // number of pixels of the last frame
+    std::uint64_t kept = 0;        // estimated bytes of the largest picture of this context
 
     State(Backend backend, std::function<Spare()> ask) : wanted(backend), spare(std::move(ask)) { start(); }
 
-    // Restarts with the same back end: a server must not silently fall back to software.
+    // Creates a context and its painter. Later calls use the back end of the first call: a server must not silently
+    // fall back to software.
     void start() {
         if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
-            throw Error("to draw at all needs about " + megabytes(addresses_of_a_context()) +
-                        " of address space, and " + megabytes(left) + " are left to the server; give it more");
+            throw Error("drawing needs about " + megabytes(addresses_of_a_context()) + " of address space, but " +
+                        megabytes(left) + " are left to the server; raise the limit on its address space (ulimit -v)");
         ChosenContext chosen = make_context(wanted);
         wanted = chosen.backend;
         selection = std::move(chosen.selection);
         context = std::move(chosen.context);
-        if (!make_current(*context)) throw Error("a new OpenGL context was lost at once");
+        if (!make_current(*context)) throw Error("a new OpenGL context was lost at once; check the GL driver");
         gl = Gl::load(context->loader());
         painter.emplace(gl);
         renderer_name = painter->renderer_name();
@@ -70,7 +73,8 @@ struct Renderer::State {
         return !painter || !make_current(*context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
     }
-    // GL objects live as long as their context, so memory of a very large picture is freed with the context.
+    // Returns whether to recreate the context before this frame. GL objects are freed only with their context, so this
+    // frees the memory of a very large picture.
     [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
         return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
@@ -80,17 +84,18 @@ struct Renderer::State {
     }
     void check_memory(const Frame& frame) const {
         const std::uint64_t needed = picture_memory(frame);
-        if (!spare || !is_software() || (painter && needed <= kept)) return; // fits in the kept memory
+        if (!spare || !is_software() || (painter && needed <= kept)) return; // no limit, a GPU, or enough memory kept
         const std::uint64_t more = needed - std::min(needed, kept) + reserve;
         const Spare left = spare();
         const std::uint64_t addresses = more + (painter ? 0 : addresses_of_a_context());
         if (more <= left.memory && addresses <= left.address_space) return;
         const bool lacks_memory = more > left.memory;
-        throw Error("a picture of " + size_of(frame) + " needs about " + megabytes(lacks_memory ? more : addresses) +
-                    " of memory, and " + megabytes(lacks_memory ? left.memory : left.address_space) +
-                    " are left to the server; ask for a smaller picture, show less in it, or give the server more");
+        throw Error(
+            "a picture of " + size_of(frame) + " needs about " + megabytes(lacks_memory ? more : addresses) +
+            " of memory, but " + megabytes(lacks_memory ? left.memory : left.address_space) +
+            " are left to the server; ask for a smaller picture, show fewer layers, or give the server more memory");
     }
-    // Returns whether an allocation failed since the last call.
+    // Returns whether the GL reported GL_OUT_OF_MEMORY since the last call.
     [[nodiscard]] bool ran_out_of_memory() const {
         bool failed = false;
         for (int i = 0; i < 8; ++i) { // a lost context may return errors forever
@@ -112,9 +117,9 @@ struct Renderer::State {
             refused = std::current_exception();
         }
         if (failed || ran_out_of_memory()) {
-            stop(); // the next picture cannot use a part of this one
+            stop(); // destroys the context: some of its buffers were not allocated
             throw Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
-                        "; ask for a smaller picture, or show less in it");
+                        "; ask for a smaller picture, or show fewer layers");
         }
         if (refused) std::rethrow_exception(refused);
         return *image;
@@ -169,7 +174,7 @@ std::vector<Backend> available_backends() {
             const Renderer renderer(backend);
             available.push_back(backend);
         } catch (const Error&) {
-            continue; // not available
+            continue; // this back end cannot create a context
         }
     }
     return available;

@@ -11,19 +11,18 @@ namespace {
 
 struct Check {
     const store::Dataset& dataset;
-    std::string path; // of the layer
+    std::string path; // JSON pointer of the layer
 
-    // why_points: reason to refuse cell arrays; empty: they are allowed. has_faces: the layer shows boundary faces, so
-    // arrays on them are allowed.
+    // Throws Invalid unless the layer may use the array. why_points: reason to refuse cell arrays; empty if they are
+    // allowed. has_faces: the layer shows boundary faces, so arrays on them are allowed.
     void scalar(const std::string& name, const std::string& place, const char* why_points,
                 bool has_faces = false) const {
         try {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
             const store::Association association = dataset.find(parsed.array)->association;
             if (association == store::Association::boundary_face && !has_faces)
-                throw Error(printable(name) +
-                            " has values on the faces of patches alone, which color surface layers and "
-                            "nothing else; choose an array on points");
+                throw Error(printable(name) + " has values only on the faces of patches, which can color surface "
+                                              "layers only; choose an array on points");
             if (*why_points != '\0' && association == store::Association::cell)
                 throw Error(printable(name) + " has a value per cell, and " + why_points +
                             "; choose an array on points");
@@ -49,7 +48,7 @@ struct Check {
     void operator()(const SliceLayer& slice) const {
         coloring(slice.color);
         if (!slice.contours) return;
-        constexpr const char* why = "there are no contour lines on flat values";
+        constexpr const char* why = "contour lines are made from values at points";
         scalar(slice.contours->array, "/contours/array", why);
         if (slice.contours->coloring) coloring(*slice.contours->coloring, why, "/contours/coloring");
     }
@@ -63,8 +62,8 @@ struct Check {
         coloring(volume.color, why);
     }
     void operator()(const SurfaceLayer& surface) const { solid(surface, "", true); }
-    void operator()(const EdgesLayer& edges) const { solid(edges, "edges lie between cells"); }
-    void operator()(const PointsLayer& points) const { solid(points, "points lie between cells"); }
+    void operator()(const EdgesLayer& edges) const { solid(edges, "edges take values at points"); }
+    void operator()(const PointsLayer& points) const { solid(points, "points take values at points"); }
 
     template <class Kind>
     void solid(const Kind& layer, const char* why_points, bool has_faces = false) const {

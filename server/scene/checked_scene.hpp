@@ -8,8 +8,8 @@
 
 namespace ciel::scene {
 
-// A scene with its dataset at the time of the check. Immutable, so thread-safe. Steps appended later are not visible in
-// it.
+// A scene with its dataset at the time of the check. Immutable, so thread-safe. Steps that are appended later are not
+// visible in dataset().
 class CheckedScene {
 public:
     // loaded: scene.dataset, opened by the caller. Throws Invalid when the scene names an array, patch or color map

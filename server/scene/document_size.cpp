@@ -7,9 +7,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t allocation = 16;                      // header and rounding of one heap block
+constexpr std::size_t allocation = 16;                      // bytes of header and rounding per heap block
 constexpr std::size_t tree_node = 32 + sizeof(std::string); // std::map: color and three links, then the key
-constexpr std::size_t short_string = 15;                    // stored inside the std::string
+constexpr std::size_t short_string = 15;                    // longest text that is stored inside the std::string
 
 std::size_t characters(const std::string& text) {
     return text.capacity() > short_string ? text.capacity() + 1 + allocation : 0;

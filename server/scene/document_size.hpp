@@ -6,10 +6,10 @@
 
 namespace ciel::scene {
 
-// Bytes of the document as JSON text without white space.
+// Returns the bytes of a document as JSON text without white space.
 [[nodiscard]] std::size_t text_bytes(const nlohmann::json& document);
 
-// Estimate of the heap bytes that the document holds, including the allocator's overhead. Recursion follows the
+// Returns an estimate of the heap bytes that a document holds, including the allocator's overhead. Recurses to the
 // document's depth, which Limits::json_depth bounds.
 [[nodiscard]] std::size_t heap_bytes(const nlohmann::json& document);
 

@@ -11,8 +11,9 @@ using nlohmann::json;
 // Refuses documents saved before `legend` became a member of `annotations`.
 void refuse_old_legend(const json& document) {
     if (document.is_object() && document.contains("legend"))
-        throw Invalid("/legend",
-                      "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}");
+        throw Invalid(
+            "/legend",
+            "/legend is not a member of a scene; use annotations.legend: {\"annotations\": {\"legend\": true}}");
 }
 
 } // namespace

@@ -7,13 +7,14 @@
 
 namespace ciel::scene {
 
-// An object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them; a layer would be
-// lost silently.
+// Thrown if a JSON object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them, so a
+// layer could be lost silently.
 struct TwiceNamed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse. Thread-safe.
+// Parses JSON text. Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse.
+// Thread-safe.
 [[nodiscard]] nlohmann::json read_json(std::string_view text);
 
 } // namespace ciel::scene

@@ -10,7 +10,8 @@
 namespace ciel::scene {
 namespace {
 
-// Counts bytes, since the contract's maxLength counts characters of up to four bytes.
+// Throws Invalid if a name has more than most_name_bytes bytes. The contract's maxLength counts characters, which have
+// up to four bytes.
 void check_name(const std::string& name, const std::string& path, const char* what) {
     if (name.size() > most_name_bytes)
         throw Invalid(path, std::string(what) + " may have at most " + std::to_string(most_name_bytes) +
@@ -26,14 +27,15 @@ void check_camera(const Camera& camera) {
 }
 
 void check_range(const Range& range, const std::string& path) {
-    if (range[0] > range[1]) throw Invalid(path + "/range", "a range is [minimum, maximum]");
+    if (range[0] > range[1])
+        throw Invalid(path + "/range", "a range must be [minimum, maximum] with minimum <= maximum");
 }
 
 void check_points(const std::vector<ColorPoint>& points, const std::string& path) {
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i].at < points[i - 1].at)
             throw Invalid(path + "/points/" + std::to_string(i) + "/at",
-                          "the points of a color map stand in ascending order of at");
+                          "the points of a color map must be in ascending order of at");
 }
 
 void check_coloring(const Coloring& coloring, const std::string& path) {
@@ -41,7 +43,7 @@ void check_coloring(const Coloring& coloring, const std::string& path) {
     if (!coloring.range) return;
     check_range(*coloring.range, path);
     if (coloring.log && !coloring.symmetric && (*coloring.range)[0] <= 0)
-        throw Invalid(path + "/range", "a logarithmic scale has no place for zero and below; give a range that "
+        throw Invalid(path + "/range", "a logarithmic scale cannot show zero or negative values; give a range that "
                                        "begins above zero, add symmetric, or leave out log");
 }
 
@@ -54,7 +56,7 @@ void resolve_contours(std::optional<Contours>& contours, const std::string& path
     drop_hidden(contours);
     if (!contours) return;
     if (contours->values && (contours->count || contours->range))
-        throw Invalid(path, "contours have either values, or count and range");
+        throw Invalid(path, "contours must have either values, or count and range, but not both");
     if (contours->range) check_range(*contours->range, path);
     if (!contours->coloring) return;
     check_coloring(*contours->coloring, path + "/coloring");
@@ -63,7 +65,7 @@ void resolve_contours(std::optional<Contours>& contours, const std::string& path
     if (array != contours->array)
         throw Invalid(path + "/coloring/array", "contour lines of " + printable(contours->array) +
                                                     " have the colors of its values, not of " + printable(array) +
-                                                    "; leave out the array of the colors");
+                                                    "; leave out array in coloring");
 }
 
 void resolve_threshold(std::optional<Threshold>& threshold, const std::string& path) {
@@ -92,16 +94,16 @@ void check_plane(const WithPlane& layer, const std::string& path) {
     const bool by_axis = layer.axis && layer.value && !layer.origin && !layer.normal;
     const bool by_plane = !layer.axis && !layer.value && layer.origin && layer.normal;
     if (!by_axis && !by_plane)
-        throw Invalid(path, std::string("a ") + layer.type + " has either axis and value, or origin and normal");
+        throw Invalid(path, std::string("a ") + layer.type + " must have either axis and value, or origin and normal");
     if (by_axis) return;
     const double length = std::hypot((*layer.normal)[0], (*layer.normal)[1], (*layer.normal)[2]);
     if (!(length > 0) || !std::isfinite(length))
         throw Invalid(path + "/normal", std::string("a ") + layer.type + "'s normal must not be zero");
 }
 
-// One function per kind of layer.
+// The rules of a layer: one function per kind of layer.
 struct Rules {
-    std::string path; // of the layer
+    std::string path; // JSON pointer of the layer
 
     void operator()(IsoLayer& iso) const {
         check_coloring(iso.color, path + "/color");
@@ -130,7 +132,7 @@ struct Rules {
     void operator()(PointsLayer& points) const {
         if (points.of == PointsLayer::Of::all && !points.groups.empty())
             throw Invalid(path + "/groups",
-                          "patches have points of the boundary only; leave out groups or \"of\": \"all\"");
+                          "groups chooses points of the boundary only; leave out groups or \"of\": \"all\"");
         resolve_threshold(points.threshold, path);
         check_coloring(points.color, path + "/color");
     }
@@ -139,10 +141,10 @@ struct Rules {
         for (std::size_t i = 1; i < volume.opacity_points.size(); ++i)
             if (volume.opacity_points[i][0] < volume.opacity_points[i - 1][0])
                 throw Invalid(path + "/opacity_points/" + std::to_string(i),
-                              "opacity points must be in the order of their positions");
+                              "opacity points must be in ascending order of their positions");
         if (!volume.color.array.empty() && volume.color.array != volume.array)
             throw Invalid(path + "/color/array",
-                          "a volume has the colors of its own array, " + printable(volume.array));
+                          "a volume must have the colors of its own array, " + printable(volume.array));
     }
 };
 
@@ -150,8 +152,9 @@ void check_clip_planes(const std::vector<Layer>& layers) {
     std::size_t planes = 0;
     for (const Layer& layer : layers)
         if (layer.visible && std::holds_alternative<ClipLayer>(layer.kind) && ++planes > most_clip_planes)
-            throw Invalid(pointer_step("/layers", layer.id), "at most " + std::to_string(most_clip_planes) +
-                                                                 " clip planes can cut at a time; hide or remove one");
+            throw Invalid(pointer_step("/layers", layer.id),
+                          "at most " + std::to_string(most_clip_planes) +
+                              " clip planes can be visible at a time; hide or remove a clip layer");
 }
 
 } // namespace

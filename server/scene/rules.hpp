@@ -1,17 +1,17 @@
-// The rules of a scene that hold across members. Rules about one member are in its schema.
+// Rules of a scene that concern several members. Rules about one member are in its schema.
 #pragma once
 
 #include "scene/scene.hpp"
 
 namespace ciel::scene {
 
-inline constexpr std::size_t most_clip_planes = 6; // visible ones: two fewer than every OpenGL has at least
+inline constexpr std::size_t most_clip_planes = 6; // visible clip layers; every OpenGL has at least 8 clip planes
 
 struct Plane {
     Vec3 origin{}, normal{}; // the normal has length 1
 };
 
-// Returns the plane that a layer gives by axis and value, or by origin and normal. A clip layer's normal points to the
+// Returns the plane of a layer, which gives axis and value, or origin and normal. A clip layer's normal points to the
 // removed side. REQUIRES: apply_rules has accepted the layer's scene.
 [[nodiscard]] Plane plane_of(const SliceLayer& slice);
 [[nodiscard]] Plane plane_of(const ClipLayer& clip);

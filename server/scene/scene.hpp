@@ -10,23 +10,24 @@
 
 namespace ciel::scene {
 
-inline constexpr std::size_t most_name_bytes = 256; // of a layer id, a title, a gesture; the contract counts characters
+// Most bytes of a layer id, a title or a gesture. The contract's limits count characters instead.
+inline constexpr std::size_t most_name_bytes = 256;
 
-// A document breaks a rule. `path` is a JSON pointer (RFC 6901) to the place.
+// Thrown when a document breaks a rule. `path` is a JSON pointer (RFC 6901) to the offending member.
 class Invalid : public std::runtime_error {
 public:
     Invalid(std::string path_, const std::string& sentence) : std::runtime_error(sentence), path(std::move(path_)) {}
     std::string path;
 };
 
-// Returns the scene of a document that satisfies its schema and the rules of rules.hpp: layers sorted by (order, id),
-// without edges, contours and thresholds that are switched off. Throws Invalid. Does not check that arrays exist: that
-// needs the dataset (checked_scene.hpp).
+// Returns the scene of a document that satisfies its schema and the rules of rules.hpp. Its layers are sorted by
+// (order, id), without edges, contours and thresholds that are switched off. Throws Invalid. Does not check that arrays
+// exist: that needs the dataset (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// RFC 7396. Returns the patched document, without nulls in members that the patch sets: null and absent mean the same
-// in a scene. The caller parses it before it replaces the old one.
+// Returns a document with a merge patch (RFC 7396) applied, without nulls in members that the patch sets: null and
+// absent mean the same in a scene. The caller must check the result with parse before it replaces the scene.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
-// Returns the merge patch that turns `from` into `to`, as undo sends it. `to` must have no nulls.
+// Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);
 
 } // namespace ciel::scene

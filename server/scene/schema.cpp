@@ -15,7 +15,8 @@ namespace {
 using nlohmann::json;
 using Result = std::optional<Violation>;
 
-// Browsers hold integers in doubles, and converting a larger double would be undefined.
+// Largest value that counts as an integer. Browsers hold integers in doubles, and converting a larger double would be
+// undefined.
 constexpr double largest_integer = 9007199254740992.0; // 2^53
 
 bool is_integer(const json& value) {
@@ -24,7 +25,7 @@ bool is_integer(const json& value) {
     return std::trunc(number) == number && std::abs(number) <= largest_integer;
 }
 
-// States both limits if the schema has them.
+// Returns the reason for refusing a value that is no integer. States both limits if the schema has them.
 std::string whole_number(const json& schema) {
     if (schema.contains("minimum") && schema.contains("maximum"))
         return "must be a whole number from " + schema["minimum"].dump() + " to " + schema["maximum"].dump();
@@ -66,7 +67,7 @@ Result check_limit(const json& rule, const json& value, const std::string& path,
     return Violation{path, reason + rule.dump()};
 }
 
-// check_limit for a size; the message counts `things`.
+// Checks a limit on a size like check_limit. The reason ends with `things`, the name of one counted item.
 template <class Applies, class Measure, class Compare>
 Result check_size(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
                   Compare compare, const char* reason, const char* things) {
@@ -81,14 +82,14 @@ constexpr auto is_array = [](const json& v) { return v.is_array(); };
 constexpr auto is_object = [](const json& v) { return v.is_object(); };
 constexpr auto number_of = [](const json& v) { return v.get<double>(); };
 constexpr auto size_of = [](const json& v) { return static_cast<double>(v.size()); };
-// Number of code points, as JSON Schema counts: bytes that are no continuation bytes.
+// Returns the length of a string in code points, as JSON Schema counts: the bytes that are no UTF-8 continuation bytes.
 constexpr auto length_of = [](const json& v) {
     const auto& text = v.get_ref<const std::string&>();
     return static_cast<double>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 };
 
-// Describes the contract's patterns in words.
+// Returns the reason for refusing a text that does not match a pattern of the contract, in words.
 std::string form_of(const std::string& pattern) {
     if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a color of the form #rrggbb";
     if (pattern == "^[A-Za-z0-9_-]{1,64}$") return "must be 1 to 64 of the characters A-Z, a-z, 0-9, _ and -";
@@ -135,7 +136,8 @@ Result check_properties(const json& rule, const json& value, const json&, const 
 std::string known_members(const json& schema) {
     std::string names;
     if (const auto known = schema.find("properties"); known != schema.end())
-        for (const auto& [name, member] : known->items()) names += (names.empty() ? "; there are " : ", ") + name;
+        for (const auto& [name, member] : known->items())
+            names += (names.empty() ? "; the known members are " : ", ") + name;
     return names;
 }
 
@@ -144,14 +146,14 @@ Result check_additional(const json& rule, const json& value, const json& schema,
     for (const auto& [name, member] : value.items()) {
         if (const auto known = schema.find("properties"); known != schema.end() && known->contains(name)) continue;
         const std::string place = pointer_step(path, name);
-        if (rule == false) return Violation{place, "is not known here" + known_members(schema)};
+        if (rule == false) return Violation{place, "is not a known member" + known_members(schema)};
         if (!rule.is_object()) continue;
         if (auto violation = check_schema(rule, member, place)) return violation;
     }
     return {};
 }
 
-// Messages do not repeat the names, which may be as long as the request.
+// Checks the member names of an object. The reason does not repeat a name, which may be as long as the request.
 Result check_names(const json& rule, const json& value, const json&, const std::string& path) {
     if (!value.is_object()) return {};
     for (const auto& [name, member] : value.items())
@@ -160,8 +162,9 @@ Result check_names(const json& rule, const json& value, const json&, const std::
     return {};
 }
 
-// The violation to report if no option fits. An option whose constant "type" matches, or whose violation lies inside
-// the value, was meant: its violation is returned. Otherwise lists all types or reasons.
+// Returns the violation to report if no option fits. If an option's constant "type" matches, or its violation lies
+// inside the value, that option was meant and its violation is returned. Otherwise the violation lists all types or
+// reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
                   const std::string& path) {
     static const json::json_pointer discriminator("/properties/type/const");
@@ -186,13 +189,13 @@ Result check_options(const json& rule, const json& value, const std::string& pat
         if (auto violation = check_schema(option, value, path)) violations.push_back(*violation);
     const std::size_t fitting = rule.size() - violations.size();
     if (fitting == 0) return best_of(rule, value, violations, path);
-    if (fitting > at_most) return Violation{path, "fits more than one of the forms that exclude each other"};
+    if (fitting > at_most) return Violation{path, "matches more than one of the forms that exclude each other"};
     return {};
 }
 
 using Check = Result (*)(const json& rule, const json& value, const json& schema, const std::string& path);
 
-// In the order in which violations are reported.
+// The checks by keyword, in the order in which violations are reported.
 const std::vector<std::pair<std::string, Check>>& checks() {
     static const std::vector<std::pair<std::string, Check>> table{
         {"type", check_type},

@@ -8,23 +8,23 @@
 
 namespace ciel::scene {
 
-// The OpenRPC document, parsed once.
+// Returns the OpenRPC document (protocol/openrpc.json). It is parsed once.
 [[nodiscard]] const nlohmann::json& contract();
 
 struct Violation {
-    std::string path;   // RFC 6901, into the value
+    std::string path;   // JSON pointer (RFC 6901) into the value
     std::string reason; // the rest of a sentence: "must be a number"
 };
 
-// Returns the first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in
+// Checks a value. Returns the first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in
 // schema_keywords() are ignored. Thread-safe. Recursion follows the schema, not the depth of the value.
 [[nodiscard]] std::optional<Violation> check_schema(const nlohmann::json& schema, const nlohmann::json& value,
                                                     const std::string& path = "");
 
-// Follows "$ref", which is looked up in contract().
+// Returns the schema in contract() to which "$ref" points, or the schema itself if it has no "$ref".
 [[nodiscard]] const nlohmann::json& resolved(const nlohmann::json& schema);
 
-// All supported keywords; a test compares them with the contract's.
+// Returns all supported keywords. A test compares them with the contract's keywords.
 [[nodiscard]] std::vector<std::string> schema_keywords();
 
 // Appends `token` to a JSON pointer, with ~ and / escaped.

@@ -26,8 +26,8 @@ struct Dropping {
     }
 
 private:
-    // Returns the option that `value` names by its "type", else one with the members of all: a patch may leave the type
-    // out.
+    // Returns the option that the "type" of `value` names. Otherwise returns a schema with the members of all options,
+    // because a patch may omit the type.
     static json form_of(const json& options, const json& value) {
         json all{{"properties", json::object()}};
         for (const json& option : options) {

@@ -1,4 +1,4 @@
-// The WebSockets that are open, for notifications.
+// The open WebSockets of the process, for notifications.
 #pragma once
 
 #include "sessions/connection.hpp"
@@ -8,7 +8,7 @@
 
 namespace ciel::sessions {
 
-// Thread-safe.
+// All members of Connections are thread-safe.
 class Connections {
 public:
     void add(std::shared_ptr<Connection> connection) {

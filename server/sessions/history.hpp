@@ -11,30 +11,32 @@ namespace ciel::sessions {
 
 using Document = std::shared_ptr<const nlohmann::json>;
 
-// Not thread-safe; the session locks. Copies share the documents.
+// History is not thread-safe; the session's mutex guards it. Copies share the documents.
 class History {
 public:
-    // Drops the oldest documents beyond `steps` in number or `bytes` of heap.
+    // The history keeps at most `steps` documents and at most `bytes` of heap. It drops the oldest documents.
     History(std::size_t steps, std::size_t bytes) : steps_(steps), most_bytes_(bytes) {}
 
-    // Records `before`, which is about to be replaced. Consecutive changes with the same nonempty gesture are one step.
+    // Adds `before`, the document that is about to be replaced, as an undo step and drops all redo steps. Consecutive
+    // changes with the same non-empty gesture are one step.
     void record(Document before, const std::string& gesture);
-    // Adds a step before the oldest undo, or after the last redo step. Returns false if the limits leave no room.
+    // append_undo adds a step before the oldest undo step, append_redo one after the last redo step. They return false
+    // if the limits leave no room.
     bool append_undo(Document document);
     bool append_redo(Document document);
-    // Returns the document to show, or null if there is none. `now`: the current document, which it replaces.
+    // undo and redo replace the current document `now`. They return the document to show, or null if there is no step.
     [[nodiscard]] Document undo(Document now);
     [[nodiscard]] Document redo(Document now);
     [[nodiscard]] bool can_undo() const { return !undo_.empty(); }
     [[nodiscard]] bool can_redo() const { return !redo_.empty(); }
-    [[nodiscard]] std::size_t bytes() const { return bytes_; } // heap bytes of all documents kept
+    [[nodiscard]] std::size_t bytes() const { return bytes_; } // heap bytes of all kept documents
 
 private:
     struct Step {
         Document document;
         std::size_t bytes = 0;
     };
-    using Steps = std::deque<Step>; // the oldest first
+    using Steps = std::deque<Step>; // the step next to the current document is the last
 
     void push(Steps& to, Document document);
     bool append(Steps& to, Document document);
@@ -44,7 +46,7 @@ private:
 
     std::size_t steps_, most_bytes_, bytes_ = 0;
     Steps undo_, redo_;
-    std::string gesture_; // of the last recorded change; empty: the next change is a step of its own
+    std::string gesture_; // of the last recorded change; empty: the next change is a separate step
 };
 
 } // namespace ciel::sessions

@@ -7,7 +7,7 @@
 
 namespace ciel::sessions {
 
-// `Note` is one of the contract's notification structures.
+// Returns a notification as JSON-RPC text. `Note`: one of the contract's notification structures.
 template <class Note>
 std::string notification_text(const Note& note) {
     const nlohmann::json text{{"jsonrpc", "2.0"}, {"method", Note::method}, {"params", note}};

@@ -4,7 +4,8 @@
 
 namespace ciel::sessions {
 
-// Throws NotFound when the catalog has no such name, Error when it has and the dataset cannot be opened.
+// Opens a dataset of the catalog. Throws NotFound when the catalog has no dataset of this name, Error when the dataset
+// cannot be opened.
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> open_dataset(store::Catalog& catalog, const std::string& name);
 
 } // namespace ciel::sessions

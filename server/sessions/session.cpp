@@ -16,7 +16,7 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     note.scene.emplace(*version.document);
     std::string text = notification_text(note);
     if (text.size() <= wire::longest_message) return text;
-    note.scene.reset(); // too long: the client requests it
+    note.scene.reset(); // too long for one message: the client asks for the scene
     return notification_text(note);
 }
 
@@ -108,7 +108,7 @@ SessionStatus Session::move_in_history(Document (History::*move)(Document), std:
         try {
             auto next = make_version(services_, *document, version_->revision + 1);
             return change(std::move(next), after, author);
-        } catch (const std::exception&) { // dataset gone or changed: tries the next step
+        } catch (const std::exception&) { // the step's dataset is gone or has changed: tries the next step
             if (!refused) refused = std::current_exception();
         }
     }
@@ -125,8 +125,8 @@ void Session::subscribe(std::uint64_t connection) {
 void Session::add_viewer(std::uint32_t id, Viewer viewer) {
     const std::scoped_lock lock(mutex_);
     if (viewers_.size() >= services_.limits.views_per_session)
-        throw limits::LimitReached("a session may have " + std::to_string(services_.limits.views_per_session) +
-                                   " views; close one first");
+        throw limits::LimitReached("a session may have at most " + std::to_string(services_.limits.views_per_session) +
+                                   " views; close a view first");
     viewer.offer(version_);
     viewers_[id] = std::move(viewer);
 }
@@ -162,7 +162,8 @@ void Session::dataset_changed() {
     try {
         version_ = make_version(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
-        // The scene does not fit the new dataset. The next patch reports that; the mapped data can still be shown.
+        // The scene does not fit the changed dataset. The session keeps its version, whose mapped data can still be
+        // shown. The next patch reports the error.
     }
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
 }

@@ -22,51 +22,54 @@ struct SessionStatus {
     bool can_undo = false, can_redo = false;
 };
 
-// Undo and redo steps of a new session: merge patches, nearest step first (session.open in the contract).
+// Undo and redo steps of a new session, as merge patches. The step next to the scene is the first (session.open in the
+// contract).
 struct Steps {
     std::vector<nlohmann::json> undo, redo;
 };
 
-// A view of the session's scene. Both callbacks run under the session's lock and must not call the session.
+// A view that shows the session's scene. Both callbacks run under the session's lock and must not call the session.
 struct Viewer {
     std::uint64_t connection = 0;
-    std::function<void(std::shared_ptr<const SceneVersion>)> offer; // the newest version
-    std::function<void()> close;                                    // the last call
+    std::function<void(std::shared_ptr<const SceneVersion>)> offer; // gives the newest version to the view
+    std::function<void()> close;                                    // closes the view; called last
 };
 
-// Thread-safe. Changes are applied in order. A change of the document makes a new revision, which is sent to the other
-// subscribed connections and offered to all viewers.
+// A Session is thread-safe and applies changes in order. A change of the document makes a new revision. It is sent to
+// the subscribed connections except its author, and offered to all viewers.
 class Session {
 public:
-    // Drops steps beyond the limits. Throws LimitReached when there is no memory for the documents.
+    // Drops `steps` beyond the history's limits. Throws LimitReached when there is no memory for the documents.
     Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
             const Steps& steps = {});
 
     [[nodiscard]] const std::string& id() const { return id_; }
     [[nodiscard]] Clock::time_point opened() const { return opened_; }
-    [[nodiscard]] SessionStatus status() const; // counts as use
+    [[nodiscard]] SessionStatus status() const; // counts as a use of the session
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
-    // `author`: connection that made the change; it gets the answer instead of a notification. Throw as make_version
-    // does, and LimitReached; then nothing has changed.
+    // patch, replace, undo and redo change the scene. `author`: connection that made the change; it gets the answer
+    // instead of a notification. They throw what make_version throws, and LimitReached; the session is then unchanged.
     SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
     SessionStatus replace(nlohmann::json document, std::uint64_t author);
     SessionStatus undo(std::uint64_t author); // returns the current status if there is nothing to undo
     SessionStatus redo(std::uint64_t author);
 
     void subscribe(std::uint64_t connection);
-    void add_viewer(std::uint32_t id, Viewer viewer); // throws LimitReached; it is offered the newest version
+    void add_viewer(std::uint32_t id, Viewer viewer); // offers it the newest version; throws LimitReached
     void remove_viewer(std::uint32_t id);
-    void disconnect(std::uint64_t connection); // its viewers and its subscription
-    void close();                              // all viewers
-    void dataset_changed();                    // it has grown or was replaced: offers the same scene again
+    void disconnect(std::uint64_t connection); // closes its viewers, ends its subscription
+    void close();                              // closes all viewers, ends all subscriptions
+    void dataset_changed();                    // the dataset has grown or was replaced: offers the scene again
 
-    [[nodiscard]] bool is_idle_since(Clock::time_point time) const; // no connection, and not used since `time`
+    // Returns whether the session has no subscriber and no viewer, and has not been used since `time`.
+    [[nodiscard]] bool is_idle_since(Clock::time_point time) const;
     [[nodiscard]] Clock::time_point last_used() const;
     [[nodiscard]] std::size_t viewer_count() const;
 
 private:
     SessionStatus move_in_history(Document (History::*move)(Document), std::uint64_t author);
-    // The next three REQUIRE the lock. change: throws LimitReached and then changes nothing.
+    // change, tell_others and current require mutex_ to be held. If change throws LimitReached, the session is
+    // unchanged.
     SessionStatus change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author);
     void tell_others(std::uint64_t author) const;
     [[nodiscard]] SessionStatus current() const;

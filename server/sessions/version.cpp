@@ -10,26 +10,28 @@ namespace {
 void check_size(const nlohmann::json& document, const limits::Limits& limits) {
     const std::size_t bytes = scene::text_bytes(document);
     if (bytes > limits.scene_bytes)
-        throw limits::LimitReached("the scene would have " + std::to_string(bytes) + " bytes; it may have at most " +
-                                   std::to_string(limits.scene_bytes) + ". Remove layers, values or patches from it");
+        throw limits::LimitReached("the scene would have " + std::to_string(bytes) +
+                                   " bytes; a scene may have at most " + std::to_string(limits.scene_bytes) +
+                                   ". Remove layers, values or patches from the scene");
 }
 
 void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
     if (scene.layers.size() > limits.layers)
         throw limits::LimitReached("a scene may have at most " + std::to_string(limits.layers) +
-                                   " layers; remove some");
+                                   " layers; remove a layer");
     for (const scene::Layer& layer : scene.layers)
         if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
             if (iso->values.size() > limits.values_per_layer)
-                throw limits::LimitReached("layer " + layer.id + " may have " +
-                                           std::to_string(limits.values_per_layer) + " values; remove some");
+                throw limits::LimitReached("layer " + layer.id + " may have at most " +
+                                           std::to_string(limits.values_per_layer) + " values; remove values");
 }
 
 } // namespace
 
 std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
                                                  std::uint64_t revision) {
-    // Null and absent mean the same in a scene. Removes nulls, since merge patches cannot make them.
+    // Removes null members. Null and absent mean the same in a scene, and a merge patch (RFC 7396) cannot set a member
+    // to null.
     document = scene::merge_patch(nlohmann::json::object(), document);
     check_size(document, services.limits);
     scene::Scene scene = scene::parse(document);

@@ -14,18 +14,19 @@ namespace ciel::sessions {
 
 using Clock = std::chrono::steady_clock;
 
-// Immutable.
+// A SceneVersion is immutable.
 struct SceneVersion {
     std::uint64_t revision = 0;
     Document document;
-    scene::CheckedScene checked; // the document, parsed
-    std::size_t bytes = 0;       // of the document and the scene
+    scene::CheckedScene checked; // the parsed document with its dataset
+    std::size_t bytes = 0;       // estimated heap bytes of the document and the parsed scene
     Clock::time_point changed;
 
     [[nodiscard]] const scene::Scene& scene() const { return checked.scene(); }
 };
 
-// Parses a document, opens its dataset and checks the names in it. Throws scene::Invalid, NotFound, LimitReached.
+// Returns a version made from a document. Parses the document, opens its dataset, and checks the names in the document
+// against the dataset. Throws scene::Invalid, NotFound, LimitReached.
 [[nodiscard]] std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
                                                                std::uint64_t revision);
 

@@ -18,22 +18,22 @@ bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
     return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });
 }
 
-// A misspelt name must not become an array for good. Names that came with a file are not judged.
+// Throws Error when a new array cannot have this name. Arrays are never deleted, so a misspelt name would stay. Names
+// of arrays that the dataset has already are not checked.
 void check_new_name(const std::string& name) {
     const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
     const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
     std::string problem;
     if (plain.empty() || plain.front() == ' ' || plain.back() == ' ')
-        problem = "is empty, or begins or ends with a space";
+        problem = "is empty or begins or ends with a space";
     else if (plain == "." || plain == "..")
-        problem = "stands for a folder";
+        problem = "is . or ..";
     else if (plain.size() > longest_name)
         problem = "is longer than " + std::to_string(longest_name) + " bytes";
     else if (std::ranges::any_of(plain, is_bad))
         problem = "holds a '/', '\\', ':' or control character (only 'cell:' may stand before it)";
     if (!problem.empty())
-        throw Error("array '" + name + "': the dataset has no such array, and a new one cannot have a name that " +
-                    problem);
+        throw Error("array '" + name + "' is not in the dataset, and a new array cannot have a name that " + problem);
 }
 
 ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
@@ -47,7 +47,8 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
     if (components < 1 || components > most_components)
         throw Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) + " components");
     if (known != nullptr && known->association == Association::boundary_face)
-        throw Error("array '" + wanted.name + "' has values on the faces of patches, which only an import can bring");
+        throw Error("array '" + wanted.name +
+                    "' has values on the faces of patches, which only an import can write; leave the array out");
     if (known != nullptr) return *known;
     const bool on_cells = wanted.name.starts_with(cell_prefix);
     return {wanted.name, on_cells ? Association::cell : Association::point, static_cast<int>(components), "", "", {},
@@ -65,12 +66,13 @@ PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedAr
     const auto ids = original_ids(dataset, mesh, planned.info.association);
     if (*std::ranges::max_element(ids) >= planned.tuples)
         throw Error("the last step of " + dataset.info().name +
-                    " is on another mesh than the imported file's, so that '" + wanted.name +
-                    "' has no order to come in; append a dataset on this mesh with `ciel append --from`");
+                    " is on another mesh than the imported file, so the order of the values of '" + wanted.name +
+                    "' is unknown; append a dataset on the mesh of that step with `ciel append --from`");
     return planned;
 }
 
-// An import makes the point values of a cell array unless the file has some of this name, or nobody wanted them.
+// Returns the point array to make from the cell array `cells`, by the rules of an import. Returns nullopt if the step
+// brings an array of that name, or if the dataset has the cell array but no such point array.
 std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan, const ArrayInfo& cells) {
     if (cells.association != Association::cell || !cells.name.starts_with(cell_prefix)) return std::nullopt;
     ArrayInfo made = cells;
@@ -91,7 +93,7 @@ std::uint64_t stored_bytes(const Dataset& dataset, std::size_t mesh, const Array
 }
 
 void check_time(const Dataset& dataset, double time) {
-    if (!std::isfinite(time)) throw Error("a time step must have a finite time");
+    if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
     if (dataset.steps().empty() || time > dataset.steps().back().time) return;
     std::ostringstream sentence;
     sentence << "time " << time << " is not later than the last step of " << dataset.info().name << ", "
@@ -99,12 +101,12 @@ void check_time(const Dataset& dataset, double time) {
     throw Error(sentence.str());
 }
 
-// From the order of the file that was imported to the order in which the dataset keeps it.
+// Reorders values from the order of the imported file to the stored order.
 std::vector<float> to_stored_order(std::span<const float> values, std::span<const Index> original,
                                    std::size_t components) {
     std::vector<float> stored(original.size() * components);
     for (std::size_t i = 0; i < original.size(); ++i) {
-        const std::size_t from = original[i] * components; // read once: it is mapped, and was verified long ago
+        const std::size_t from = original[i] * components; // read once: the mapped file may have changed since open
         if (from >= values.size()) throw Error("the dataset's original ids are damaged; import the data again");
         std::copy_n(&values[from], components, &stored[i * components]);
     }
@@ -113,7 +115,7 @@ std::vector<float> to_stored_order(std::span<const float> values, std::span<cons
 
 void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
     const Dataset& dataset = *writer.before();
-    std::optional<PointInterpolation> points; // the same for all arrays
+    std::optional<PointInterpolation> points; // made once for all arrays of the step
     for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
         const PlannedArray& array = plan.arrays[i];
         const auto values = values_of(i);
@@ -144,8 +146,7 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, const FaceM
                 "; only steps on the same mesh can be appended");
 }
 
-// The coordinates that a step of the other dataset stands on, offset to the origin of ours; added when none are the
-// same.
+// Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. Adds a set if none has them.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
     const Vec3d origin = writer.before()->mesh(mesh, 0).origin;
     std::vector<float> positions(wanted.positions.begin(), wanted.positions.end());
@@ -213,7 +214,7 @@ std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Datase
     }
     writer.finish();
     if (appended == 0)
-        throw Error(source.directory().string() + ": has no step later than the last of " +
+        throw Error(source.directory().string() + ": has no step later than the last step of " +
                     dataset->directory().string());
     return appended;
 }

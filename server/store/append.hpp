@@ -1,5 +1,5 @@
-// The rules of appending: what a step may hold, and in which order its values come. `ciel append` and uploads to a
-// server refuse the same things with the same sentences.
+// Appends steps to a dataset, for `ciel append` and for uploads to a server. Both check a step by the same rules and
+// fail with the same messages.
 #pragma once
 
 #include "store/dataset.hpp"
@@ -8,50 +8,50 @@
 
 namespace ciel::store {
 
-// An array as somebody wants to append it: "p", or "cell:p" for values of cells.
+// An array that a caller wants to append: "p" for values on points, "cell:p" for values on cells.
 struct WantedArray {
     std::string name;
-    std::optional<std::size_t> components; // not given: as many as the array has already, or 1
+    std::optional<std::size_t> components; // default: as many as the array has in the dataset, 1 for a new array
 };
 
 struct PlannedArray {
     ArrayInfo info;
-    std::uint64_t tuples = 0;      // values come in the order of the imported file's points or cells
-    std::optional<ArrayInfo> made; // point values made from these cell values, as an import makes them
+    std::uint64_t tuples = 0;      // points or cells of the imported file; values come in their order
+    std::optional<ArrayInfo> made; // point array to make from this cell array, as an import does
 
     [[nodiscard]] std::uint64_t values() const { return tuples * static_cast<std::uint64_t>(info.components); }
 };
 
-// A step on the mesh and the coordinates of the last one.
+// A checked step to append. `mesh` and `coordinates` are the indices of those of the dataset's last step.
 struct StepPlan {
     double time = 0;
     std::size_t mesh = 0, coordinates = 0;
-    std::vector<PlannedArray> arrays; // in the order in which they are wanted
-    std::vector<std::string> added;   // arrays that the dataset does not have yet
-    std::vector<std::string> lacking; // arrays of the dataset that have no values at this step
-    std::uint64_t stored_bytes = 0;   // of all its values, as they are stored
+    std::vector<PlannedArray> arrays; // in the order of the wanted arrays
+    std::vector<std::string> added;   // names of arrays that the dataset does not have yet
+    std::vector<std::string> lacking; // names of the dataset's arrays that have no values at this step
+    std::uint64_t stored_bytes = 0;   // size of the step's values on disk
 };
 
-// Throws Error, before any value is needed: a time that is not later than the last, a name that a new array cannot
-// have, other components than the array has, an array twice, a dataset whose last mesh does not have the imported
-// file's order.
+// Checks a step before its values are known. Throws Error for a time that is not later than the last step, a name that
+// a new array cannot have, another number of components than the array has, or an array that is given twice. Also
+// throws Error when the last step is on another mesh than the imported file's, whose order values must have.
 [[nodiscard]] StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted);
 
-// The values of plan.arrays[i], in the imported file's order; valid until the next call.
+// Returns the values of plan.arrays[i] in the order of the imported file. They must stay valid until the next call.
 using ValuesOf = std::function<std::span<const float>(std::size_t i)>;
 
 struct AppendedStep {
-    std::size_t step = 0; // its number
-    StepPlan plan;        // as it was carried out
+    std::size_t step = 0; // index of the new step
+    StepPlan plan;        // plan made under the lock and carried out
 };
 
-// Locks the dataset, plans the step anew and commits it. Throws as plan_step and Writer do, and when the values do not
-// have the planned number. At most two arrays are in memory at a time.
+// Locks the dataset, plans the step and commits it. Throws Error as plan_step and Writer do, and when an array has
+// another number of values than planned. Processes one array at a time, so the step need not fit into memory.
 AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, std::span<const WantedArray> wanted,
                          const ValuesOf& values_of);
 
-// Appends the steps of `source` that are later than the dataset's last. Throws Error when they are on another mesh, or
-// when there are none. Returns how many they were.
+// Appends the steps of `source` that are later than the last step of `dataset`. Returns their number. Throws Error when
+// there are none, or when one is on a mesh that `dataset` does not have.
 std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source);
 
 } // namespace ciel::store

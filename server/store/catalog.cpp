@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Changes whenever the commit marker is replaced.
+// Inode, size and modification time of a dataset's commit marker. Changes whenever the marker is replaced.
 using Stamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
 
 Stamp stamp_of(const fs::path& dataset) {
@@ -49,10 +49,11 @@ bool is_intact(const LoadedDataset& loaded) {
 struct Known {
     fs::path directory;
     std::string problem;
-    bool failed = false; // to be made: `problem` holds as long as the marker is the one in `examined`
-    Stamp examined{};    // the marker that `problem` is about
+    bool failed = false; // set by add_failed; cleared when the commit marker no longer has the stamp `examined`
+    Stamp examined{};    // stamp of the commit marker when `problem` was determined
     std::shared_ptr<LoadedDataset> loaded;
-    // The one before was lost, and could not be opened when that was told: who holds it is to hear when it can be.
+    // State after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() failed after
+    // that. came_back: open() has succeeded since, so poll() must call on_change again.
     enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
     Catalog::Clock::time_point used{};
@@ -77,7 +78,7 @@ struct Catalog::State {
         return known[name];
     }
 
-    // A name once given stays with its directory as long as that exists.
+    // Updates `known` from the disk. A directory keeps its name as long as it exists.
     void scan() {
         std::erase_if(known, [](const auto& entry) {
             return !entry.second.failed && !looks_like_dataset(entry.second.directory);
@@ -126,7 +127,7 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, st
         if (!path.has_filename()) path = path.parent_path();
         std::error_code error;
         if (!fs::exists(path, error)) refuse(path, "does not exist");
-        if (!fs::is_directory(path, error)) refuse(path, "is a file; turn it into a dataset with 'ciel import'");
+        if (!fs::is_directory(path, error)) refuse(path, "is a file; make a dataset from the file with 'ciel import'");
     }
     state_->roots = std::move(paths);
     state_->field_budget = field_budget_bytes;
@@ -141,7 +142,7 @@ void Catalog::add_failed(const fs::path& directory, const std::string& problem) 
     Known& entry = state_->learn(directory);
     entry.problem = problem;
     entry.failed = true;
-    entry.examined = stamp_of(directory); // an older import may stand there: it is not what was asked for
+    entry.examined = stamp_of(directory); // an older import in `directory` must not be opened instead
 }
 
 std::vector<CatalogEntry> Catalog::list() const {
@@ -171,14 +172,14 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         directory = found->second.directory;
         opening = found->second.opening;
     }
-    // Opening may take long: others are served meanwhile, and who wants the same waits for this one.
+    // Opening may take long. Meanwhile other datasets can be opened; calls for the same dataset wait here.
     const std::lock_guard one_at_a_time(*opening);
     {
         const std::lock_guard lock(state_->mutex);
         if (const auto found = state_->known.find(name); found != state_->known.end() && found->second.loaded)
             return found->second.loaded;
     }
-    give_back({}); // makes room
+    give_back({}); // drops unused datasets while more than most_bytes are in use
     const Stamp stamp = stamp_of(directory);
     std::shared_ptr<LoadedDataset> loaded;
     std::string problem;
@@ -211,9 +212,10 @@ std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
 }
 
 std::size_t Catalog::give_back(Clock::time_point unused_since) {
-    std::vector<std::shared_ptr<LoadedDataset>> forgotten; // destroyed without the lock: unmapping takes a while
+    std::vector<std::shared_ptr<LoadedDataset>>
+        forgotten; // declared before `lock`: unmapping is slow and needs no lock
     const std::lock_guard lock(state_->mutex);
-    std::vector<Known*> unused; // only here, under the lock, could somebody get hold of one
+    std::vector<Known*> unused; // held by the catalog alone; open() cannot hand them out while `lock` is held
     std::size_t bytes = 0;
     for (auto& [name, entry] : state_->known) {
         if (!entry.loaded) continue;
@@ -251,14 +253,14 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         }
     }
     for (const auto& [name, loaded, has_new_marker, came_back] : all) {
-        if (!has_new_marker && is_intact(*loaded)) { // without the lock: a slow disk holds up nobody
+        if (!has_new_marker && is_intact(*loaded)) { // reads the disk, which may be slow, without the lock
             if (came_back) on_change(name);
             continue;
         }
         bool tell = true;
         try {
             tell = loaded->refresh();
-        } catch (const std::exception&) { // replaced or damaged: the next open() says which
+        } catch (const std::exception&) { // the dataset was replaced or damaged; the next open() throws the reason
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
                 found->second.loaded = nullptr;

@@ -1,5 +1,5 @@
-// The datasets a server offers, by name. Names never become paths: a request is looked up in a table made from what the
-// administrator named on the command line.
+// Catalog: the datasets that a server offers, by name. A name in a request is never used as a path. It is looked up in
+// a table of the datasets at the paths that the administrator gave on the command line.
 #pragma once
 
 #include "store/loaded.hpp"
@@ -12,36 +12,39 @@ namespace ciel::store {
 struct CatalogEntry {
     std::string name;
     std::filesystem::path directory;
-    std::string problem; // a sentence, when it cannot be opened
+    std::string problem; // why the dataset cannot be opened; empty if it can
 };
 
-// Thread-safe. Opens lazily, keeps one LoadedDataset per name, whatever the number of sessions, until it is given back.
+// Thread-safe. Opens a dataset at the first call of open() and keeps one LoadedDataset per name for all sessions, until
+// give_back() drops it.
 class Catalog {
 public:
-    // Each path is a NAME.ciel directory or a folder that holds some (those are found again on every list()).
-    // Throws Error for a path that does not exist or is a file. A name that comes twice gets a number.
-    // most_bytes: that all together may have in memory before what nobody uses is given back.
+    // Each path is a NAME.ciel directory, or a folder that every list() searches for such directories. Throws Error for
+    // a path that does not exist or is a file. Datasets of the same name get numbers. field_budget_bytes: size of each
+    // dataset's cache of fields. most_bytes: memory of all datasets above which unused ones are dropped.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
                      std::size_t most_bytes = std::size_t{8} << 30);
     ~Catalog();
 
-    // Lists a dataset that could not be made, with the reason, until another stands there.
+    // Lists a dataset that could not be imported, with the reason `problem`, until another dataset is put into
+    // `directory`.
     void add_failed(const std::filesystem::path& directory, const std::string& problem);
 
     [[nodiscard]] std::vector<CatalogEntry> list() const;
-    // Throws Error naming the datasets that exist when there is none of this name.
+    // Throws Error when the dataset cannot be opened. If no dataset has this name, the message lists all names.
     [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);
 
     using Clock = std::chrono::steady_clock;
-    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const; // those in memory
-    // Forgets datasets that nobody but the catalog holds: those unused since then, and while all together have more
-    // than most_bytes, the longest unused, but never the last one used. Returns how many.
+    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const; // all in memory
+    // Drops datasets that only the catalog holds: those not used since `unused_since`. While all datasets together
+    // have more than most_bytes, also drops the longest unused one, but not the one used last. Returns the number
+    // dropped.
     std::size_t give_back(Clock::time_point unused_since);
 
-    // Looks for steps appended by other processes, about once a second, and calls on_change(dataset name) from a thread
-    // of its own; also when a dataset was replaced by another (open() then gives the new one). Ends when the returned
-    // handle is destroyed, which must happen before the catalog is, and never from within on_change. on_change must not
-    // throw.
+    // Starts a thread that looks once a second for steps appended by other processes and for replaced datasets. For
+    // each dataset that changed it calls on_change(dataset name); open() then returns a replaced dataset's successor.
+    // The thread ends when the returned handle is destroyed. Destroy the handle before the catalog, and not within
+    // on_change. on_change must not throw.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

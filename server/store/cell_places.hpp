@@ -1,4 +1,4 @@
-// Where single cells of a mesh are.
+// Computes the positions of single cells of a mesh.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,8 +7,9 @@
 
 namespace ciel::store {
 
-// For each of `cells`, which exist, the mean of its corners, in the dataset's coordinates. Looks at all faces once,
-// however many cells are asked for. Throws Error when an index leads out of the mesh.
+// Returns for each of `cells` the mean of its corners, in the dataset's coordinates. REQUIRES: all ids are below
+// mesh.cell_count(). Reads all faces once, for any number of cells. Throws Error when the mesh holds an index that is
+// out of range.
 [[nodiscard]] std::map<Index, Vec3d> cell_places(const FaceMeshView& mesh, const std::vector<Index>& cells);
 
 } // namespace ciel::store

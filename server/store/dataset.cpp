@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The shape of one array on one mesh; each chunk of it is one step.
+// Location and shape of one array on one mesh. Each chunk is one step, or one coordinate set of the positions.
 struct ArrayLayout {
     fs::path directory;
     std::uint64_t chunks = 0;
@@ -70,7 +70,7 @@ public:
         chunks_->check_sizes();
         Documents now = read_documents(directory_);
         if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
-            refuse(directory_, "was replaced by another dataset while it was open; open it again");
+            refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
         if (now.marker.steps.size() == steps_.size()) return nullptr;
         return std::make_shared<MappedDataset>(directory_, std::move(now), Chunks::checked, this);
     }
@@ -132,7 +132,8 @@ private:
         return fs::exists(layouts_[step.mesh].at(array).chunk(step.arrays.at(array).chunk), error);
     }
 
-    // Coordinates added since: the mesh's attributes are read again for their checksums.
+    // Returns the checksums of the mesh's coordinate sets. A refresh reads the mesh's attributes again, because sets
+    // may have been added.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
             return meshes_[mesh]->attributes().coordinate_checksums;
@@ -142,7 +143,7 @@ private:
 
     void add_step(const MarkedStep& marked, Chunks chunks) {
         const std::size_t index = next_step_++;
-        const bool is_known = index < steps_.size(); // from before the refresh
+        const bool is_known = index < steps_.size(); // taken over from the dataset that was refreshed
         if (marked.coordinates >= positions_[marked.mesh].chunks)
             refuse(directory_ / layout::commit_marker,
                    "step " + std::to_string(index) + " names coordinates that do not exist");
@@ -215,7 +216,7 @@ private:
         } else {
             const ArrayLayout& shape = layouts_[step.mesh].at(name);
             result = statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array);
-            result.extremes.clear(); // their places would need all faces
+            result.extremes.clear(); // left empty, because finding their places would read all faces
         }
         result.lazy = entry.lazy;
         result.has_checksum = !entry.checksum.empty();
@@ -229,9 +230,9 @@ private:
     std::size_t next_step_ = 0;
     std::vector<std::shared_ptr<MappedMesh>> meshes_;
     std::vector<ArrayLayout> positions_;                         // per mesh
-    std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per set
-    std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh
-    AnyLost any_lost_ = none_lost();                             // shared with all refreshes, as the files are
+    std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
+    std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
+    AnyLost any_lost_ = none_lost();                             // shared with all refreshes, like the mapped files
     std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_);
 };
 

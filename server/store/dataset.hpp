@@ -1,4 +1,4 @@
-// A dataset on disk, opened for reading: NAME.ciel, a Zarr v2 group with raw chunks (store/README.md is the format).
+// Dataset: NAME.ciel, a Zarr v2 group with raw chunks, opened for reading (format: store/README.md).
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -14,70 +14,76 @@
 
 namespace ciel::store {
 
-// What opening a dataset asks of the chunks of its steps. Whatever is chosen, a chunk is verified at first touch.
+// How opening a dataset checks the chunk files of its steps. In both cases a chunk is verified at its first use.
 enum class Chunks {
-    checked,  // each file's size; ranges that the commit marker lacks are made
-    unchecked // nothing: for those who only add steps, however many there are
+    checked,  // checks the size of each file; computes ranges that the commit marker lacks
+    unchecked // opens no chunk file; for writers that append to a dataset of many steps
 };
 
-// Immutable view of what was committed when it was opened or last refreshed. Everything borrowed from it stays valid as
-// long as the shared pointer lives: files are mapped, and are replaced, never truncated or rewritten, by writers. Who
-// does so all the same is noticed: indices are checked where they are read, and check_intact says what was lost.
-// Thread-safe.
+// Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans and views from it
+// stay valid as long as the shared pointer lives. Files are mapped, and writers must replace them instead of truncating
+// or rewriting them. If a file is truncated or rewritten all the same, no read fails: views check each index, and
+// check_intact throws. Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
-    // Throws Error naming the file when it is missing, damaged, truncated, of a newer version or not a dataset.
-    // Topology checksums are verified here, chunks at first touch.
+    // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
+    // `directory` is not a dataset. Verifies the checksums of the topology; chunks are verified at their first use.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        Chunks chunks = Chunks::checked);
     virtual ~Dataset() = default;
 
-    [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as it was given to open()
+    [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
     [[nodiscard]] virtual const DatasetInfo& info() const = 0;
     [[nodiscard]] virtual const std::vector<Step>& steps() const = 0;
-    // The dataset with the steps committed since, or nullptr when there are none. Chunks stay mapped once. Looks at the
-    // files of the new steps and at those that are mapped, not at those of the other steps.
+    // Returns the dataset with the steps committed since it was opened or refreshed, or nullptr when there are none.
+    // Both datasets share the mapped files. Checks the mapped files and those of the new steps. Throws Error when one
+    // is damaged or the dataset was replaced by another.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
-    // Throws Error naming a file that was truncated while somebody read it, or that holds what it did not hold when it
-    // was opened: whatever was made since is worthless. To be asked after the reading; costs next to nothing.
+    // Throws Error that names a mapped file if one was found to be truncated or rewritten since it was opened. Call it
+    // after reading: if it throws, results made from the dataset must be discarded. Costs one atomic read if no file is
+    // lost.
     virtual void check_intact() const = 0;
-    [[nodiscard]] bool is_intact() const; // whether check_intact would not throw
-    // As check_intact, and looks for files of the topology that were truncated or rewritten unnoticed. Examines each of
-    // them.
+    [[nodiscard]] bool is_intact() const; // false if check_intact would throw
+    // Like check_intact, but first looks for topology files that were truncated or rewritten and not yet found. Makes a
+    // stat call per file.
     virtual void check_unchanged() const = 0;
 
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
-    // The numbers that the solver gave, -1 where it gave none; empty where the source has none. Never an index.
+    // Ids that the solver gave to vertices and cells, -1 where it gave none; empty if the source has no such ids. They
+    // may be any numbers and are not indices.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // components values per vertex, cell or boundary face, interleaved; empty when the array was not written at this
-    // step. Throws Error for an unknown array or a damaged chunk.
+    // Returns the array's values at a step: `components` numbers per vertex, cell or boundary face, interleaved. Empty
+    // when the array was not written at this step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual std::span<const float> values(const std::string& array, std::size_t step) const = 0;
 
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
-    [[nodiscard]] std::size_t step_at(double time) const; // the nearest step
+    [[nodiscard]] std::size_t step_at(double time) const; // index of the step whose time is nearest
 };
 
-// "U:x", "U:y", "U:z", "A:0", "R:xx", "U:magnitude" name one scalar of an array of several components; "p" names
-// itself.
+// The parsed name of a scalar: a component ("U:x", "A:0", "R:xx") or the magnitude ("U:magnitude") of an array, or an
+// array of one component ("p").
 struct ScalarName {
     std::string array;
-    std::optional<int> component; // none with magnitude = false: the array is a scalar itself
+    std::optional<int> component; // nullopt for a magnitude and for an array of one component
     bool magnitude = false;
 };
-// The length of a vector of two or three components, the Frobenius norm of a tensor; other arrays have none.
+// Returns whether the array has a magnitude: the length of a vector of two or three components, or the Frobenius norm
+// of a tensor (an array with component names).
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
-// tuple: the components of one item. no_value (no_value.hpp) where one of them is that.
+// Returns the scalar of one item. tuple: the components of the item. A magnitude is no_value (no_value.hpp) if one
+// component is.
 [[nodiscard]] float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar);
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, std::span<const float> tuple);
-// Throws Error with the names that exist when there is no such scalar.
+// Throws Error that lists the existing names when there is no scalar `name`.
 [[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);
 [[nodiscard]] std::vector<std::string> scalar_names(const ArrayInfo& array);
-// The scalar of the cells that one of the points was made from, or `name` itself where it is of the cells; else empty.
+// Returns the scalar on cells that the point scalar `name` was interpolated from. Returns `name` if it is a scalar on
+// cells, and an empty string for all other scalars.
 [[nodiscard]] std::string cell_scalar(const Dataset& dataset, const std::string& name);
 
 } // namespace ciel::store

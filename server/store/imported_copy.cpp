@@ -6,7 +6,8 @@ namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* sign = ".imported-by-ciel-serve"; // beside the copy: a copy of that is the user's own
+// Lies beside the dataset, so that it is not copied with it: a dataset that a user copies may be appended to.
+constexpr const char* sign = ".imported-by-ciel-serve";
 constexpr std::size_t longest_sign = 1 << 16;
 
 } // namespace

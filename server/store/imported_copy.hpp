@@ -1,5 +1,5 @@
-// Copies that `ciel serve` imports for itself. A copy is replaced when its input changes, and steps that were appended
-// to it would be lost.
+// Marks datasets that `ciel serve` imported for itself. Such a copy is imported again when its input changes, so steps
+// appended to it would be lost.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,11 @@
 
 namespace ciel::store {
 
-// Writes a file beside `dataset` that says what it is a copy of. Throws Error.
+// Writes a file beside `dataset` that marks it as a copy of `input`. Throws Error when the file cannot be written.
 void mark_as_copy(const std::filesystem::path& dataset, const std::filesystem::path& input);
 
-// What `dataset` is such a copy of; empty when it is none. Throws Error when the file beside it cannot be read.
+// Returns the input that `dataset` is a copy of; empty if it is not marked as a copy. Throws Error when the mark cannot
+// be read.
 [[nodiscard]] std::string input_of_copy(const std::filesystem::path& dataset);
 
 } // namespace ciel::store

@@ -11,13 +11,13 @@
 namespace ciel::store {
 namespace {
 
-// A Field refers to its topology, so it is kept together with it.
+// A cached Field with its topology, which must outlive it.
 struct KeptField {
     std::shared_ptr<const Topology> topology;
     Field field;
 };
 
-// Values in block order, with the block borders' duplicates, and the gradients that a picture with normals makes.
+// Estimates the size of a Field: values in block order, which repeat some vertices in several blocks, and gradients.
 std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
 
 std::vector<float> one_scalar(std::span<const float> values, const ArrayInfo& array, const ScalarName& scalar) {
@@ -41,7 +41,8 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
-// The array of the cells that tells where this one went wrong; null where there is none.
+// Returns the cell array that belongs to a point array or to an array on patches; null if there is none. Its values
+// tell which cells have NaN or infinite results.
 const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
     constexpr std::string_view patch = "patch:";
     const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
@@ -71,10 +72,11 @@ void leave_out_cells(const ArrayInfo& array, std::span<const float> values, std:
 void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, std::span<const float> values,
                       std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
-    std::size_t number = 0; // among the boundary's faces
+    std::size_t number = 0; // of the face among the boundary faces
     for (Index face = 0; face < mesh.face_count(); ++face)
         if (mesh.neighbour[face] == none) {
-            if ((number + 1) * width > values.size()) mesh.neighbour.refuse(); // changed since it was counted
+            // The mapped file has changed: it has more boundary faces than when the dataset was opened.
+            if ((number + 1) * width > values.size()) mesh.neighbour.refuse();
             if (went_wrong_at(values, width, number++)) kept[mesh.owner[face]] = 0;
         }
 }
@@ -101,7 +103,7 @@ struct LoadedDataset::State {
     struct MeshSlot {
         std::mutex making;
         std::shared_ptr<const Topology> topology;
-        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric; // by coordinates
+        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric; // by index of the coordinate set
     };
 
     [[nodiscard]] std::shared_ptr<Dataset> current() const {
@@ -116,7 +118,7 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // The values of an array at a step; throws when there are none.
+    // Returns the values of an array at a step. Throws NotWritten when there are none, Error for another association.
     [[nodiscard]] static std::span<const float> written(const Dataset& dataset, const std::string& array,
                                                         std::size_t step, Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
@@ -125,7 +127,7 @@ struct LoadedDataset::State {
         if (values.empty()) {
             std::ostringstream time;
             time << dataset.steps()[step].time;
-            throw NotWritten("'" + array + "' was not written at time " + time.str() + "; it was at " +
+            throw NotWritten("'" + array + "' has no values at time " + time.str() + "; it has values at " +
                              times_written(dataset, array));
         }
         return values;
@@ -148,12 +150,12 @@ struct LoadedDataset::State {
 
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
         if (step >= dataset.steps().size())
-            throw Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) + "; it has " +
-                        std::to_string(dataset.steps().size()));
+            throw Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) +
+                        "; the number of its steps is " + std::to_string(dataset.steps().size()));
         return dataset.steps()[step];
     }
 
-    // Where slices in any direction may begin.
+    // Returns the vertices at which slices in any direction can begin. They are found once per coordinate set.
     [[nodiscard]] std::shared_ptr<const GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
                                                                      const Step& at) {
         const auto kept = slot(at.mesh);
@@ -163,7 +165,8 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // The values are copied from the mapped file, for the kernel looks at each several times and relies on it.
+    // Returns the field cached under `key`, or makes it. `make_values` copies values from the mapped file, because the
+    // kernel reads a value several times and the file may change between two reads.
     [[nodiscard]] ScalarField field(
         const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
         const std::shared_ptr<const Topology>& topology,
@@ -178,7 +181,7 @@ struct LoadedDataset::State {
             return {std::move(made_field), field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
         });
         of->check_intact();
-        // The field's own topology: a key may have been filled by an earlier refresh of the dataset.
+        // Returns the topology of the field, not `topology`: an earlier refresh may have cached the field.
         return {kept->topology, {kept, &kept->field}, mesh, of};
     }
 
@@ -213,7 +216,7 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     std::shared_ptr<const Topology> made;
     try {
         made = std::make_shared<const Topology>(of->mesh(mesh, 0));
-    } catch (const Error&) { // the kernel does not know which file it was
+    } catch (const Error&) { // check_unchanged names the damaged file, which the kernel does not know
         of->check_unchanged();
         throw;
     }
@@ -287,7 +290,7 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    std::ostringstream key; // the same plane at another step of the same mesh is the same field
+    std::ostringstream key; // without the step: steps with the same mesh and coordinates share the field
     key << "plane/" << at.mesh << '/' << at.coordinates << std::hexfloat;
     for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
     return state_->field(
@@ -303,7 +306,7 @@ std::size_t LoadedDataset::memory_bytes() const {
     std::size_t bytes = state_->fields.bytes();
     const std::lock_guard lock(state_->mutex);
     for (const auto& [index, slot] : state_->meshes) {
-        // try_lock: a topology under construction is not waited for.
+        // try_lock: does not wait for a topology under construction, and does not count it.
         const std::unique_lock made(slot->making, std::try_to_lock);
         if (made && slot->topology) bytes += slot->topology->memory_bytes();
     }

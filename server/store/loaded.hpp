@@ -1,4 +1,4 @@
-// A dataset in memory for all sessions: one Topology per mesh, one Field per scalar and step while somebody uses it.
+// LoadedDataset: a dataset in memory, shared by all sessions. Keeps one Topology per mesh and a cache of Fields.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::store {
 
-// What a query needs of one scalar at one step; keeps everything it points to alive.
+// Input of a Query for one scalar at one step. Keeps everything alive that it points to.
 struct ScalarField {
     std::shared_ptr<const Topology> topology;
     std::shared_ptr<const Field> field;
@@ -14,13 +14,13 @@ struct ScalarField {
     std::shared_ptr<const void> keep_alive;
 };
 
-// Cells without a number that is none: what blew up is shown nowhere.
+// The cells whose values of an array are not NaN or infinite results of the solver. Pictures leave out the other cells.
 struct SoundCells {
     std::vector<std::uint8_t> kept; // a flag per cell
-    std::size_t left_out = 0;
+    std::size_t left_out = 0;       // number of cells whose flag is 0
 };
 
-// An array has no values at a step: nothing is wrong, but nothing can be shown of it.
+// Error: the array was not written at this step. The dataset is intact.
 class NotWritten : public Error {
     using Error::Error;
 };
@@ -31,25 +31,30 @@ public:
     LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes);
     ~LoadedDataset();
 
-    [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // the newest refresh
-    bool refresh();                                         // true when steps were added
+    [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // with the steps of the last refresh()
+    bool refresh();                                         // returns whether steps were added
 
     [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
-    // Throws NotWritten, and Error when the scalar does not exist or has no values at points.
+    // Returns the field of a scalar on points. Throws NotWritten when its array was not written at the step, Error when
+    // the scalar does not exist or is not on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Point scalar by name as a plain array (magnitudes and components are made once), for coloring and probing.
+    // Returns a scalar on points as an array, one value per vertex, for coloring and probing. Components and magnitudes
+    // are computed once. Throws like scalar().
     [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
-    // Likewise of an array of the cells or of the boundary's faces: one value each.
+    // cell_values returns one value per cell of a scalar on cells; face_values returns one value per boundary face of a
+    // scalar on boundary faces. Both throw NotWritten when its array was not written at the step, and Error for any
+    // other scalar.
     [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
     [[nodiscard]] std::shared_ptr<const std::vector<float>> face_values(const std::string& name, std::size_t step);
-    // All cells but those where the array of the scalar went wrong at the step, in any component; null where none did.
-    // An array on points that was made from the cells is judged by the values of the cells. An array of patches is
-    // judged by the values of the cells and of its faces.
+    // Returns the cells whose values of the scalar's array are sound at the step, in all components; null if all cells
+    // are. A value is not sound if it is a NaN or infinite result of the solver. For a point array that was
+    // interpolated from cells, the values on cells count. For an array on patches, those on cells and those on its
+    // faces count.
     [[nodiscard]] std::shared_ptr<const SoundCells> sound_cells(const std::string& name, std::size_t step);
-    // How many cells have a corner whose value went wrong, of an array that the file has on points: what is cut leaves
-    // them out.
+    // Returns the number of cells that have a corner with a NaN or infinite result, for a scalar that the imported file
+    // has on points; 0 for other scalars. Cuts leave these cells out.
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
-    // nu = dot(normal, position - origin).
+    // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 
     [[nodiscard]] std::size_t memory_bytes() const;

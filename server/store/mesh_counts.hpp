@@ -1,4 +1,4 @@
-// Counts of a mesh as `info` reports them.
+// Counts the elements of a mesh, as `ciel info` reports them.
 #pragma once
 
 #include "store/dataset.hpp"
@@ -6,7 +6,7 @@
 namespace ciel::store {
 
 [[nodiscard]] MeshInfo count_mesh(const FaceMeshView& mesh);
-// Grows [xmin xmax ymin ymax zmin zmax] to hold these positions too.
+// Extends bounds [xmin xmax ymin ymax zmin zmax] to contain these positions too, which are offsets from `origin`.
 void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, std::span<const float> positions);
 
 } // namespace ciel::store

@@ -1,5 +1,5 @@
-// A NaN that says "there is no value here": a block without the array, a piece that could not be read. Every other NaN
-// and the infinities are values that went wrong, and what shows them says so. Its bits survive being stored as float32.
+// no_value: the NaN that marks a missing value, such as in a block without the array or in a piece that could not be
+// read. Every other NaN and the infinities are results of the solver, which count as wrong.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@ inline constexpr std::uint32_t no_value_bits = 0x7fc0ce1e; // a quiet NaN
 inline constexpr float no_value = std::bit_cast<float>(no_value_bits);
 
 [[nodiscard]] inline bool is_no_value(float value) { return std::bit_cast<std::uint32_t>(value) == no_value_bits; }
-// A number that a solver should not have come to.
+// Returns whether the value is a NaN or infinite result of the solver, and not a missing value.
 [[nodiscard]] inline bool went_wrong(float value) { return !std::isfinite(value) && !is_no_value(value); }
 
 } // namespace ciel::store

@@ -44,13 +44,14 @@ void Place::make_temporary() {
     const fs::path folder = target_.parent_path();
     std::error_code error;
     if (!fs::is_directory(folder, error))
-        refuse(target_, "cannot be written: there is no folder " + folder.string() + "; make it first");
+        refuse(target_, "cannot be written: there is no folder " + folder.string() + "; make the folder first");
     const std::string name = temporary_prefix(target_) + std::to_string(::getpid());
     temporary_ = folder / name;
-    for (int attempt = 1; !fs::create_directory(temporary_, error); ++attempt) { // a second writer in this process
+    // The name exists already if this process has another writer of the same target.
+    for (int attempt = 1; !fs::create_directory(temporary_, error); ++attempt) {
         if (error)
             refuse(target_,
-                   "cannot be written: nothing can be made in " + folder.string() + " (" + error.message() + ")");
+                   "cannot be written: no file can be made in " + folder.string() + " (" + error.message() + ")");
         temporary_ = folder / (name + "-" + std::to_string(attempt));
     }
 }
@@ -71,21 +72,21 @@ void Place::check_target() const {
 
 void Place::commit() {
     sync_filesystem(temporary_);
-    check_target(); // again: it may have come to exist meanwhile
+    check_target(); // again: the target may have been created meanwhile
     const auto rename = [&](unsigned flags) {
         return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags) == 0;
     };
-    // Some file systems know no flags; a plain rename still never replaces a directory that holds something.
+    // Some file systems do not support flags. A rename without flags never replaces a directory that is not empty.
     const bool exists = fs::exists(target_);
     bool done = rename(exists ? RENAME_EXCHANGE : RENAME_NOREPLACE);
     if (!done && errno == EINVAL) {
         if (exists) fs::remove_all(target_);
         done = rename(0);
     }
-    if (!done) refuse_errno(target_, "cannot be put in place");
+    if (!done) refuse_errno(target_, "cannot be replaced by the new dataset");
     sync_directory(target_.parent_path());
     std::error_code error;
-    if (exists) fs::remove_all(temporary_, error); // by now the old dataset
+    if (exists) fs::remove_all(temporary_, error); // after the exchange it holds the old dataset
     temporary_.clear();
 }
 

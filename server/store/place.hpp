@@ -1,21 +1,23 @@
-// The place where a new dataset comes to stand: written aside in a temporary sibling, renamed when whole.
+// Place: the path of a new dataset. The dataset is written to a temporary directory beside that path, which is renamed
+// when the dataset is complete.
 #pragma once
 
 #include "store/files/files.hpp"
 
 namespace ciel::store {
 
-// Removes the temporary directories of writers of `target` that died; those of living ones are locked and stay.
+// Removes the temporary directories of killed writers of `target`. Those of running writers are locked and stay.
 void remove_left_behind(const std::filesystem::path& target);
 
-// Throws what Place would; leaves nothing. For those who have much to do before they write.
+// Throws Error if the constructor of Place would, and leaves no directory. For callers that do long work before they
+// write.
 void check_place(const std::filesystem::path& target, bool overwrite);
 
 class Place {
 public:
-    // Makes the temporary directory, and removes those that killed writers of the same target have left. Throws Error
-    // when the target exists and `overwrite` is false, when it exists and is no dataset, or when the folder it is to
-    // stand in does not exist or cannot be written.
+    // Makes the temporary directory, and removes those of killed writers of the same target. Throws Error when the
+    // target exists and `overwrite` is false, or when it is neither a dataset nor an empty directory. Also throws Error
+    // when the target's parent directory does not exist or cannot be written.
     Place(const std::filesystem::path& target, bool overwrite);
     ~Place(); // without commit(): removes the temporary directory
     Place(const Place&) = delete;
@@ -23,8 +25,9 @@ public:
 
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
     [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
-    // Flushes everything to the disk, then renames. A dataset that stood there is exchanged in one step and deleted;
-    // what has it mapped keeps it.
+    // Flushes the temporary directory to the disk and renames it to the target. An existing dataset is exchanged in one
+    // step and then deleted; programs that have mapped its files can still read them. Throws Error when the rename
+    // fails.
     void commit();
 
 private:
@@ -33,7 +36,7 @@ private:
 
     std::filesystem::path target_, temporary_;
     bool overwrite_;
-    Descriptor lock_; // tells a temporary directory in use from one left behind
+    Descriptor lock_; // lock on the temporary directory, by which remove_left_behind knows that it is in use
 };
 
 } // namespace ciel::store

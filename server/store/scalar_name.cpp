@@ -1,4 +1,4 @@
-// Names of scalars: an array, or one component or the magnitude of a vector or tensor.
+// Makes and parses names of scalars: an array, or one component or the magnitude of a vector or tensor.
 #include "ciel/printable.hpp"
 #include "store/dataset.hpp"
 #include "store/no_value.hpp"
@@ -14,7 +14,8 @@ std::string component_name(const ArrayInfo& array, int component) {
     return std::to_string(component);
 }
 
-// A tensor's components by their names alone: which number is which differs from format to format.
+// Parses the part of a scalar's name after the colon. Named components have no numbers, because file formats order the
+// components of tensors differently.
 std::optional<ScalarName> parse_suffix(const ArrayInfo& array, const std::string& suffix) {
     if (suffix == "magnitude" && has_magnitude(array)) return ScalarName{array.name, std::nullopt, true};
     for (int c = 0; c < array.components; ++c)
@@ -29,7 +30,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-// The array that a name is of, with its suffix; null where it begins with none.
+// Splits "NAME:SUFFIX" into the array NAME and the suffix. Returns null if no array NAME has several components.
 std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std::string& name) {
     if (const auto colon = name.rfind(':'); colon != std::string::npos)
         if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
@@ -37,7 +38,8 @@ std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std
     return {nullptr, {}};
 }
 
-// Every other entry of a symmetric tensor's six components stands for two of its matrix.
+// Weight of a component's square in the Frobenius norm. An off-diagonal component of a symmetric tensor, which has six
+// components, stands for two entries of its matrix.
 double weight(const ArrayInfo& array, std::size_t component) {
     if (array.component_names.size() != 6) return 1;
     const std::string& name = array.component_names[component];
@@ -73,7 +75,7 @@ std::vector<std::string> scalar_names(const ArrayInfo& array) {
 
 ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
     if (const ArrayInfo* array = dataset.find(name)) {
-        // A vector's bare name is its magnitude: what most people mean who color by U.
+        // The name of a vector without a suffix means its magnitude.
         if (array->components == 1 || has_magnitude(*array)) return {array->name, std::nullopt, array->components > 1};
         throw Error("'" + printable(name) + "' has " + std::to_string(array->components) +
                     " components and no magnitude; choose one of " + listed(scalar_names(*array)));

@@ -8,7 +8,7 @@
 namespace ciel::store {
 namespace {
 
-// The first item that has it, where several do.
+// [min, max] of the added values, each with the first item that has it.
 class Range {
 public:
     void add(double value, Index item) {
@@ -30,7 +30,8 @@ private:
     Index lowest_ = 0, highest_ = 0;
 };
 
-// Where one component has no finite value there is nothing to point at, and then of none: they stand in a row.
+// Returns the extremes of all values, then those of each of several components. Returns none if a component has no
+// finite value, because entries are found by position and none can be left out.
 std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>& of_component) {
     const auto is_empty = [](const Range& range) { return range.empty(); };
     if (all.empty() || std::ranges::any_of(of_component, is_empty)) return {};

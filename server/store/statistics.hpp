@@ -1,11 +1,11 @@
-// Ranges of an array at one step, and the cells that have the ends of them.
+// Computes the ranges of an array at one step, and the cells at their ends.
 #pragma once
 
 #include "store/dataset.hpp"
 
 namespace ciel::store {
 
-// Without the places of the extremes: cell_places.hpp.
+// Leaves the places of the extremes zero; cell_places.hpp computes them.
 [[nodiscard]] ArrayStep statistics(std::span<const float> values, const ArrayInfo& array);
 
 } // namespace ciel::store

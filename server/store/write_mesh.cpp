@@ -18,7 +18,7 @@ void write_group(const fs::path& directory) {
     write_file(directory / layout::group_document, bytes_of(group_text()));
 }
 
-// Returns the checksum.
+// Writes an array of one chunk. Returns the checksum of `bytes`.
 std::string write_whole(const fs::path& directory, ElementType type, std::span<const std::byte> bytes) {
     make_directory(directory);
     write_file(directory / layout::array_document,
@@ -39,13 +39,13 @@ void check_sizes(const FaceMesh& mesh, std::span<const Index> original_vertex, s
 void check_solver_ids(const SolverIds& solver, std::size_t vertices, std::size_t cells) {
     if ((!solver.vertex.empty() && solver.vertex.size() != vertices) ||
         (!solver.cell.empty() && solver.cell.size() != cells))
-        throw Error("the solver's ids are not one for each vertex and cell");
+        throw Error("the ids of the solver must be one per vertex and one per cell");
 }
 
 void check_group(const NamedGroup& group, std::size_t limit) {
     for (const Index id : group.ids)
         if (id >= limit)
-            throw Error("group '" + group.name + "' names " + std::to_string(id) + ", but there are only " +
+            throw Error("group '" + group.name + "' names id " + std::to_string(id) + ", but ids must be less than " +
                         std::to_string(limit));
 }
 
@@ -54,7 +54,8 @@ void check_group(const NamedGroup& group, std::size_t limit) {
 void check_finite(std::span<const float> positions) {
     const auto bad = std::find_if(positions.begin(), positions.end(), [](float v) { return !std::isfinite(v); });
     if (bad != positions.end())
-        throw Error("vertex " + std::to_string((bad - positions.begin()) / 3) + " has a coordinate that is not finite");
+        throw Error("vertex " + std::to_string((bad - positions.begin()) / 3) +
+                    " has a coordinate that is not a finite number");
 }
 
 ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices) {

@@ -1,4 +1,4 @@
-// One mesh's directory, written.
+// Writes the directory of one mesh of a dataset.
 #pragma once
 
 #include "store/format/attributes.hpp"
@@ -7,15 +7,17 @@
 
 namespace ciel::store {
 
-// Everything under `directory` but the values; the attributes' checksums are filled in. Throws Error when an array has
-// a wrong size, a group an id out of range, or a coordinate is not finite.
+// Writes the topology, the groups and the positions of a mesh to `directory`. Returns its attributes with checksums;
+// the caller writes them, and the .zarray of the positions. Throws Error when an array has a wrong size, a group has an
+// id out of range, or a coordinate is not finite.
 [[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const FaceMesh& mesh,
                                         std::span<const Index> original_vertex, std::span<const Index> original_cell,
                                         std::span<const NamedGroup> groups, const SolverIds& solver);
 
 void check_finite(std::span<const float> positions);
 
-// The shape of a mesh's coordinate sets, and of an array with this many steps.
+// Return the shape and chunks of a mesh's positions with `sets` coordinate sets, and of an array with `steps` steps of
+// `items` vertices, cells or boundary faces.
 [[nodiscard]] ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices);
 [[nodiscard]] ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components);
 

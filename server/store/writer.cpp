@@ -51,7 +51,7 @@ struct WrittenMesh {
     }
 };
 
-// Between begin_step and end_step.
+// The step that is being written, between begin_step and end_step.
 struct StepUnderWay {
     MarkedStep step;
     std::vector<ArrayInfo> arrays;
@@ -66,7 +66,7 @@ ArrayInfo with_valid_text(const ArrayInfo& info) {
     return valid;
 }
 
-// The files of a mesh that this writer has written or holds the lock of, mapped.
+// A mesh of the dataset that this writer writes or has locked, mapped. Its files cannot change meanwhile.
 class WrittenFaces {
 public:
     WrittenFaces(const fs::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
@@ -90,7 +90,7 @@ private:
     MappedFile positions_, types_, offset_, vertex_, owner_, neighbour_;
 };
 
-// For each extreme of the step's arrays.
+// Calls f(extreme) for each CellExtreme of the step's arrays.
 template <class F>
 void for_extremes(MarkedStep& step, F&& f) {
     for (auto& [name, array] : step.arrays) {
@@ -102,7 +102,7 @@ void for_extremes(MarkedStep& step, F&& f) {
     }
 }
 
-// Coordinates that came by plain Zarr have no checksum yet.
+// Adds the checksums of coordinate sets that were written with plain Zarr and have none.
 void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std::size_t mesh) {
     const auto document = layout::mesh(dataset.directory(), mesh) / "positions" / layout::array_document;
     auto& sums = attributes.coordinate_checksums;
@@ -114,9 +114,9 @@ void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std:
 } // namespace
 
 struct Writer::State {
-    fs::path directory;           // where the files go now
-    std::unique_ptr<Place> place; // none when appending
-    Descriptor lock;              // appending: one process at a time
+    fs::path directory;           // temporary directory of a new dataset, or the dataset when appending
+    std::unique_ptr<Place> place; // null when appending
+    Descriptor lock;              // when appending: lock on the dataset's directory
     std::shared_ptr<Dataset> before;
     DatasetInfo info;
     Marker marker;
@@ -131,16 +131,16 @@ struct Writer::State {
     [[nodiscard]] bool appending() const { return place == nullptr; }
 
     [[nodiscard]] WrittenMesh& mesh(std::size_t index) {
-        if (index >= meshes.size()) throw Error("there is no mesh " + std::to_string(index) + " to add to");
+        if (index >= meshes.size()) throw Error("the dataset has no mesh " + std::to_string(index));
         return meshes[index];
     }
 
-    // A file that a reader may have mapped is replaced, one that nobody can see yet is written.
+    // When appending, replaces the file, because a reader may have mapped it. In a new dataset, writes it directly.
     void put(const fs::path& file, std::span<const std::byte> bytes) const {
         appending() ? replace_file(file, bytes) : write_file(file, bytes);
     }
 
-    // Nothing is flushed again that an append leaves as it was.
+    // When appending, skips a file that has this content already, because replacing it would flush it to the disk.
     void put_text(const fs::path& file, const std::string& text) const {
         if (appending() && fs::exists(file) && read_text(file, layout::marker_bytes) == text) return;
         put(file, bytes_of(text));
@@ -183,7 +183,7 @@ struct Writer::State {
                 known != mesh.arrays.end() && (known->second.association != array.info.association ||
                                                known->second.components != array.info.components))
                 throw Error("array '" + array.info.name +
-                            "' has another association or number of components than before");
+                            "' has another association or number of components than at earlier steps");
     }
 
     void put_values(const ArrayInfo& array, std::span<const float> values) {
@@ -203,7 +203,7 @@ struct Writer::State {
         if (info_changed) put_root();
     }
 
-    // Once a step, for it looks at all faces.
+    // Sets the places of all extremes of a step in one pass, because it reads all faces of the mesh.
     void place_extremes(MarkedStep& step) {
         std::vector<Index> cells;
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
@@ -219,7 +219,7 @@ struct Writer::State {
         ++written.steps;
     }
 
-    // No reader knows of the step: what it takes on a full disk is given back.
+    // Drops the step that is being written and deletes its chunks, which no reader has seen.
     void take_back() noexcept {
         std::error_code ignored;
         if (under_way)
@@ -230,7 +230,8 @@ struct Writer::State {
 
 namespace {
 
-// What cannot be opened is not put in place. The folder that it is in goes away, so that its name would help nobody.
+// Opens the new dataset as a check before it is renamed. An error names files by their final paths, because the
+// temporary directory will be deleted.
 void read_again(const Place& place) {
     try {
         (void)Dataset::open(place.temporary());
@@ -239,7 +240,7 @@ void read_again(const Place& place) {
         const std::string folder = place.temporary().string();
         for (std::size_t at = 0; (at = what.find(folder, at)) != std::string::npos;)
             what.replace(at, folder.size(), place.target().string());
-        throw Error("what was written cannot be read again, so nothing was kept: " + what);
+        throw Error("the written dataset cannot be read back and was removed: " + what);
     }
 }
 
@@ -271,10 +272,10 @@ Writer Writer::append(std::shared_ptr<Dataset> dataset) {
     const fs::path& directory = state->directory = dataset->directory();
     if (const std::string input = input_of_copy(directory); !input.empty())
         refuse(directory, "is a copy that `ciel serve` made of " + input +
-                              " and makes anew when that changes, so appended steps would be lost; make a dataset of "
-                              "your own with `ciel import` and append to that");
+                              " and makes again when the source file changes, so appended steps would be lost; make a "
+                              "dataset with `ciel import` and append to that dataset");
     if (!lock_directory(directory, state->lock))
-        refuse(directory, "is being appended to by another process; wait for it to end");
+        refuse(directory, "is being appended to by another process; wait until the process ends");
     if (auto now = dataset->refreshed()) dataset = std::move(now);
     remove_left_beside(directory);
     const auto attributes = directory / layout::attributes_document, marker = directory / layout::commit_marker;
@@ -347,7 +348,7 @@ std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, std::span<
 void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays) {
     begin_step(time, mesh, coordinates);
     std::set<std::string> seen;
-    for (const ArrayValues& array : arrays) { // before anything is written
+    for (const ArrayValues& array : arrays) { // checks all arrays before the first is written
         const ArrayValues named{with_valid_text(array.info), array.values};
         state_->check_array(named, state_->mesh(mesh));
         if (!seen.insert(named.info.name).second) throw Error("array '" + named.info.name + "' is given twice");
@@ -360,7 +361,7 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
     State& state = *state_;
     state.take_back();
     const WrittenMesh& written = state.mesh(mesh);
-    if (!std::isfinite(time)) throw Error("a time step must have a finite time");
+    if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
     if (!state.marker.steps.empty() && !(time > state.marker.steps.back().time))
         throw Error("time " + std::to_string(time) + " is not later than the last step, " +
                     std::to_string(state.marker.steps.back().time));
@@ -371,7 +372,7 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
 
 void Writer::add_values(const ArrayValues& array) {
     State& state = *state_;
-    if (!state.under_way) throw Error("array '" + array.info.name + "' belongs to no step; begin one");
+    if (!state.under_way) throw Error("array '" + array.info.name + "' belongs to no step; begin a step first");
     try {
         const ArrayInfo info = with_valid_text(array.info);
         const MarkedStep& step = state.under_way->step;
@@ -386,7 +387,7 @@ void Writer::add_values(const ArrayValues& array) {
 
 void Writer::end_step() {
     State& state = *state_;
-    if (!state.under_way) throw Error("there is no step to end; begin one");
+    if (!state.under_way) throw Error("there is no step to end; begin a step first");
     try {
         state.place_extremes(state.under_way->step);
     } catch (...) {
@@ -410,7 +411,7 @@ void Writer::end_step() {
     }
     state.marker.meshes = state.meshes.size();
     state.marker.steps.push_back(state.under_way->step);
-    state.under_way.reset(); // its chunks stay: the marker may be in place although this fails
+    state.under_way.reset(); // keeps the chunks: put_marker may throw after it has replaced the marker
     try {
         state.put_marker();
     } catch (...) {

@@ -1,5 +1,5 @@
-// Writes NAME.ciel: everything goes to a temporary sibling directory that is renamed by finish(); nothing half-written
-// is ever seen. Used by import and by the demo; `append` adds committed steps to an existing dataset.
+// Writer: writes a dataset, NAME.ciel. A new dataset is written to a temporary directory beside its path. finish()
+// renames the directory, so readers never see an incomplete dataset. Writer::append adds steps to an existing dataset.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -20,7 +20,7 @@ struct DatasetHeader {
     std::vector<std::string> notes;
 };
 
-// The numbers that the solver gave to vertices and cells, in stored order, -1 where it gave none; or empty.
+// Ids that the solver gave to vertices and cells, in stored order; -1 where it gave none. Empty if it gave none at all.
 struct SolverIds {
     std::span<const std::int64_t> vertex, cell;
 };
@@ -34,37 +34,38 @@ class Writer {
 public:
     // Throws Error when `directory` exists and `overwrite` is false, or cannot be written.
     Writer(const std::filesystem::path& directory, const DatasetHeader& header, bool overwrite = false);
-    // Opens an existing dataset to append steps to it, under a lock that ends with the Writer. Removes what killed
-    // writers have left aside. Throws Error when another writer has the lock, when the dataset is damaged, or when it
+    // Opens an existing dataset to append steps to it, and locks it until the Writer is destroyed. Removes temporary
+    // files of killed writers. Throws Error when another writer has the lock, when the dataset is damaged, or when it
     // is a copy that `ciel serve` made for itself (imported_copy.hpp).
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
-    // The same of one that is open already: only the steps committed since are read.
+    // Appends to a dataset that is open already. Reads only the steps that were committed since it was opened.
     [[nodiscard]] static Writer append(std::shared_ptr<Dataset> dataset);
-    ~Writer(); // without finish(): removes what was written aside
+    ~Writer(); // without finish(): deletes the temporary directory
     Writer(Writer&&) noexcept;
 
-    // Counts edges, components and bounds for `info`, checksums everything. Returns the mesh's index.
+    // Writes a mesh with its counts, bounds and checksums. Returns the mesh's index. Throws Error as write_mesh does.
     std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
-    // New positions of an existing mesh (offsets from its origin). Returns the coordinates' index.
+    // Adds a coordinate set to a mesh: new positions of all vertices, as offsets from its origin. Returns the index of
+    // the set. Throws Error on another number of positions, or when one is not finite.
     std::size_t add_coordinates(std::size_t mesh, std::span<const float> positions);
-    // The coordinates of the mesh that are the same to the bit, the latest where there are several.
+    // Returns the index of the last coordinate set of the mesh that has the same bits; nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, std::span<const float> positions) const;
-    // In append mode each step is committed (visible to readers) when this returns. Throws Error on a wrong size, or
-    // when `time` is not later than the last step's.
+    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. Throws Error on a
+    // wrong size, or when `time` is not later than the last step's.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
-    // The same array by array, so that only one needs to be in memory: begin, add each, end. What fails on the way
-    // takes back the whole step.
+    // Add a step array by array, so that only one array must be in memory: call begin_step, add_values for each array,
+    // end_step. If add_values or end_step throws, the whole step is dropped.
     void begin_step(double time, std::size_t mesh, std::size_t coordinates);
     void add_values(const ArrayValues& array);
     void end_step();
     void add_note(const std::string& sentence);
 
-    // Of append(): the dataset as it was when it was locked.
+    // Returns the dataset as it was when append() locked it; null for a new dataset.
     [[nodiscard]] const std::shared_ptr<Dataset>& before() const;
 
-    void finish(); // verifies, renames
+    void finish(); // opens a new dataset as a check, then renames it to its path
 
 private:
     struct State;

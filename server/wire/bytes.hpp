@@ -1,4 +1,4 @@
-// Numbers as little-endian bytes.
+// Reads and writes numbers as little-endian bytes.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// What the building of the structure takes for each of its tasks: not more the larger the mesh is.
+// Memory of the tasks that build a Topology: scratch memory must not grow with the size of the mesh.
 #include "allocations/counted_new.hpp"
 #include "ciel/topology.hpp"
 #include "support/meshes.hpp"
@@ -10,7 +10,7 @@
 namespace ciel::test {
 namespace {
 
-// Arrays as long as the mesh has vertices, in blocks whose scratch is far smaller.
+// Number of allocations as long as an array over all vertices. The scratch memory of these blocks is far smaller.
 std::size_t long_arrays(const FaceMeshView& mesh, unsigned threads) {
     const ThreadCount count(threads);
     const LargeAllocations large(std::size_t{4} * mesh.vertex_count());

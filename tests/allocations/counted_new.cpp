@@ -42,7 +42,7 @@ void* operator new(std::size_t bytes) {
     if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
     throw std::bad_alloc();
 }
-// std::stable_partition asks for it; AddressSanitizer's own would not go with the deletes below.
+// Called by std::stable_partition. AddressSanitizer's version would not match the operator delete below.
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
     try {
         return operator new(bytes);
@@ -53,7 +53,7 @@ void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-// Vectors of what the kernel adds up four at a time ask for it.
+// Called by vectors of the kernel's 4-component SIMD type.
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     count(bytes);
     const auto step = static_cast<std::size_t>(alignment);

@@ -1,14 +1,14 @@
-// The program's operator new, which counts and fails when told to. In a file of its own: inlined into its callers, g++
-// takes it for malloc.
+// Replaces operator new by a version that counts and can fail. It has its own source file: when inlined, g++ takes it
+// for malloc.
 #pragma once
 
 #include <cstddef>
 
 namespace ciel::test {
 
-[[nodiscard]] std::size_t allocations(); // so far, by any thread
+[[nodiscard]] std::size_t allocations(); // number of allocations so far, by all threads
 
-// While it lives, allocations of at least so many bytes are counted, of any thread. One at a time.
+// Counts allocations of at least `bytes` bytes by all threads during its lifetime. Only one may exist.
 class LargeAllocations {
 public:
     explicit LargeAllocations(std::size_t bytes);
@@ -17,8 +17,8 @@ public:
     [[nodiscard]] static std::size_t count();
 };
 
-// While it lives, the n-th allocation from here on throws bad_alloc, whoever asks for it; the others do not. One at a
-// time.
+// During its lifetime, the n-th allocation of any thread throws std::bad_alloc and all others succeed. Only one may
+// exist.
 class FailingAllocation {
 public:
     explicit FailingAllocation(std::size_t nth);

@@ -1,5 +1,5 @@
-// What transparent layers are copied to is asked for once, however many there are: growing it layer by layer copies
-// those before each time.
+// The buffers for transparent layers are allocated once, for any number of layers. Growing them layer by layer would
+// copy the earlier layers each time.
 #include "allocations/counted_new.hpp"
 #include "render/context/context.hpp"
 #include "render/surfaces/transparency.hpp"
@@ -10,8 +10,9 @@
 namespace ciel::render {
 namespace {
 
-constexpr std::size_t layers = 384; // of one surface with patches
-constexpr std::size_t most = 8;     // vertices, triangles, their order and room to sort it, and what they are made of
+constexpr std::size_t layers = 384; // layers of one surface with patches
+// Allocations for vertices, triangles, their order, sorting, and the list of sources.
+constexpr std::size_t most = 8;
 
 std::vector<Primitives> meshes_of(const std::vector<Vec3f>& positions, const std::vector<Index>& indices) {
     std::vector<Primitives> meshes(layers);
@@ -36,7 +37,7 @@ protected:
     TransparentUpload() : chosen(make_context(Backend::automatic)) {
         EXPECT_TRUE(make_current(*chosen.context));
         gl = Gl::load(chosen.context->loader());
-        // Mesa is C++ in part: only what asks for memory on this side of the GL is counted.
+        // Mesa allocates with operator new too. Without the upload, only the renderer's allocations are counted.
         gl.BufferData = [](GLenum, GLsizeiptr, const void*, GLenum) {};
     }
     template <typename Load>

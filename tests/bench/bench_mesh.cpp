@@ -1,5 +1,5 @@
-// bench_mesh KIND EDGE [--shuffle] -o NAME.ciel: a generated dataset to measure on, with a smooth field, a noisy one
-// and a shock at two times.
+// bench_mesh KIND EDGE [--shuffle] -o NAME.ciel: writes a generated dataset for benchmarks, with a smooth field, a
+// noisy one and a shock, at two times.
 #include "ciel/parallel.hpp"
 #include "ciel/topology.hpp"
 #include "store/writer.hpp"
@@ -23,7 +23,7 @@ Polyhedra into_unit_cube(Polyhedra mesh, double edge) {
     return mesh;
 }
 
-// Half a tube around the x axis, finer towards its inside: what grids around a launch vehicle look like.
+// Half a tube around the x axis with finer cells inside, similar to grids around launch vehicles.
 Polyhedra curvilinear(const std::array<int, 3>& cubes) {
     Polyhedra mesh = hexahedra({cubes});
     for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
@@ -63,7 +63,7 @@ struct Bump {
     double width, height;
 };
 
-// In the unit cube; the bumps drift with time.
+// Fields over the unit cube. The bumps move with time.
 class Fields {
 public:
     explicit Fields(double time) {
@@ -83,7 +83,7 @@ public:
         }
         return sum;
     }
-    // Nearly all of its change lies in a layer that is a few cells thick.
+    // The field changes mostly within a layer of a few cells.
     [[nodiscard]] static double shock(const Point& p, double time) {
         const double distance = std::hypot(p[0] - 0.3, p[1] - 0.5, p[2] - 0.5);
         return std::tanh((distance - 0.35 - 0.01 * time) / 0.01) + 0.1 * p[0];
@@ -93,7 +93,7 @@ private:
     std::vector<Bump> list_;
 };
 
-// The same for the same vertex, whatever its id.
+// Pseudo-random, but a function of the position only, whatever the vertex's id.
 double noise(const Point& p) {
     const double mixed = std::sin(12.9898 * p[0] * 1e3 + 78.233 * p[1] * 1e3 + 37.719 * p[2] * 1e3) * 43758.5453;
     return mixed - std::floor(mixed);

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""What a hand on the slider sees: frames per second, latency from patch to frame, time to the first picture.
+"""Measures what a user who drags a slider sees: frames per second, latency from patch to frame, time to the first picture.
 
 usage: drag.py CIEL DATASET.ciel ARRAY [--from A --to B] [--seconds S] [--size WxH] [--axis x]
-Starts a server of its own on a free port, opens the dataset, waits for the first picture, then sweeps the iso-value (or, with --axis, a
+Starts a server on a free port, opens the dataset, waits for the first picture, then sweeps the iso-value (or, with --axis, a
 slice) back and forth, one patch per presented frame, and prints one JSON line.
 """
 
@@ -21,7 +21,7 @@ import websockets
 class Client:
     def __init__(self, socket):
         self.socket, self.next_id, self.answers, self.frames = socket, 0, {}, asyncio.Queue()
-        self.pieces = bytearray()  # of one view
+        self.pieces = bytearray()  # received pieces of the current frame of the view
         self.reader = asyncio.create_task(self.read())
 
     async def read(self):
@@ -34,7 +34,7 @@ class Client:
                     self.answers.pop(answer["id"]).set_result(answer)
 
     async def join(self, message):
-        """A whole frame is its first piece's header and all payloads."""
+        """Collects pieces. A complete frame is the header of its first piece and the payloads of all."""
         whole, offset = struct.unpack_from("<II", message, 64)
         self.pieces = self.pieces + message[80:] if offset else bytearray(message)
         if len(self.pieces) == 80 + whole:
@@ -130,7 +130,7 @@ def process_cpu(pid):
 
 
 def peak_memory(pid):
-    """Bytes, the mapped file's pages included."""
+    """Peak resident memory in bytes, including pages of mapped files."""
     with open(f"/proc/{pid}/status", encoding="ascii") as status:
         return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
 

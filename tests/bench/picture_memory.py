@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""What the server says that a picture needs, and what it takes: tests/bench/picture_memory.py CIEL DATASET.ciel ARRAY
+"""Compares the memory that the server estimates for a picture with what it uses: tests/bench/picture_memory.py CIEL DATASET.ciel ARRAY
 
-Of each scene and size: MB that a refusal names (address space is limited for it), and by how much the peak of the resident memory
-rises when the picture is drawn; a small picture was drawn before both. Needs a software GL, for others are not asked.
+For each scene and size, prints two numbers in MB. The first is the estimate in a refusal, which a limit on the address space causes.
+The second is the rise of the peak resident memory while the picture is drawn. A small picture is drawn before both.
+Needs a software OpenGL, because the server makes no estimates for others.
 """
 
 import os
@@ -19,12 +20,12 @@ SIZES = ((1280, 720), (3840, 2160), (7680, 4320))
 
 
 def status(pid: int, name: str) -> int:
-    """Bytes."""
+    """A value of /proc/PID/status in bytes."""
     return int(re.search(rf"{name}:\s+(\d+)", pathlib.Path(f"/proc/{pid}/status").read_text()).group(1)) * 1024
 
 
 def picture(server, dataset: str, layers: dict, width: int, height: int) -> str:
-    """Empty, or why it was refused."""
+    """Draws a picture. Returns the reason of a refusal, or an empty string."""
     answer = requests.post(server.base + "/rpc", timeout=600, json={
         "jsonrpc": "2.0", "id": 1, "method": "picture.render",
         "params": {"scene": {"dataset": dataset, "layers": layers}, "width": width, "height": height}}).json()
@@ -35,13 +36,14 @@ def row(server, dataset: str, layers: dict, width: int, height: int) -> tuple[fl
     pid = server.process.pid
     picture(server, dataset, layers, 320, 180)
     named = None
-    for room in (16 << i for i in range(7)):  # MB; too little for a volume to be cut is another refusal
+    # In MB. With too little room, cutting the volume fails first, with another message.
+    for room in (16 << i for i in range(7)):
         resource.prlimit(pid, resource.RLIMIT_AS, (status(pid, "VmSize") + (room << 20), resource.RLIM_INFINITY))
         refused = picture(server, dataset, layers, width, height)
         resource.prlimit(pid, resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
         if named := re.search(r"needs about ([\d,.]+) MB", refused):
             break
-    pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # the peak begins anew
+    pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")  # resets the peak
     before = status(pid, "VmRSS")
     assert picture(server, dataset, layers, width, height) == ""
     return (float(named.group(1).replace(",", "")) if named else 0.0), (status(pid, "VmHWM") - before) / 1e6

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What a triangle of the stream of polygons costs on the line.
+"""Measures the bytes per triangle of streamed polygons.
 
 usage: polygons.py CIEL DATASET.ciel SCALAR COLOR [--size WxH]
-Starts a server of its own and shows an iso-surface of SCALAR colored by COLOR, a slice, both with the boundary, and what changes when one of
-them does: one JSON line for each, with the bytes of whole frames.
+Starts a server. Shows an iso-surface of SCALAR colored by COLOR, a slice, both with the boundary, and then changes of one of them.
+Prints one JSON line for each, with the bytes of complete frames.
 """
 
 import argparse
@@ -19,14 +19,14 @@ from ciel_client import Client, Stream  # noqa: E402
 
 
 async def shown(stream, session, patch):
-    """The newest frame after the patch, as bytes and its header."""
+    """Returns the payload bytes and the header of the first complete frame that shows the patch."""
     revision = (await stream.call("scene.patch", session=session, patch=patch))["revision"]
     size = 0
     async for frame in stream.frames():
         size = (0 if frame.is_first else size) + len(frame.payload)
         if frame.revision >= revision and frame.is_last:
             await stream.acknowledge(frame)
-            await asyncio.sleep(0.3)  # the acknowledgement is there before the next change
+            await asyncio.sleep(0.3)  # gives the acknowledgement time to arrive before the next change
             return size, frame
 
 

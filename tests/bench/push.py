@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Seconds that a script needs to push a step: tests/bench/push.py CIEL DATASET.ciel ARRAY[=COMPONENTS] [COUNT]
+"""Measures the seconds that a script needs to upload a step: tests/bench/push.py CIEL DATASET.ciel ARRAY[=COMPONENTS] [COUNT]
 
-By POST (base64) and by WebSocket (binary): begin, pieces, commit. The dataset is copied first. COMPONENTS: of an array that is new.
+Uploads by POST (base64) and by WebSocket (binary): begin, pieces, commit. Uses a copy of the dataset. COMPONENTS: for a new array.
 """
 
 import asyncio
@@ -54,7 +54,7 @@ async def by_socket(url: str, step_time: float, array: str, values: np.ndarray) 
         marks.append(time.perf_counter())
         for number, offset, data in pieces(step, upload["piece_bytes"]):
             await stream._socket.send(message(upload["upload"], number, offset, data))
-        await stream.call("dataset.list")  # answered after the pieces: messages are handled in order
+        await stream.call("dataset.list")  # messages are handled in order, so this answer follows the pieces
         marks.append(time.perf_counter())
         await stream.call("append.commit", upload=upload["upload"])
         marks.append(time.perf_counter())

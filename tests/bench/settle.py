@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""What changes when the hand lets go: an interactive picture against the still that follows it.
+"""Compares the last interactive picture with the still that follows it.
 
 usage: settle.py CIEL DATASET.ciel SCENE.json [--size WxH] [--turns N]
-Starts a server of its own on a free port, shows the scene (which has a camera), turns the camera N times by three degrees and waits for the
-still. Prints one JSON line: by how much the two differ, of 255, in pixels and in the means of blocks of 8 x 8, where the still is
-sharper only; the milliseconds that each took to draw; and how wide the interactive one was.
+Starts a server on a free port, shows the scene (which has a camera), turns the camera N times by three degrees and waits for the still.
+Prints one JSON line: the differences in 255ths, for pixels and for means of blocks of 8 x 8, which do not depend on sharpness;
+the milliseconds that each picture took to draw; and the width of the interactive one.
 """
 
 import argparse
@@ -34,7 +34,7 @@ def blocks(picture):
 
 
 def turned(camera, degrees):
-    """About the z axis through its target."""
+    """Turns the camera around the z axis through its target."""
     turn = numpy.exp(1j * numpy.radians(degrees))
     x, y, z = numpy.subtract(camera["position"], camera["target"])
     around = (x + 1j * y) * turn

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""How long server.info waits behind polygons: tests/bench/waiting.py CIEL DATASET.ciel ARRAY [MBIT_PER_SECOND]
+"""Measures how long server.info waits behind streamed polygons: tests/bench/waiting.py CIEL DATASET.ciel ARRAY [MBIT_PER_SECOND]
 
-A client takes from its socket what such a line would give (10 Mbit/s), and opens a view of iso-surfaces in polygons. It asks when the
-first polygons have come, and again after each answer. Prints milliseconds: the first, the median and the longest.
+The client reads from its socket at the given rate (10 Mbit/s) and opens a view of iso-surfaces as polygons. It calls server.info when
+the first polygons have arrived, and again after each answer. Prints milliseconds: first, median and longest.
 """
 
 import json

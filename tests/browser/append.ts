@@ -1,4 +1,4 @@
-// What a running simulation does: one more time step, by `ciel append`.
+// Appends one more time step to a served dataset by `ciel append`, as a running simulation does.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
@@ -18,7 +18,7 @@ async function describeDataset(address: string, dataset: string): Promise<Descri
   return ((await response.json()) as { result: Description }).result;
 }
 
-/** NumPy's format, version 1.0. */
+/** Encodes an array as a file in NumPy's .npy format, version 1.0. */
 function npy(rows: number, columns: number, value: (row: number) => number): Buffer {
   const shape = columns === 1 ? `(${rows},)` : `(${rows}, ${columns})`;
   const text = `{'descr': '<f4', 'fortran_order': False, 'shape': ${shape}, }`;
@@ -29,7 +29,7 @@ function npy(rows: number, columns: number, value: (row: number) => number): Buf
   return Buffer.concat([start, Buffer.from(header, "latin1"), Buffer.from(values.buffer)]);
 }
 
-/** Every point array, rising from its lowest to its highest value along the file's order of points. */
+/** Appends a time step with all point arrays. Each rises from its lowest to its highest value, by index of point. */
 export async function appendStep(address: string, path: string, folder: string): Promise<void> {
   const { times, input, arrays } = await describeDataset(address, nameOf(path));
   const options = arrays.flatMap(({ name, association, components, range }) => {

@@ -1,4 +1,4 @@
-// In which order layers and their legends stand, and that nothing over the canvas lies on anything else there.
+// Tests the order of layers and legends, and that overlays of the canvas do not overlap.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -23,7 +23,7 @@ describe("the arrangement of layers and legends", { skip }, () => {
     return { dataset: nameOf(data[0] ?? ""), array };
   }
 
-  /** Three slices of one array, each with colors of its own, and all that can be written. */
+  /** Opens a page with three slices of one array, each with its own color map, and all annotations. */
   async function crowded(width: number, height: number): Promise<Client> {
     const first = await stage.fresh();
     const { dataset, array } = await scene(first);
@@ -101,7 +101,7 @@ describe("the arrangement of layers and legends", { skip }, () => {
       assert.ok(all.length >= (width < 400 ? 3 : 8), `${all.length} are seen`);
       const meet = (a: Box, b: Box): boolean =>
         Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
-        Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4; // lines of text are higher than their letters
+        Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4; // a text box is 4 pixels higher than its letters
       for (const [i, a] of all.entries())
         for (const b of all.slice(0, i)) assert.ok(!meet(a, b), `${a.what} lies on ${b.what}`);
       assert.deepEqual(client.problems, []);

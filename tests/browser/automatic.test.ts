@@ -1,5 +1,5 @@
-// The stream that the page chooses by itself, by the line, the hand and the scene. A card is pretended, which draws nothing
-// and at once: the line and the scene decide, not what else this machine does.
+// Tests the automatic choice of the stream for different lines, gestures and scenes. A fake graphics card draws nothing
+// and takes no time, so the speed of this machine has no influence.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -12,7 +12,10 @@ import type { Client } from "./page.ts";
 import { datasets, Server } from "./server.ts";
 import { data, isoFragment, skip, Stage } from "./stage.ts";
 
-/** Runs in the page: milliseconds that each drawing keeps the next animation frame waiting. */
+/**
+ * Runs in the page: fakes a graphics card. `slowness`: milliseconds by which each drawing delays the next animation
+ * frame.
+ */
 function pretendCard(slowness: number): void {
   const UNMASKED_RENDERER = 0x9246;
   const context = WebGL2RenderingContext.prototype;
@@ -32,7 +35,7 @@ const CUBE = fragmentOf({
 });
 
 describe("the automatic stream", { skip }, () => {
-  const stage = new Stage({}, { large: true }); // whose polygons are dear on a line that frames can measure
+  const stage = new Stage({}, { large: true }); // the large dataset's polygons take long on a slow line
   const folder = mkdtempSync(join(tmpdir(), "ciel-automatic-"));
   let server: Server;
   before(async () => {
@@ -70,7 +73,7 @@ describe("the automatic stream", { skip }, () => {
   const says = (client: Client, text: RegExp): Promise<void> =>
     client.page.locator("[data-readout=stream-why]", { hasText: text }).first().waitFor();
 
-  /** The hand holds the iso-value, or the view, and moves it until the page says this and shows frames of that stream. */
+  /** Drags the iso-value or the view until the page gives a reason that matches `text` and shows frames of `stream`. */
   async function moveUntil(client: Client, what: "value" | "view", text: RegExp, stream: string): Promise<void> {
     const place = await (what === "view" ? client.canvas : client.isoValue).boundingBox();
     assert.ok(place !== null);
@@ -89,11 +92,11 @@ describe("the automatic stream", { skip }, () => {
 
   test("dear polygons over a slow line: pictures while a value moves, polygons at rest and for the camera", async () => {
     await over({ rate: 1.5 }, await isoFragment(server), card(), async (client) => {
-      await says(client, /^Polygons: the polygons \(.* MB\) come in .* s at .*B\/s/);
+      await says(client, /^Polygons: the polygons \(.* MB\) arrive in .* s at .*B\/s/);
       await client.settled("geometry");
       await moveUntil(client, "view", /^Polygons: the view turns without a picture from the server\.$/, "geometry");
       await client.settled("geometry");
-      await moveUntil(client, "value", /^Pictures: a change is .* of polygons \(.* MB at .*B\/s\)/, "image");
+      await moveUntil(client, "value", /^Pictures: a change takes .* with polygons \(.* MB at .*B\/s\)/, "image");
       await says(client, /^Polygons: the polygons/);
       await client.settled("geometry");
     });
@@ -101,7 +104,7 @@ describe("the automatic stream", { skip }, () => {
 
   test("dearer than a pause allows: pictures only", async () => {
     await over({ rate: 0.5 }, await isoFragment(server), card(), async (client) => {
-      await says(client, /^Pictures: the polygons \(.* MB\) come in .* s at .*B\/s\.$/);
+      await says(client, /^Pictures: the polygons \(.* MB\) arrive in .* s at .*B\/s\.$/);
       await client.settled();
       await moveUntil(client, "view", /^Pictures: the polygons/, "image");
       await client.settled();
@@ -111,7 +114,7 @@ describe("the automatic stream", { skip }, () => {
   test("few polygons over a slow line: polygons for the value and for the camera", async () => {
     await over({ rate: 0.5 }, CUBE, card(), async (client) => {
       await client.settled("geometry");
-      await moveUntil(client, "value", /^Polygons: (a change is|the polygons are) .*B/, "geometry");
+      await moveUntil(client, "value", /^Polygons: (a change takes|the polygons are) .*B/, "geometry");
       await client.settled("geometry");
       await moveUntil(client, "view", /^Polygons: the /, "geometry");
       await client.settled("geometry");

@@ -1,5 +1,5 @@
-// A bar of cells in a row, as an OpenFOAM case: "inlet", "outlet", and one patch for each of the other sides of each cell,
-// "bar_0-bottom" and so on. p rises from 0 at the inlet by 1 a cell.
+// Dataset of a row of cells, written as an OpenFOAM case. Its patches are "inlet", "outlet", and one for each other
+// side of each cell, such as "bar_0-bottom". p is 0 at the inlet and rises by 1 per cell.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
@@ -14,7 +14,7 @@ interface Face {
   patch: string;
 }
 
-/** Of the section at x = i: (y, z) from 0 to 1, counter-clockwise about x. */
+/** Index of a point in the section at x = i. of: 0 to 3, counter-clockwise about x at (y, z) from (0, 0) to (0, 1). */
 const corner = (i: number, of: number): number => 4 * i + of;
 
 function sideOf(cell: number, side: (typeof SIDES)[number]): number[] {
@@ -41,7 +41,7 @@ function header(kind: string, object: string): string {
 
 const listOf = (items: readonly string[]): string => `${items.length}\n(\n${items.join("\n")}\n)\n`;
 
-/** The path of the dataset, which has 2 + 4 * cells patches. */
+/** Imports a bar and returns the path of the dataset. It has 2 + 4 * cells patches. */
 export function barIn(folder: string, cells = 8): string {
   const [source, output] = [join(folder, "bar"), join(folder, "bar.ciel")];
   const mesh = join(source, "constant/polyMesh");

@@ -1,5 +1,5 @@
-// Values of cells, as they are: flat in the picture and in the page's own polygons, chosen in the menu; and a case of one layer
-// of cells is first seen from before it.
+// Tests that cell values are drawn flat in both streams and offered in menus, and that a mesh with one layer of cells
+// is first seen from its front.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -50,7 +50,7 @@ describe("values of cells", { skip }, () => {
     await client.settled(stream);
     return client;
   };
-  /** The greys along the middle of the bar, near both ends of each cell. */
+  /** Gray values along the middle of the bar, near both ends of each cell. */
   const greys = async (client: Client): Promise<number[]> => {
     const picture = await client.picture();
     const scale = picture.height / 2 / (11.5 * Math.tan((15 * Math.PI) / 180));

@@ -1,4 +1,5 @@
-// Another dataset is chosen: until its first picture nothing of the dataset before can be taken for something of it.
+// Tests that after the choice of another dataset, the page shows nothing of the previous dataset as if it were of the
+// new one.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -23,7 +24,7 @@ describe("choosing another dataset", { skip }, () => {
     rmSync(folder, { recursive: true });
   });
 
-  /** A page that shows the large one of the two. */
+  /** Opens a page that shows the larger of the two datasets. */
   async function onFirst(options: PageOptions = {}): Promise<Client> {
     const client = await stage.open(server.address, options);
     await client.settled();
@@ -93,9 +94,9 @@ describe("choosing another dataset", { skip }, () => {
 
   test("a dataset that cannot be opened leaves what was there", async () => {
     const client = await onFirst();
-    // Times and frames per second go on being measured.
+    // Ignores times and frames per second, which change all the time.
     const kept = async (): Promise<string> => (await visibleNumbers(client)).replace(/[\d.]+ (ms|fps)/g, "");
-    // The legends take their height when the layout has settled.
+    // Waits until the layout of the legends no longer changes.
     let before = await kept();
     for (let last = ""; last !== before; before = await kept()) {
       last = before;

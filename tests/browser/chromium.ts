@@ -1,4 +1,4 @@
-// Debian's Chromium by playwright-core, which lives with the web client's build tools.
+// Starts Debian's Chromium by playwright-core, which is installed in webclient/node_modules.
 import { createRequire } from "node:module";
 import type * as Playwright from "playwright-core";
 
@@ -26,7 +26,10 @@ export function launch({ args = [], ...more }: Playwright.LaunchOptions = {}): P
   });
 }
 
-/** The browser of with_chromium.ts, which closes no more than the contexts made here; else one of our own. */
+/**
+ * Connects to the browser of with_chromium.ts if there is one, otherwise launches a new one. Closing the connection
+ * leaves the shared browser running.
+ */
 export function browser(): Promise<Playwright.Browser> {
   const shared = process.env.CIEL_CHROMIUM_ADDRESS ?? "";
   return shared === "" ? launch() : playwright.chromium.connectOverCDP(shared);

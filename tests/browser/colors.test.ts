@@ -1,4 +1,4 @@
-// The color scale in the hand: what each control does is seen on the surface and in the legend, in both streams.
+// Tests that each control of a color scale changes the surface and the legend, in both streams.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -24,7 +24,7 @@ describe("colors", { skip }, () => {
 
   const check = (name: string): ReturnType<Client["page"]["getByLabel"]> =>
     client.page.getByLabel(name, { exact: true });
-  /** The picture after the hand has done something, which must be one step of undo. */
+  /** Performs an action, checks that it is one undo step, and returns the picture after it. */
   const after = async (act: () => Promise<unknown>): Promise<Awaited<ReturnType<Client["picture"]>>> => {
     client.patches.length = 0;
     await act();

@@ -1,4 +1,4 @@
-// The page is not alone: a server that asks for a token, other clients, steps that arrive, links from elsewhere.
+// Tests the page with others: a server that asks for a token, other clients, appended time steps, links from elsewhere.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
@@ -25,13 +25,13 @@ describe("company", { skip }, () => {
     const field = client.page.getByRole("textbox", { name: "Token" });
     await field.fill("wrong-token");
     await client.page.keyboard.press("Enter");
-    await client.page.getByText("This is not the server's token.").waitFor();
+    await client.page.getByText("The token is wrong.").waitFor();
     await field.fill(`${guarded.address}?token=${token}`);
     await client.button("Enter").click();
     await client.settled();
     assert.ok(!client.page.url().includes("token"), client.page.url());
     await client.page.reload();
-    await client.settled(); // a cookie remembers it
+    await client.settled(); // the cookie replaces the token
     await client.close();
     const invited = await stage.open(`${guarded.address}?token=${token}`);
     await invited.settled();
@@ -77,7 +77,7 @@ describe("company", { skip }, () => {
     await one.button("Remove this slice").last().click();
     await card.waitFor({ state: "detached" });
     await two.page.keyboard.press("Enter");
-    await two.toast("Slice at x = 8 is gone: another window or a script has removed it").waitFor();
+    await two.toast("Slice at x = 8 no longer exists: another window or a script has removed the layer").waitFor();
     await two.settled();
     assert.equal(await two.page.locator(".toast").count(), 1);
     assert.deepEqual(two.patches, []);
@@ -87,7 +87,7 @@ describe("company", { skip }, () => {
   test("a step that a simulation appends arrives while the page is open", async () => {
     const folder = mkdtempSync(join(tmpdir(), "ciel-browser-"));
     const growing = join(folder, "growing.ciel");
-    execFileSync("cp", ["-al", data[0] ?? "", growing]); // files of a dataset are replaced, never rewritten
+    execFileSync("cp", ["-al", data[0] ?? "", growing]); // hard links: appending replaces files
     const live = await Server.started([growing]);
     const client = await stage.open(live.address);
     await client.settled();
@@ -126,7 +126,7 @@ describe("company", { skip }, () => {
     await client.settled();
     assert.equal(await surface(), dark);
     assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);
-    await client.button("Undo").click(); // what the system did is no step of its own
+    await client.button("Undo").click(); // the change of the color scheme is not an undo step
     await client.settled();
     assert.equal(await client.value(), value);
     await client.close();
@@ -161,7 +161,7 @@ describe("company", { skip }, () => {
     const link = new URL(client.page.url()).hash;
     await client.button("Undo").click();
     await client.settled();
-    await client.addressed(); // else the address is that of the link still
+    await client.addressed(); // the address must first follow the undo
     await client.page.evaluate((hash) => void (location.hash = hash), link);
     await client.reached(wanted);
     await client.settled();

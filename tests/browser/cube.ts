@@ -1,4 +1,4 @@
-// A dataset of one cell: x rises from 0 to 1 with the position, c is the same everywhere.
+// Dataset of one cell. The array x rises from 0 to 1 along the x axis; the array c is constant.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
@@ -24,7 +24,7 @@ LOOKUP_TABLE default
 3 3 3 3 3 3 3 3
 `;
 
-/** The dataset's path. */
+/** Imports the cube and returns the path of the dataset. */
 export function cubeIn(folder: string): string {
   const [input, output] = [join(folder, "cube.vtk"), join(folder, "cube.ciel")];
   writeFileSync(input, VTK);

@@ -1,4 +1,4 @@
-// What a person finds ready: looks of new layers, legends, ranges, exports, sizes of pictures, values to take away.
+// Tests the defaults: looks of new layers, legends, ranges, exports, picture sizes, copied values.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -15,7 +15,7 @@ interface Layer {
   color?: { array?: string; solid?: string; range?: [number, number] };
 }
 
-/** The eye is at the positive x end. */
+/** Camera at the positive x end of the dataset. */
 const camera = { position: [40, -20, 12], target: [5, 0, 2], up: [0, 0, 1] };
 const slice = { type: "slice", axis: "z", value: 2, color: { array: "vorticity" } };
 const iso = { type: "iso", array: "tracer", values: [0.4], color: { array: "U:magnitude" } };
@@ -51,7 +51,7 @@ describe("defaults", { skip }, () => {
     await client.settled();
   };
 
-  /** The card of the slice, with its looks unfolded. */
+  /** Unfolds the looks of the slice's card and returns the card. */
   const sliceCard = async (): Promise<Locator> => {
     const card = client.page.getByRole("article", { name: /^Slice at/ });
     const looks = card.getByRole("button", { name: /^Looks/ });

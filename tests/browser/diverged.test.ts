@@ -1,5 +1,5 @@
-// A cell that blew up: it alone is missing from the picture and from the page's own polygons, the page says how many there are, and
-// the legend, the probe and the table of arrays tell the extremes of the cells.
+// Tests a dataset with a non-finite value in one cell. Only this cell is missing in both streams, and the page tells
+// the number of such cells. Legend, probe and array table show the extremes of the cells.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

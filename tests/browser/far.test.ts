@@ -1,4 +1,4 @@
-// A browser far from the server.
+// Tests the page over a line with a long round trip to the server.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { Line, type LineOptions } from "./line.ts";
@@ -6,7 +6,7 @@ import type { Client } from "./page.ts";
 import { isoFragment, skip, Stage } from "./stage.ts";
 
 describe("far from the server", { skip }, () => {
-  const stage = new Stage({}, { large: true }); // a server that takes longer than a hand
+  const stage = new Stage({}, { large: true }); // the server takes longer for the large datasets than a drag
 
   async function over(options: LineOptions, use: (client: Client) => Promise<void>): Promise<void> {
     const line = await Line.to(stage.server.port, options);
@@ -27,7 +27,7 @@ describe("far from the server", { skip }, () => {
       await client.settled();
       let [unanswered, most] = [0, 0];
       client.onPatch({ sent: () => (most = Math.max(most, ++unanswered)), answered: () => (unanswered -= 1) });
-      await client.dragIso(0.6); // one answer tells how far the server is
+      await client.dragIso(0.6); // the page measures the round trip by its first answer
       await client.settled();
       const drag = client.dragIso(0.4, 60);
       await client.page.locator(".ahead text", { hasText: /= / }).waitFor();

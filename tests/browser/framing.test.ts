@@ -1,4 +1,4 @@
-// Home, the pivot of a turn, a double click beside everything, and keys after a choice in a list.
+// Tests the R key, the pivot of an orbit, a double click beside all geometry, and keys after a choice in a list.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -41,7 +41,7 @@ describe("framing", { skip }, () => {
     const answer = await fetch(new URL("rpc", server.address), { method: "POST", headers, body });
     return ((await answer.json()) as { result: { scene: { camera: Camera } } }).result.scene.camera;
   };
-  /** The part of the picture that is brighter than the background. */
+  /** Share of the picture that is brighter than the background. */
   const lit = async (client: Client): Promise<number> => {
     const picture = await client.picture();
     let count = 0;
@@ -75,7 +75,7 @@ describe("framing", { skip }, () => {
   });
 
   test("a turn beside a body that is not the target keeps it in the window, about what is under the cursor", async () => {
-    // The eye is near the end of the bar at x = 40, its target far behind it.
+    // The camera is near the end of the bar at x = 40. Its target is far behind the bar.
     const camera = { position: [39.5, -6, 0.5], target: [39.5, 60, 0.5], up: [0, 0, 1] };
     const client = await open({ camera, layers: { all: { type: "surface", groups: ["bar_39-front"] } } });
     const before = await lit(client);
@@ -84,7 +84,7 @@ describe("framing", { skip }, () => {
     await client.page.mouse.move(...middle);
     await client.page.mouse.down();
     await client.page.waitForResponse(() => true, { timeout: 300 }).catch(() => undefined);
-    await client.page.waitForTimeout(500); // the server says what is there
+    await client.page.waitForTimeout(500); // time for the server to find the pivot
     await client.page.mouse.move(middle[0] + 120, middle[1] + 40, { steps: 12 });
     await client.page.mouse.up();
     await client.settled();
@@ -118,7 +118,7 @@ describe("framing", { skip }, () => {
     const client = await open({ layers: { all: { type: "surface" } } });
     const before = await cameraOf(client);
     await client.canvas.dblclick({ position: { x: 20, y: 300 } });
-    await client.toast(/Nothing is drawn there: a double click on a surface centres it/).waitFor();
+    await client.toast(/Nothing is drawn at the cursor. A double click on a surface centres the surface/).waitFor();
     assert.deepEqual(await cameraOf(client), before);
     await client.close();
   });
@@ -137,7 +137,7 @@ describe("framing", { skip }, () => {
     await press(client, "Shift+Y");
     assert.ok((await cameraOf(client)).position[1] < -1, "looks from -y");
     await list.focus();
-    await client.page.keyboard.press("ArrowDown"); // chosen by keys: the list keeps the focus
+    await client.page.keyboard.press("ArrowDown"); // after a choice by keys the list keeps the focus
     assert.ok(await list.evaluate((element) => element === document.activeElement));
     assert.deepEqual(client.problems, []);
     await client.close();

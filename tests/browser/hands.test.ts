@@ -1,4 +1,4 @@
-// Every way of taking hold of the scene: fingers, keys alone, typing, and what the panels offer.
+// Tests all ways to change the scene: touch, keyboard, typing, and the controls of the panels.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import type { CDPSession } from "./chromium.ts";
@@ -31,7 +31,7 @@ describe("hands", { skip }, () => {
     await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
     for (let i = 1; i <= steps; i += 1) {
       await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / steps) });
-      await client.page.waitForTimeout(30); // a frame, so that the moves are told apart
+      await client.page.waitForTimeout(30); // one animation frame, so that moves are not merged
     }
     await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   }
@@ -121,7 +121,7 @@ describe("hands", { skip }, () => {
 
   test("several iso-values: one more, moved on its own, taken away", async () => {
     const opening = await client.value();
-    await client.dragIso(0.85); // a high one, so that the next is around it and seen
+    await client.dragIso(0.85); // a high value, so that the next iso-surface encloses this one and is visible
     await client.settled();
     const before = await client.picture();
     const value = await client.value();
@@ -170,7 +170,7 @@ describe("hands", { skip }, () => {
     await boxes.nth(free).uncheck();
     await client.settled();
     assert.ok(difference(start, await client.picture()) < 0.005);
-    await boxes.nth(0).check(); // the whole boundary
+    await boxes.nth(0).check(); // box 0 stands for the whole boundary
     await client.settled();
     assert.deepEqual(
       await on(),
@@ -266,7 +266,7 @@ describe("hands", { skip }, () => {
   });
 
   test("the tab key reaches every control, and each shows that it has the focus", async () => {
-    await client.page.waitForFunction(() => document.querySelector(".toast") === null); // what it offers goes with it
+    await client.page.waitForFunction(() => document.querySelector(".toast") === null); // its buttons would vanish
     await client.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     const reachable = await client.page.evaluate(() => {
       const controls = [...document.querySelectorAll("button, select, input, [tabindex='0']")];
@@ -301,7 +301,7 @@ describe("hands", { skip }, () => {
     const keys = client.page.keyboard;
     await client.button("Add a slice across y").focus();
     await keys.press("Space");
-    await keys.press("PageUp"); // its slider has the focus at once
+    await keys.press("PageUp"); // the new slice's slider has the focus
     await client.settled();
     const sliced = await client.picture();
     assert.ok(difference(before, sliced) > 0.01);
@@ -313,7 +313,7 @@ describe("hands", { skip }, () => {
     for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await keys.press(key);
     await client.settled();
     assert.ok(difference(sliced, await client.picture()) > 0.02);
-    // The zoom, the turn, the hidden surface, the moved slice, the slice.
+    // Undoes the zoom, the rotation, the hidden surface, the moved slice, and the added slice.
     for (let i = 0; i < 5; i += 1) await keys.press("Control+z");
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005);
@@ -370,7 +370,7 @@ describe("hands", { skip }, () => {
       };`;
     const other = await stage.fresh({ before: `${card} localStorage.setItem("ciel.stream", "image")` });
     const image = await other.picture();
-    await other.page.getByLabel("Stream").selectOption("geometry"); // polygons measure the line
+    await other.page.getByLabel("Stream").selectOption("geometry"); // the transfer of polygons measures the line rate
     await other.settled("geometry");
     await other.page.getByLabel("Stream").selectOption("auto");
     await other.settled("geometry");

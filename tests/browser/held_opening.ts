@@ -1,7 +1,7 @@
-// A page in which the description of a dataset, then the first picture of it, wait in their socket: `held` says which of
-// the two is there, `pass` lets it through.
+// Script for a page that holds back the description of a chosen dataset, then its first picture. `held` names the
+// message that waits; `pass` delivers it.
 
-/** Runs in the page. */
+/** Runs in the page: replaces WebSocket by a class that holds messages back. */
 function hold(): void {
   const Plain = WebSocket;
   const page = globalThis as unknown as { holding: boolean; held: string | null; pass: () => void };

@@ -1,6 +1,6 @@
-// A page whose stills wait in their socket while `holding` is true, as those of a scene that takes long to draw.
+// Script for a page that holds back stills while `holding` is true. To the page, the scene seems to take long to draw.
 
-/** Runs in the page. */
+/** Runs in the page: replaces WebSocket by a class that holds messages back. */
 function hold(): void {
   const Plain = WebSocket;
   const STILL = 1;

@@ -1,6 +1,7 @@
-// A page whose view.open is answered after the view's whole first frame, as protocol/frame.md allows.
+// Script for a page that receives the answer to view.open only after the view's first frame, as protocol/frame.md
+// allows.
 
-/** Runs in the page. */
+/** Runs in the page: replaces WebSocket by a class that delays the answer. */
 function hold(): void {
   const Plain = WebSocket;
   const LAST_OF_FRAME = 2;

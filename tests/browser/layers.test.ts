@@ -1,4 +1,4 @@
-// The layers' controls: each changes what both streams show.
+// Tests that the controls of the layers change the picture in both streams.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import type { Locator } from "./chromium.ts";
@@ -22,7 +22,7 @@ describe("layers", { skip }, () => {
     await client.page.getByLabel("Stream", { exact: true }).selectOption(name);
     await client.settled(name);
   };
-  /** Both streams show the scene alike but for how smooth their edges are. */
+  /** Checks that both streams show the same scene, except for the smoothness of edges. */
   const alike = async (name: string): Promise<void> => {
     const image = await client.picture();
     await client.keep(`${name}-image`);
@@ -139,7 +139,7 @@ describe("layers", { skip }, () => {
     const geometry = await client.picture();
     await client.keep("points-geometry");
     await stream("image");
-    // Thousands of small discs differ along their rims, not in how much they cover.
+    // Rims of thousands of small discs differ between the streams, so only the covered area is compared.
     const covered = [image, geometry].map((picture) => share(picture, (color) => Math.min(...color) > 185));
     assert.ok(Math.abs((covered[0] ?? 0) - (covered[1] ?? 1)) < 0.03, `points cover ${covered.join(" and ")}`);
     await client.button("Remove these points").click();

@@ -1,23 +1,25 @@
-// A line between browser and server: it takes time, and lets through so many bytes a second each way.
+// Simulates a network line between browser and server with limited bandwidth and a delay.
 import { createServer, connect, type Server, type Socket } from "node:net";
 
 export interface LineOptions {
-  /** Of a byte there and its answer back, milliseconds. */
+  /** Delay of a byte and its answer together, in milliseconds. */
   roundTrip?: number;
-  /** Megabits a second; 0: as many as there are. */
+  /** Bandwidth in megabits per second, for each direction; 0: unlimited. */
   rate?: number;
-  /** Seconds of bytes that wait in the line before it takes no more: a proxy that buffers has many. The system's own
-   * buffers come on top. */
+  /**
+   * Seconds of data that the line buffers before it stops reading, like the buffer of a proxy. The operating system's
+   * buffers come on top.
+   */
   buffer?: number;
 }
 
 const LEAST_BUFFER = 32 << 10;
-/** Bytes travel in packets of about so many milliseconds, which is as fine as timers are. */
+/** Size of a packet in milliseconds of the line's bandwidth. Timers have about this resolution. */
 const PACKET_MS = 2;
 const LEAST_PACKET = 1500;
 const BYTES_PER_MEGABIT = 1e6 / 8;
 
-/** What is done in its order, each not before its time. Timers of their own may overtake one another. */
+/** Runs actions in the order of add(), none before its time. Separate timers could run in another order. */
 class Schedule {
   private readonly due: { at: number; act: () => void }[] = [];
 
@@ -43,7 +45,7 @@ class Schedule {
   }
 }
 
-/** One direction of one connection. */
+/** Forwards the bytes of one TCP connection in one direction, with bandwidth, delay and buffer of the line. */
 class Direction {
   private readonly from: Socket;
   private readonly to: Socket;
@@ -52,7 +54,7 @@ class Direction {
   private readonly arriving = new Schedule();
   private freeAt = 0;
   private waiting = 0;
-  /** Bytes that have left it. */
+  /** Bytes that have left the line in this direction. */
   carried = 0;
 
   constructor(from: Socket, to: Socket, options: Required<LineOptions>) {
@@ -80,7 +82,7 @@ class Direction {
   private carry(bytes: Buffer, millisecondsPerByte: number): void {
     this.freeAt = Math.max(this.freeAt, performance.now()) + bytes.length * millisecondsPerByte;
     this.waiting += bytes.length;
-    // What has left the queue is on its way, and takes no room in it.
+    // Bytes under way no longer count as buffered.
     this.leaving.add(this.freeAt, () => {
       this.waiting -= bytes.length;
       if (!this.isFull) this.from.resume();
@@ -109,7 +111,7 @@ export class Line {
     server.on("connection", (client) => this.join(client));
   }
 
-  /** To a port of the loopback. */
+  /** Starts a line to a port of 127.0.0.1. */
   static async to(port: number, options: LineOptions): Promise<Line> {
     const server = createServer();
     const line = new Line(server, port, options);
@@ -123,7 +125,7 @@ export class Line {
     return address.port;
   }
 
-  /** Bytes that have come from the server. */
+  /** Bytes received from the server over all connections. */
   get received(): number {
     return this.directions.reduce((sum, { carried }) => sum + carried, 0);
   }

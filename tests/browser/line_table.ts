@@ -1,7 +1,7 @@
-// line_table.ts [--seconds N] [--streams png,jpeg,geometry,auto] [--round-trips 0,50,200] [--rates 10,100] [--buffer SECONDS]:
-// what a hand sees over a line. CIEL_BROWSER_DATA names the dataset, CIEL_WEBCLIENT another built page than this tree's.
-// Columns: pictures a second; age, milliseconds from the hand's newest move in a picture to its being shown; kB/s from the
-// server. The page's own drawing (polygons under a camera that turns) has no age.
+// line_table.ts [--seconds N] [--streams png,jpeg,geometry,auto] [--round-trips 0,50,200] [--rates 10,100] [--buffer
+// SECONDS]: measures dragging over simulated lines. CIEL_BROWSER_DATA names the dataset, CIEL_WEBCLIENT another build
+// of the page. Columns: pictures per second; age, the milliseconds from the newest move in a picture to its display;
+// kB/s from the server. Camera moves that the page draws itself from polygons have no age.
 import { parseArgs } from "node:util";
 import { launch, type Browser } from "./chromium.ts";
 import { Line } from "./line.ts";
@@ -10,10 +10,10 @@ import { datasets, Server } from "./server.ts";
 import { isoFragment } from "./stage.ts";
 
 interface Watch {
-  /** performance.now() of patches, by the revision that they became. */
+  /** Time of each patch (performance.now), by the revision that it became. */
   sent: Record<number, number>;
   shown: { revision: number; at: number; still: boolean }[];
-  /** Animation frames in which the page drew polygons. */
+  /** Times of animation frames in which the page drew polygons. */
   drawn: number[];
 }
 
@@ -23,7 +23,7 @@ declare global {
   }
 }
 
-/** Runs in the page. */
+/** Runs in the page: records patches, shown frames and drawings in window.watch. */
 function listen(): void {
   const watch: Watch = { sent: {}, shown: [], drawn: [] };
   window.watch = watch;
@@ -77,7 +77,7 @@ const STORED: Record<string, string> = { png: "image" };
 
 type Gesture = (client: Client, turn: number) => [number, number];
 
-/** Where the hand is, back and forth once in four seconds. */
+/** Gestures of the measurement. Each returns the pointer's position, which goes back and forth once in four seconds. */
 async function hands(client: Client): Promise<Record<string, Gesture>> {
   const canvas = await client.canvas.boundingBox();
   const track = await client.page.locator(".histogram-track").first().boundingBox();
@@ -100,7 +100,7 @@ async function drag(client: Client, line: Line, hand: Gesture): Promise<Watch & 
   let from = 0;
   for (;;) {
     const now = performance.now() - begun;
-    // The first second is the line's to find its pace.
+    // Measures from the second second on, when the server has adapted to the line.
     if (from === 0 && now > 1000) {
       received = line.received;
       from = await client.page.evaluate(() => performance.now());

@@ -1,4 +1,4 @@
-// The address of a scene, written and read here without the client's help: #s= and the deflated JSON as base64url.
+// Encodes and decodes a scene in an address, independently of the page's code: #s= and the deflated JSON as base64url.
 import { deflateRawSync, inflateRawSync } from "node:zlib";
 
 export const fragmentOf = (scene: unknown): string =>

@@ -1,4 +1,5 @@
-// Small windows: everything of the page's rows is in reach, and time has a slider that can be held.
+// Tests that in small windows all controls of the toolbar and time bar can be reached, and that the time slider is wide
+// enough.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import type { Client } from "./page.ts";
@@ -10,9 +11,9 @@ const SIZES = [
   [400, 300],
   [700, 500],
 ] as const;
-const HANDLE = 72; // pixels of slider in which a finger still tells a few places apart
+const HANDLE = 72; // smallest slider width in pixels
 
-/** The names of buttons and choices of the rows that a pointer cannot hit in their middle. */
+/** Names of the controls in toolbar and time bar whose center a pointer cannot hit. */
 const outOfReach = (client: Client): Promise<string[]> =>
   client.page.locator(".toolbar button, .toolbar select, .time-bar button, .time-bar select").evaluateAll((controls) =>
     controls.flatMap((control) => {

@@ -1,4 +1,4 @@
-// Where there is nothing to see, the page says why, and what can be done.
+// Tests that the page explains why it has no picture, and what the user can do.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, renameSync, rmSync } from "node:fs";
@@ -17,7 +17,7 @@ describe("nothing", { skip }, () => {
   const folder = mkdtempSync(join(tmpdir(), "ciel-nothing-"));
   const away = mkdtempSync(join(tmpdir(), "ciel-away-"));
   let server: Server;
-  let moved = NaN; // the iso-value of the scene that the server no longer has the dataset for
+  let moved = NaN; // iso-value of the scene when the server lost its dataset
   before(async () => {
     for (const name of ["here", "gone"]) execFileSync("cp", ["-al", data[0] ?? "", join(folder, `${name}.ciel`)]);
     server = await Server.started([folder]);
@@ -40,7 +40,7 @@ describe("nothing", { skip }, () => {
     await fetch(new URL("rpc", server.address), { method: "POST", headers, body });
   }
 
-  /** A page that shows the dataset, and a server that has come back without it. */
+  /** Opens a page whose server then restarts without the page's dataset. */
   async function lost(scheme: "dark" | "light"): Promise<Client> {
     const iso = { type: "iso", array: "tracer", values: [0.4] };
     const client = await stage.open(server.address + fragmentOf({ dataset: "gone", layers: { iso } }), { scheme });
@@ -109,9 +109,9 @@ describe("nothing", { skip }, () => {
     await client.choose("here");
     await client.settled();
     remove();
-    await listed(); // the server looks into its folder
+    await listed(); // makes the server notice the missing dataset
     await client.button("Undo").click();
-    await client.toast("This cannot be undone. There is no dataset 'gone'").waitFor();
+    await client.toast("The change cannot be undone. There is no dataset 'gone'").waitFor();
     await client.keep("undo-to-nowhere");
     assert.ok(await client.button("Undo").isDisabled());
     await client.settled();
@@ -141,7 +141,7 @@ describe("nothing", { skip }, () => {
     await field.fill("7");
     await field.press("Enter");
     await client.page.getByText("No slice: z goes from 0 to 1.").waitFor();
-    await client.page.getByText("None of the surfaces that are switched on").waitFor();
+    await client.page.getByText("None of the layers that are switched on meets the data").waitFor();
     await client.keep("empty");
     await field.fill("0.25");
     await field.press("Enter");
@@ -198,15 +198,15 @@ describe("nothing", { skip }, () => {
     const before = await camera();
     const off = { opacity: 1, threshold: { enabled: false } };
     for (const [patch, reason] of [
-      [{ layers: { surface: { ...off, opacity: 0 } } }, "Its opacity is 0."],
-      [{ layers: { surface: { threshold: { enabled: true } } } }, "Its threshold from 5 to 6 keeps no cell"],
-      [{ layers: { c: { type: "clip", axis: "x", value: -1 } } }, "All of it is clipped away."],
+      [{ layers: { surface: { ...off, opacity: 0 } } }, "The opacity is 0."],
+      [{ layers: { surface: { threshold: { enabled: true } } } }, "The threshold from 5 to 6 keeps no cell"],
+      [{ layers: { c: { type: "clip", axis: "x", value: -1 } } }, "The clip planes cut away the whole layer."],
     ] as const) {
       await change({ layers: { surface: off, c: null } });
       assert.equal(await legend.count(), 1, reason);
       assert.equal(await notice.count(), 0);
       await change(patch);
-      assert.match((await row.textContent()) ?? "", new RegExp(`Nothing is seen of it. ${reason}`));
+      assert.match((await row.textContent()) ?? "", new RegExp(`The layer shows nothing. ${reason}`));
       assert.match((await notice.textContent()) ?? "", new RegExp(reason), "an empty picture is explained");
       assert.equal(await legend.count(), 0, reason);
       await client.keep(`empty-${reason.split(" ")[1] ?? ""}`);
@@ -243,7 +243,7 @@ describe("nothing", { skip }, () => {
     };
     const press = async (key: string): Promise<number> => {
       await client.page.keyboard.press(key);
-      await client.page.waitForTimeout(300); // the server is asked what is left
+      await client.page.waitForTimeout(300); // time for the page to ask for the bounds
       await client.settled();
       return height();
     };

@@ -1,4 +1,4 @@
-// The page around the picture: links, time, themes, sizes, a lost server, clear words.
+// Tests links, time steps, themes, window sizes, a lost server, and messages.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
@@ -71,7 +71,7 @@ describe("page", { skip }, () => {
     const value = await client.value();
     assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
     await client.addressed();
-    await client.page.reload(); // Chromium may drop the emulated scheme just before: the system turns light
+    await client.page.reload(); // Chromium may reset the emulated color scheme to light here
     await client.settled();
     assert.equal(await client.value(), value);
     await client.button("Undo").click();
@@ -152,7 +152,7 @@ describe("page", { skip }, () => {
   });
 
   test("light and dark", async () => {
-    const light = await stage.open(stage.server.address, { scheme: "light" }); // a link brings its own background
+    const light = await stage.open(stage.server.address, { scheme: "light" }); // a scene in the link has a background
     await light.settled();
     await light.keep("light");
     const bright = (await light.picture()).at(3, 3);
@@ -192,7 +192,8 @@ describe("page", { skip }, () => {
     const saved = decodePng(await readFile(await file.path()));
     const seen = await client.picture();
     assert.deepEqual([saved.width, saved.height], [seen.width, seen.height]);
-    // The page writes beside its frames; what is saved carries the writing: the legend at the right, the triad at the left.
+    // Compares without legend and triad. The page draws them as overlays, which picture() hides; saved pictures contain
+    // them.
     const between = (picture: Picture): Picture => {
       const left = Math.round(0.2 * picture.width);
       return { width: Math.round(0.55 * picture.width), height: picture.height, at: (x, y) => picture.at(left + x, y) };
@@ -270,7 +271,7 @@ describe("page", { skip }, () => {
   test("a server without datasets says so", async () => {
     const empty = await Server.started([]);
     const client = await stage.open(empty.address);
-    await client.page.getByText("The server offers no dataset").waitFor();
+    await client.page.getByText("The server has no dataset").waitFor();
     await client.close();
     await empty.stop();
   });

@@ -1,4 +1,4 @@
-// The page as a person meets it: what they see, what they take hold of.
+// Client: a page in the browser, with the actions and checks that tests use.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -14,16 +14,16 @@ export interface PageOptions {
   scale?: number;
   scheme?: "dark" | "light";
   touch?: boolean;
-  /** The server's certificate need not be signed by anybody known. */
+  /** Accepts a server certificate that no authority has signed. */
   selfSigned?: boolean;
-  /** Runs in the page before anything of its own. */
+  /** Script that runs in the page before its own scripts. */
   before?: string;
 }
 
 export interface Frame {
   frame: number;
   revision: number;
-  /** NaN while the server has not taken the newest change. */
+  /** Revision of the newest scene; NaN while the server has not accepted the newest change. */
   wanted: number;
   still: boolean;
   stream: string;
@@ -37,13 +37,13 @@ const contextOptions = (options: PageOptions): BrowserContextOptions => ({
   ignoreHTTPSErrors: options.selfSigned ?? false,
 });
 
-/** A context without a client, and the page that the last one left in it; null where that had a script of its own. */
+/** Browser context of a closed client, kept for reuse, and its page. null: the page cannot be reused. */
 interface Left {
   context: BrowserContext;
   page: Page | null;
 }
 
-/** By the options they were made with: a page and its process cost as much as half a test. */
+/** Contexts for reuse, by their options. Making a page with its process takes as long as half a test. */
 const left = new WeakMap<Browser, Map<string, Left[]>>();
 
 function leftFor(browser: Browser, options: PageOptions): Left[] {
@@ -55,12 +55,12 @@ function leftFor(browser: Browser, options: PageOptions): Left[] {
   return free;
 }
 
-/** The page as a new one of its context would be, but for its place; false where it cannot be had back. */
+/** Resets the page to the state of a new one, except its context. Returns false if that is impossible. */
 async function emptied(page: Page): Promise<boolean> {
   try {
-    await page.evaluate(() => sessionStorage.clear()); // the tab's, which outlives its pages
+    await page.evaluate(() => sessionStorage.clear()); // session storage belongs to the tab and survives page loads
   } catch {
-    return false; // an error page has none
+    return false; // an error page has no session storage
   }
   page.removeAllListeners();
   await page.goto("about:blank");
@@ -123,7 +123,7 @@ export class Client {
     return client;
   }
 
-  /** The next client may have its context and page, without anything of what this one left there. */
+  /** Closes the client. A later client may reuse its context and, after a reset, its page. */
   async close(): Promise<void> {
     const context = this.page.context();
     const keeps = this.reusable && !this.page.isClosed() && (await emptied(this.page));
@@ -158,7 +158,10 @@ export class Client {
     });
   }
 
-  /** Until the picture of the newest scene stands: a still, or polygons, and nothing newer for a moment. */
+  /**
+   * Waits until the picture of the newest scene is complete and nothing changes for 150 ms. A still is needed, or
+   * polygons.
+   */
   async settled(stream = "image"): Promise<void> {
     const deadline = Date.now() + 60_000;
     let last = -1;
@@ -166,7 +169,7 @@ export class Client {
     for (;;) {
       const frame = await this.shown();
       if (frame.frame !== last) [last, since] = [frame.frame, Date.now()];
-      // A camera that turns brings no new polygons, and so no newer revision.
+      // Camera moves need no new polygons, so the frame's revision may be older.
       const current =
         stream === "geometry" ? !Number.isNaN(frame.wanted) : frame.still && frame.revision >= frame.wanted;
       const complete = frame.stream === stream && current;
@@ -180,7 +183,7 @@ export class Client {
     await this.page.getByText("Connected", { exact: true }).waitFor({ timeout: 30_000 });
   }
 
-  /** Until the iso-value is this: other hands move it too. */
+  /** Waits until the iso-value is `value`. Another client may have changed it. */
   async reached(value: number): Promise<void> {
     await this.page.waitForFunction(
       (wanted) => document.querySelector("[role=slider]")?.getAttribute("aria-valuenow") === wanted,
@@ -188,7 +191,7 @@ export class Client {
     );
   }
 
-  /** Until the page has changed the scene: what the server is asked first takes its time. */
+  /** Waits until the page has sent `count` patches. It may have to ask the server before. */
   async patched(count = 1): Promise<void> {
     const deadline = Date.now() + 60_000;
     while (this.patches.length < count) {
@@ -197,7 +200,7 @@ export class Client {
     }
   }
 
-  /** Does something, and waits until the server has taken the scene that comes of it. */
+  /** Performs an action and waits until the server has accepted the resulting scene. */
   async taken(act: () => Promise<unknown>): Promise<void> {
     const { wanted: before } = await this.shown();
     await act();
@@ -208,7 +211,7 @@ export class Client {
     }
   }
 
-  /** Until the address has followed the scene, which it does after a pause. */
+  /** Waits until the page's address contains the newest scene. The page writes it after a pause. */
   async addressed(): Promise<void> {
     let [address, since] = ["", Date.now()];
     while (Date.now() - since < 600) {
@@ -217,14 +220,14 @@ export class Client {
     }
   }
 
-  /** What the canvas shows, without what lies over it. */
+  /** Returns the picture on the canvas, without overlays. */
   async picture(): Promise<Picture> {
     const hidden =
       ".ahead, .triad, .box-axes, .captions, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
     return decodePng(await this.canvas.screenshot({ style: hidden }));
   }
 
-  /** For a person to look at. */
+  /** Saves a screenshot for visual inspection. */
   async keep(name: string): Promise<void> {
     mkdirSync(screenshots, { recursive: true });
     writeFileSync(join(screenshots, `${name}.png`), await this.page.screenshot());
@@ -237,7 +240,7 @@ export class Client {
     await this.page.mouse.up();
   }
 
-  /** By parts of the canvas's width and height. */
+  /** Drags on the canvas. Positions are shares of its width and height. */
   async dragCanvas(from: [number, number], to: [number, number], steps?: number): Promise<void> {
     const box = await this.canvas.boundingBox();
     if (box === null) throw new Error("the canvas is not on the page");
@@ -245,7 +248,7 @@ export class Client {
     await this.drag(at(from), at(to), steps);
   }
 
-  /** The iso-value's handle, to a part of the range. */
+  /** Drags the handle of the iso-value. `to`: share of the array's range. */
   async dragIso(to: number, steps = 12): Promise<void> {
     const handle = await this.isoValue.boundingBox();
     const track = await this.page.locator(".histogram-track").first().boundingBox();
@@ -254,7 +257,7 @@ export class Client {
     await this.drag([handle.x + handle.width / 2, y], [track.x + to * track.width, y], steps);
   }
 
-  /** Of every change that the page sends from here on. */
+  /** Calls `sent` and `answered` for each patch from now on. */
   onPatch({ sent, answered }: { sent: () => void; answered: () => void }): void {
     this.patchListeners = { sent, answered };
   }

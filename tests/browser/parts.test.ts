@@ -1,5 +1,5 @@
-// Parts of layers that have controls of their own: contour lines and their scale, patches, layers beside the first of
-// their kind; and pictures of other sizes than the view's.
+// Tests parts of layers with their own controls: contour lines and their scale, patches, further layers of one type.
+// Also tests pictures in other sizes than the view.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe, test } from "node:test";

@@ -1,4 +1,4 @@
-// A boundary of many patches: found, chosen by families, named and hidden where they are seen.
+// Tests a boundary with many patches: search, choice by families, names, and hiding a patch at the cursor.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -13,7 +13,10 @@ import { Server } from "./server.ts";
 import { skip, Stage } from "./stage.ts";
 
 const CELLS = 16;
-/** Before the bar's "front" sides (y = 0), in the middle of cell 8, and above it: a hole shows the bottom, lit otherwise. */
+/**
+ * Camera in front of the bar's "front" sides (y = 0), at the middle of cell 8 and above the bar. Through a hole one
+ * sees the bottom, which has another brightness.
+ */
 const camera = { position: [8.5, -20, 13.5], target: [8.5, 0, 0.5], up: [0, 0, 1] } as const;
 
 describe("patches", { skip }, () => {

@@ -1,4 +1,4 @@
-// Screenshots as pixels: 8-bit RGB or RGBA, not interlaced, as browsers write them.
+// Decodes screenshots: PNG with 8-bit RGB or RGBA, not interlaced. Compares pictures and colors.
 import { inflateSync } from "node:zlib";
 
 export type Color = [number, number, number];
@@ -54,7 +54,7 @@ export function decodePng(file: Buffer): Picture {
   };
 }
 
-/** The share of pixels for which the test holds. */
+/** Returns the share of pixels for which the predicate holds. */
 export function share(picture: Picture, holds: (color: Color, x: number, y: number) => boolean): number {
   let count = 0;
   for (let y = 0; y < picture.height; y += 1) {
@@ -63,7 +63,7 @@ export function share(picture: Picture, holds: (color: Color, x: number, y: numb
   return count / (picture.width * picture.height);
 }
 
-/** The first pixel, row by row, for which the test holds. */
+/** Returns the first pixel, row by row, for which the predicate holds. Throws Error if there is none. */
 export function find(picture: Picture, holds: (color: Color, x: number, y: number) => boolean): [number, number] {
   for (let y = 0; y < picture.height; y += 1) {
     for (let x = 0; x < picture.width; x += 1) if (holds(picture.at(x, y), x, y)) return [x, y];
@@ -74,11 +74,11 @@ export function find(picture: Picture, holds: (color: Color, x: number, y: numbe
 export const distance = (a: Color, b: Color): number =>
   Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]), Math.abs(a[2] - b[2]));
 
-/** The share of pixels that differ by more than a shade. */
+/** Share of pixels that differ by more than 12 of 255 in any channel. */
 export const difference = (a: Picture, b: Picture): number =>
   share(a, (color, x, y) => distance(color, b.at(x, y)) > 12);
 
-/** Of all pixels, in shades of 256. */
+/** Mean over all pixels of the largest channel difference, from 0 to 255. */
 export function meanDistance(a: Picture, b: Picture): number {
   let sum = 0;
   for (let y = 0; y < a.height; y += 1) {
@@ -87,7 +87,7 @@ export function meanDistance(a: Picture, b: Picture): number {
   return sum / (a.width * a.height);
 }
 
-/** Degrees: 0 red, 120 green, 240 blue; null for greys. */
+/** Hue of a color in degrees: 0 red, 120 green, 240 blue. null for grays. */
 export function hue([r, g, b]: Color): number | null {
   const most = Math.max(r, g, b);
   const span = most - Math.min(r, g, b);

@@ -1,4 +1,4 @@
-// Things of a list are taken away by keys alone: the focus stays in the list.
+// Tests that the focus stays in a list when its items are removed by keys.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -19,7 +19,7 @@ const layers = {
 };
 const camera = { position: [20, -25, 15], target: [5, 0, 2], up: [0, 0, 1] };
 
-/** What has the focus, and of which card. */
+/** Accessible name of the focused element and of the card that contains it. */
 const focused = (client: Client): Promise<string> =>
   client.page.evaluate(() => {
     const { activeElement } = document;

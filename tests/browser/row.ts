@@ -1,4 +1,4 @@
-// A bar of four cubes, made by importing a file.
+// Dataset of a row of four cubes, imported from a file.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
@@ -7,7 +7,7 @@ import { binary } from "./server.ts";
 
 export const CELLS = 4;
 
-/** A bar of cubes along x, with q = 0, 1, 2, 3 in them, or other values, and p = x at their corners. */
+/** Imports a bar of cubes along x and returns its path. Cell array q has the given values; point array p equals x. */
 export function rowIn(folder: string, values = ["0", "1", "2", "3"]): string {
   const points = [0, 1].flatMap((z) =>
     [0, 1].flatMap((y) => Array.from({ length: CELLS + 1 }, (_, x) => [x, y, z].join(" "))),

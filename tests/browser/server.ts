@@ -1,4 +1,4 @@
-// A real `ciel serve` on a free port of the loopback, and its death.
+// Runs `ciel serve` on a free port of 127.0.0.1, and ends it.
 import { spawn, type ChildProcess } from "node:child_process";
 import { existsSync, readdirSync } from "node:fs";
 import { createServer } from "node:net";
@@ -9,7 +9,7 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const binary = process.env.CIEL_BINARY ?? join(root, "build/ciel");
 export const webclient = process.env.CIEL_WEBCLIENT ?? join(root, "webclient/dist");
 
-/** Of an environment variable: paths parted by colons, each a dataset or a folder of them. */
+/** Datasets of an environment variable: paths separated by colons, each a dataset or a folder of datasets. */
 export function datasets(variable = "CIEL_BROWSER_DATA"): string[] {
   const paths = (process.env[variable] ?? "").split(":").filter((path) => path !== "");
   return paths.flatMap((path) =>
@@ -37,7 +37,7 @@ export async function freePort(): Promise<number> {
 export interface ServerOptions {
   prefix?: string;
   token?: string;
-  /** A pixel of stills has one: edges are no matter of most tests, and the machine draws in software. */
+  /** Samples per pixel of stills. Default 1: few tests depend on smooth edges, and software drawing is slow. */
   samples?: number;
 }
 
@@ -69,7 +69,7 @@ export class Server {
     return `http://127.0.0.1:${this.port}${this.prefix}/`;
   }
 
-  /** Resolves when it listens; at once where it does already. */
+  /** Starts the server and resolves when it listens. Does nothing if it is running. */
   async start(): Promise<void> {
     if (this.process?.exitCode === null) return;
     const prefix = this.prefix === "" ? [] : ["--prefix", this.prefix];
@@ -102,7 +102,7 @@ export class Server {
     });
   }
 
-  /** It answers nothing until it goes on. */
+  /** Suspends the server: it answers nothing until goOn(). */
   pause(): void {
     this.process?.kill("SIGSTOP");
   }
@@ -111,7 +111,7 @@ export class Server {
     this.process?.kill("SIGCONT");
   }
 
-  /** SIGKILL is what a crash looks like to a browser. */
+  /** Ends the server and waits for its exit. To a browser, SIGKILL looks like a crash. */
   async stop(signal: "SIGTERM" | "SIGKILL" = "SIGTERM"): Promise<void> {
     const child = this.process;
     this.process = null;

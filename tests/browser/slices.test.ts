@@ -1,4 +1,4 @@
-// Slices as a hand has them: several across one axis and free ones, each with a plane, colors and lines of its own.
+// Tests slices: several across one axis and free ones, each with its own plane, colors and lines.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import type { Locator } from "./chromium.ts";
@@ -46,7 +46,7 @@ describe("slices", { skip }, () => {
     const answer = await fetch(new URL("rpc", stage.server.address), { method: "POST", headers, body });
     return ((await answer.json()) as { result: unknown }).result;
   };
-  /** As the server has them. */
+  /** Slices of the server's scene. */
   const slices = async (client: Client): Promise<Slices> => {
     await client.settled();
     const { scene } = (await rpc(client, "scene.get")) as { scene: { layers?: Slices } };
@@ -235,7 +235,7 @@ describe("slices", { skip }, () => {
 
   test("one that cannot be seen says why, folded or not", async () => {
     const client = await opened({ a: at("x", 2), b: at("x", 8, { opacity: 0 }) });
-    const hint = card(client, "Slice at x = 8").getByText("Nothing is seen of it.");
+    const hint = card(client, "Slice at x = 8").getByText("The layer shows nothing.");
     await hint.waitFor();
     await unfold(card(client, "Slice at x = 8"));
     assert.equal(await hint.count(), 1);

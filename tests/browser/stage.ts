@@ -1,4 +1,4 @@
-// A server, a browser and its pages: every suite needs the same, and so says only what is its own.
+// Stage: a server, a browser and pages for a test suite.
 import { after, before } from "node:test";
 import { browser, type Browser } from "./chromium.ts";
 import { fragmentOf } from "./link.ts";
@@ -14,7 +14,7 @@ interface Described {
   default_scene: { layers: { surface?: { groups: string[] } } };
 }
 
-/** Of the address: a scene with what most suites take hold of, an iso-surface at the first step. */
+/** Fragment of an address with the scene that most suites use: an iso-surface at the first time step. */
 export async function isoFragment(server: Server): Promise<string> {
   const dataset = nameOf(data[0] ?? "");
   const call = { jsonrpc: "2.0", id: 1, method: "dataset.describe", params: { dataset } };
@@ -36,7 +36,7 @@ export async function isoFragment(server: Server): Promise<string> {
 }
 
 interface StageOptions extends ServerOptions {
-  /** The datasets of CIEL_BROWSER_LARGE, of the same names: for what a small one is too quick or too little for. */
+  /** Serves the datasets of CIEL_BROWSER_LARGE, which have the same names, for tests that need more or slower data. */
   large?: boolean;
 }
 
@@ -46,7 +46,10 @@ export class Stage {
   private kept: Client | undefined;
   private readonly options: PageOptions;
 
-  /** For the suite in which it is made; `options` are those of the page that its tests share. */
+  /**
+   * Registers start and end of server and browser with the surrounding suite. `options`: for the page that same()
+   * returns.
+   */
   constructor(options: PageOptions = {}, { large = false, ...server }: StageOptions = {}) {
     this.options = options;
     before(async () => {
@@ -60,20 +63,20 @@ export class Stage {
     });
   }
 
-  /** A page of any server, whatever it shows. */
+  /** Opens a page of any server, without waiting for a picture. */
   open(address: string, options: PageOptions = {}): Promise<Client> {
     return Client.open(this.browser, address, options);
   }
 
-  /** A page of its own, with a picture: of an iso-surface, or of the fragment's scene. */
+  /** Opens a new page and waits for its picture: of an iso-surface, or of the fragment's scene. */
   async fresh(options: PageOptions = {}, fragment?: string): Promise<Client> {
-    await this.server.start(); // where a test before left it dead
+    await this.server.start(); // a previous test may have stopped the server
     const client = await this.open(this.server.address + (fragment ?? (await isoFragment(this.server))), options);
     await client.settled();
     return client;
   }
 
-  /** One page for all who leave it as it was. */
+  /** Returns the page that tests of the suite share. Each test must leave its scene unchanged. */
   async same(): Promise<Client> {
     await this.server.start();
     this.kept ??= await this.open(this.server.address + (await isoFragment(this.server)), this.options);

@@ -1,4 +1,5 @@
-// through_proxy.ts ADDRESS PICTURE: the page behind the TLS proxy, whose certificate nobody signed. Fails when it shows no surface.
+// through_proxy.ts ADDRESS PICTURE: opens the page behind a TLS proxy with a self-signed certificate. Fails if it shows
+// no surface.
 import { launch } from "./chromium.ts";
 import { Client } from "./page.ts";
 import { decodePng, hue, share } from "./png.ts";

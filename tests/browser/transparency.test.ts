@@ -1,4 +1,4 @@
-// What one can see through: the polygons that the page draws itself look as the server's pictures do.
+// Tests that transparent polygons drawn by the page look like the server's pictures.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -16,7 +16,10 @@ const nested: Layers = {
   slice: { type: "slice", axis: "z", value: 2.4, color: { array: "U:magnitude" }, opacity: 0.5 },
 };
 const boundary = { type: "surface", color: { solid: "#60a0a0" }, opacity: 0.3 };
-/** Polygons to see through take seconds a picture in software, by its pixels; soft edges are compared where they are a smaller part. */
+/**
+ * Window sizes. Transparent polygons take seconds per picture in software. Soft edges are compared at the larger size,
+ * where they cover a smaller share.
+ */
 const small = { width: 760, height: 480 };
 const large = { width: 1000, height: 640 };
 const yellow = { color: { solid: "#ffd040" } };
@@ -29,7 +32,7 @@ const sceneOf = (layers: Layers, position = above): object => ({
   layers,
 });
 
-/** Runs in the page: how many GL objects have been made. */
+/** Runs in the page: counts the WebGL objects that are created. */
 function countObjects(): void {
   const page = globalThis as unknown as { objects: number };
   page.objects = 0;
@@ -58,7 +61,7 @@ describe("transparency", { skip }, () => {
   const show = async (scene: object): Promise<void> => {
     await client.taken(() => client.page.evaluate((hash) => void (location.hash = hash), fragmentOf(scene)));
   };
-  /** Not in polygons, which take seconds in software: nobody looks at them yet. */
+  /** Shows the scene as pictures, because polygons take seconds in software. */
   const showPicture = async (scene: object, size = small): Promise<void> => {
     await stream("image");
     await client.page.setViewportSize(size);
@@ -66,10 +69,10 @@ describe("transparency", { skip }, () => {
   };
   const showPolygons = async (scene: object): Promise<void> => {
     await show(scene);
-    await client.page.waitForTimeout(400); // polygons that stay as they are bring no newer revision to wait for
+    await client.page.waitForTimeout(400); // the revision cannot tell: unchanged polygons get no newer one
     await client.settled("geometry");
   };
-  /** Until the picture stands: polygons are drawn coarsely while something moves. */
+  /** Returns the picture once it no longer changes. While something moves, polygons are drawn in lower quality. */
   const atRest = async (): Promise<Picture> => {
     let last = await client.picture();
     for (let i = 0; i < 60; i += 1) {
@@ -80,7 +83,10 @@ describe("transparency", { skip }, () => {
     }
     throw new Error("the picture does not come to rest");
   };
-  /** As the server draws it; `most`: of the pixels may differ by more than a shade, the mean of all by less than one. */
+  /**
+   * Compares both streams. At most the share `most` of the pixels may differ visibly, and the mean difference must be
+   * below 1 of 255.
+   */
   const alike = async (name: string, most: number): Promise<Picture> => {
     await stream("image");
     const image = await client.picture();

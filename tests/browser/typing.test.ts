@@ -1,4 +1,4 @@
-// Numbers as they are typed: ends of ranges, thousands, and what is refused.
+// Tests typed numbers: ends of ranges, groups of thousands, rejected texts.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { fragmentOf } from "./link.ts";
@@ -70,7 +70,7 @@ describe("typing", { skip }, () => {
 
   test("a comma that may part thousands is asked about, a group of three is not", async () => {
     await type("Position on z", "1,500");
-    await client.toast('"1,500" can be read in two ways; write 1500 or 1.500; it stays 2.4').waitFor();
+    await client.toast('"1,500" can be read in two ways; write 1500 or 1.500; Position on z stays 2.4').waitFor();
     assert.equal(await field("Position on z").inputValue(), "2.4");
     await type("Position on z", "1,5");
     assert.equal(await field("Position on z").inputValue(), "1.5");
@@ -82,10 +82,10 @@ describe("typing", { skip }, () => {
   test("an empty field is asked for a number by Enter, and is as it was when it is left", async () => {
     await type("Position on z", "");
     assert.equal(await field("Position on z").inputValue(), "2.4");
-    assert.equal(await client.toast("A number is expected").count(), 0);
+    assert.equal(await client.toast("The number is missing").count(), 0);
     await field("Position on z").fill("");
     await field("Position on z").press("Enter");
-    await client.toast("A number is expected here; it stays 2.4").waitFor();
+    await client.toast("The number is missing; Position on z stays 2.4").waitFor();
     assert.equal(await field("Position on z").inputValue(), "2.4");
   });
 

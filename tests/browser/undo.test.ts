@@ -1,5 +1,5 @@
-// Every control of every panel is one step of undo: it is changed, undone and done again, and the scene document that
-// the server has is compared each time.
+// Tests that each control of each panel makes one undo step. Changes, undoes and redoes it, and compares the server's
+// scene each time.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import type { Locator } from "./chromium.ts";
@@ -10,7 +10,10 @@ import { data, skip, Stage } from "./stage.ts";
 
 const threshold = { array: "tracer", range: [0, 0.5] };
 const by = { array: "tracer" };
-/** Their document is what is compared: drawing these a thousand times took most of the test. A hidden boundary has few controls. */
+/**
+ * Layers are hidden, because only the scene is compared and drawing would take most of the time. The boundary stays
+ * visible, because a hidden one has few controls.
+ */
 const hidden = { visible: false };
 const layers = {
   iso: { ...hidden, type: "iso", array: "tracer", values: [0.3], color: by, edges: { width: 1 } },
@@ -26,7 +29,7 @@ const layers = {
 };
 const lighting = { ambient_occlusion: { on: true } };
 
-/** What each panel has at least, so that a control that is not found any more is missed. */
+/** Smallest number of controls in each panel. It reveals controls that are no longer found. */
 const PANELS: readonly (readonly [string, number])[] = [
   ["Iso-surfaces", 8],
   ["Slices", 12],
@@ -38,7 +41,7 @@ const PANELS: readonly (readonly [string, number])[] = [
   ["Lighting", 8],
   ["View", 8],
 ];
-/** No part of the scene. */
+/** Controls that do not change the scene. */
 const OWN = ["Stream"];
 
 const CONTROLS = "input[type=checkbox], select, input[type=range], input[type=color], input[type=text], [role=slider]";
@@ -71,7 +74,10 @@ describe("undo", { skip }, () => {
     return { revision: result.revision, scene: JSON.stringify(sorted(result.scene)) };
   }
 
-  /** The document after the revision has moved and stands; the same where it does not move. */
+  /**
+   * Returns the server's scene after its revision has changed and settled. After `patience` milliseconds without a
+   * change, returns it unchanged.
+   */
   async function moved(from: number, patience: number): Promise<{ revision: number; scene: string }> {
     const deadline = Date.now() + patience;
     let now = await state();
@@ -131,7 +137,7 @@ describe("undo", { skip }, () => {
         const was = await state();
         await use(control);
         const then = await moved(was.revision, 400);
-        if (then.scene === was.scene) continue; // it was at its end
+        if (then.scene === was.scene) continue; // the control was at the end of its range
         changed += 1;
         await client.button("Undo").click();
         const undone = await moved(then.revision, 4000);

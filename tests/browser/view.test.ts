@@ -1,4 +1,4 @@
-// What is seen, and that the hand changes it.
+// Tests the picture in both streams, and that gestures change it.
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { lateAnswer } from "./late_answer.ts";
@@ -7,13 +7,16 @@ import { difference, distance, find, hue, share, type Color, type Picture } from
 import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
 
-/** Background differs from row to row only; its color stands at the left edge of every row. */
+/**
+ * Share of pixels that differ from the background. Its color depends only on the row, and the left edge of each row
+ * shows it.
+ */
 const foreground = (picture: Picture): number =>
   share(picture, (color, _x, y) => distance(color, picture.at(1, y)) > 10);
 const isColored = (color: Color): boolean => hue(color) !== null;
 
 describe("view", { skip }, () => {
-  const stage = new Stage({ width: 1280, height: 720 }, { large: true }); // polygons in many batches and pieces
+  const stage = new Stage({ width: 1280, height: 720 }, { large: true }); // large enough for several batches and pieces
   let client: Client;
   before(async () => {
     client = await stage.same();
@@ -83,7 +86,7 @@ describe("view", { skip }, () => {
   });
 
   test("the wheel zooms to the cursor, R shows everything again", async () => {
-    await client.canvas.focus(); // keys typed into a field are the field's
+    await client.canvas.focus(); // a focused field would use the keys itself
     client.patches.length = 0;
     await client.page.keyboard.press("r");
     await client.patched();
@@ -121,7 +124,7 @@ describe("view", { skip }, () => {
     client.patches.length = 0;
     const slider = client.page.getByLabel("Field of view", { exact: true });
     await slider.focus();
-    for (let i = 0; i < 4; i += 1) await client.page.keyboard.press("PageUp"); // 78: wider, what is near grows
+    for (let i = 0; i < 4; i += 1) await client.page.keyboard.press("PageUp"); // wider: near parts grow
     await client.settled();
     const strong = await client.picture();
     assert.ok(difference(before, strong) > 0.005);

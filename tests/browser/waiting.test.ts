@@ -1,4 +1,4 @@
-// What the page says while it waits: for a full picture, and for a server that is away.
+// Tests the page's messages while it waits for a still or for the server.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { beginHolding, heldStill, letGo } from "./held_still.ts";
@@ -35,7 +35,7 @@ describe("waiting", { skip }, () => {
     await client.toast(/surface cannot be exported: the server is not connected/).waitFor();
     const box = await client.canvas.boundingBox();
     await client.page.mouse.click((box?.x ?? 0) + 60, (box?.y ?? 0) + (box?.height ?? 0) / 2);
-    await client.toast(/values there cannot be read: the server is not connected/).waitFor();
+    await client.toast(/values at the point cannot be read: the server is not connected/).waitFor();
     await client.keep("waiting-away");
     await stage.server.start();
     await client.connected();

@@ -1,12 +1,13 @@
-// with_chromium.ts COMMAND [ARGUMENT...]: one browser for all processes of the command, which find it by
-// CIEL_CHROMIUM_ADDRESS. Exits as the command does.
+// with_chromium.ts COMMAND [ARGUMENT...]: runs a command with one browser for all of its processes, which read
+// CIEL_CHROMIUM_ADDRESS. Exits with the command's status.
 import { spawn } from "node:child_process";
 import { launch } from "./chromium.ts";
 import { freePort } from "./server.ts";
 
 const [command = "", ...rest] = process.argv.slice(2);
 const port = await freePort();
-const ours = { handleSIGINT: false, handleSIGTERM: false, handleSIGHUP: false }; // the command ends before its browser
+// The browser ignores these signals, so that the command ends first.
+const ours = { handleSIGINT: false, handleSIGTERM: false, handleSIGHUP: false };
 const browser = await launch({ args: [`--remote-debugging-port=${port}`], ...ours });
 try {
   const env = { ...process.env, CIEL_CHROMIUM_ADDRESS: `http://127.0.0.1:${port}` };

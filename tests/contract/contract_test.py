@@ -1,4 +1,4 @@
-"""The contract and what is generated from it: valid, complete, up to date."""
+"""The contract and the code generated from it are valid, complete and up to date."""
 
 import json
 import pathlib
@@ -25,7 +25,7 @@ def walk(value, path="#"):
 
 
 class Document(unittest.TestCase):
-    """The rules of the OpenRPC 1.2.6 specification that the document could break."""
+    """Rules of OpenRPC 1.2.6 that the document could violate."""
 
     def test_required_members(self):
         self.assertRegex(DOCUMENT["openrpc"], r"^1\.2\.\d+$")
@@ -47,7 +47,7 @@ class Document(unittest.TestCase):
                 self.assertTrue(param.get("description"), f"{method['name']}: {param['name']}")
 
     def test_each_method_has_an_example(self):
-        """Values are checked against the schemas, and given to a server, by tests/unit/methods."""
+        """tests/unit/methods checks the examples' values against the schemas and sends them to a server."""
         for method in DOCUMENT["methods"]:
             with self.subTest(method["name"]):
                 self.assertTrue(method["examples"])
@@ -86,7 +86,7 @@ class Document(unittest.TestCase):
                 self.assertLessEqual(set(value.get("required", [])), set(value.get("properties", {})))
 
     def test_patterns_are_bounded(self):
-        """std::regex recurses once per character of an unbounded repetition."""
+        """std::regex recurses once per character of an unbounded repetition, so patterns need an upper bound."""
         for path, value in walk(DOCUMENT):
             if isinstance(value, dict) and isinstance(value.get("pattern"), str):
                 self.assertNotRegex(value["pattern"], r"[*+]|,\}", path)
@@ -124,7 +124,7 @@ class Generated(unittest.TestCase):
             self.assertIn(f"class {method.type_prefix}Params(TypedDict)", python.emit(self.contract))
 
     def test_what_draws_extracts_or_exports_is_slow(self):
-        """Such a method in the way of quick ones stops every viewer."""
+        """A method that draws, extracts or exports must be declared slow. Otherwise it would block quick calls of all clients."""
         table = cpp.emit_table(self.contract)
         for method in self.contract.methods:
             source = (ROOT / "server/methods" / f"{method.identifier}.cpp").read_text(encoding="utf-8")

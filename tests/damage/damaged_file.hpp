@@ -1,4 +1,4 @@
-// A file that is damaged in place, as nobody should, while it is mapped.
+// Damages a mapped file in place.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,17 @@ namespace ciel::test {
 enum class Damage { truncated, halved, overwritten, ones, flipped };
 
 [[nodiscard]] std::string name_of(Damage damage);
-// In place, by system calls: the mapping of the same file sees it at once. Always the same bytes for the same `seed`.
+// Changes the file in place by system calls, so existing mappings see the change. Equal seeds give equal bytes.
 void damage(const std::filesystem::path& file, Damage how, unsigned seed);
-// In place too, with the old size.
+// Overwrites the file in place with content of the same size.
 void rewrite(const std::filesystem::path& file, const std::string& content);
-// As a writer should: a new file beside it, renamed.
+// Writes a new file beside the old one and renames it, as a correct writer does.
 void replace(const std::filesystem::path& file, const std::string& content);
 
-// The files of a dataset that are mapped: of the topology, of positions and of the arrays at the first step.
-[[nodiscard]] std::vector<std::filesystem::path> mapped_files_in(const std::filesystem::path& dataset); // relative
-// Whether its content is indices, which are never taken for others unnoticed.
+// Mapped files of a dataset: topology, positions, and the arrays at the first step.
+// Paths relative to the dataset.
+[[nodiscard]] std::vector<std::filesystem::path> mapped_files_in(const std::filesystem::path& dataset);
+// True for files of indices, whose damage is always detected.
 [[nodiscard]] bool holds_indices(const std::filesystem::path& relative);
 
 } // namespace ciel::test

@@ -1,4 +1,4 @@
-// Everything that reads the mapped files of a dataset: each kind of layer, probe, histogram, export and append.
+// Runs every operation that reads mapped files of a dataset: each kind of layer, probe, histogram, export and append.
 #pragma once
 
 #include "engine/server.hpp"
@@ -10,20 +10,20 @@
 
 namespace ciel::test {
 
-// What went wrong, as it is told to a user.
+// An operation that was refused, and the message for the user.
 struct Told {
     std::string use, sentence;
 };
 
 class EveryUse {
 public:
-    // The catalog of `server` has one dataset; `cells` is its cell array.
+    // The catalog of `server` contains `dataset`; `cells` is the name of its cell array.
     EveryUse(engine::Server& server, std::string dataset, std::string cells, Extraction extraction);
 
     // Opens the dataset and keeps it open.
     void open();
-    // Does everything once, from the mapped files on: nothing that was made before is used again. Returns what was
-    // refused. Throws what is no Error, for that is nothing to tell a user.
+    // Runs every operation once, without reusing earlier results. Returns the operations that threw an Error. Other
+    // exceptions propagate.
     [[nodiscard]] std::vector<Told> run();
     [[nodiscard]] std::shared_ptr<store::Dataset> dataset() const { return dataset_; }
 
@@ -38,7 +38,7 @@ private:
     Extraction extraction_;
     std::shared_ptr<store::Dataset> dataset_;
     std::vector<Told> told_;
-    double last_time_ = 100; // of the steps that were appended: later than any other
+    double last_time_ = 100; // time of the last appended step; later than all others
 };
 
 } // namespace ciel::test

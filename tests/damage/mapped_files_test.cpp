@@ -1,5 +1,5 @@
-// Files of a dataset that somebody truncates, overwrites or flips bits of while they are mapped. Each case runs in a
-// process of its own, so that a crash is counted.
+// Mapped files of a dataset that are truncated, overwritten or hit by bit flips. Each case runs in a child process, so
+// that a crash is one failed case.
 #include "damage/damaged_file.hpp"
 #include "damage/every_use.hpp"
 #include "store/cache/watched_mappings.hpp"
@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 
 enum class Moment { before_first_touch, after_first_touch, all_the_time };
 constexpr std::array moments{"before", "after", "while"};
-constexpr unsigned patience = 120; // seconds after which a case is taken to hang
+constexpr unsigned patience = 120; // seconds after which a case counts as hanging
 
 struct Data {
     std::string name, cells;
     void (*write)(const fs::path& directory);
 };
 const std::array<Data, 2> datasets{
-    Data{"kinds", "cell:q", write_small_dataset}, // cells of every kind, files of less than a page
+    Data{"kinds", "cell:q", write_small_dataset}, // all kinds of cells, files smaller than a page
     Data{"pages", "cell:p", [](const fs::path& directory) { write_box(directory, box(14, 14, 14)); }}};
 
-// Runs `body` in a process of its own; gives what it returned, or how the process ended. The parent has no threads.
+// Runs `body` in a child process. Returns its result, or how the process ended. The parent has no threads.
 std::string in_child(const std::function<std::string()>& body) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) return "no pipe";
@@ -66,7 +66,7 @@ engine::ServerOptions options_for(const fs::path& directory, Algorithm algorithm
     return options;
 }
 
-// "meshes/0/owner/0" -> "owner/0": how the sentence names it, wherever the dataset lies.
+// "meshes/0/owner/0" -> "owner/0", as error messages name the file.
 std::string named(const fs::path& file) { return fs::relative(file, "meshes/0").string(); }
 
 class Damager {
@@ -92,7 +92,8 @@ private:
     std::jthread thread_;
 };
 
-// Empty when all went well.
+// Damages the file at the given moment and uses the dataset. Returns an empty string when the damage was reported
+// correctly.
 std::string run_case(const Data& data, const fs::path& directory, const fs::path& file, Damage how, Moment moment,
                      Algorithm algorithm) {
     engine::Server server(options_for(directory, algorithm));
@@ -102,7 +103,8 @@ std::string run_case(const Data& data, const fs::path& directory, const fs::path
     if (moment != Moment::before_first_touch)
         for (const Told& told : uses.run()) return "refused " + told.use + " of what was whole: " + told.sentence;
     Damager damager(directory / file, how);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // else the file has the time at which it was opened
+    // The file's modification time must differ from the time at which it was opened.
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (moment == Moment::all_the_time)
         damager.begin();
     else
@@ -159,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(matrix, mapped_files,
                                                           Moment::all_the_time)),
                          name_of_case);
 
-// Waits for what the catalog's watch does about once a second.
+// Polls `holds` until it is true, since the catalog's watch runs about once a second.
 bool until(const std::function<bool()>& holds) {
     for (unsigned waited = 0; waited < 10 * patience; ++waited) {
         if (holds()) return true;
@@ -168,7 +170,7 @@ bool until(const std::function<bool()>& holds) {
     return false;
 }
 
-// Restored as it should be, it is opened anew: for everybody, and nothing is left of the loss.
+// Damages a file, restores it, and expects the server to open the dataset again. Returns an empty string on success.
 std::string run_recovery(const Data& data, const fs::path& directory, const fs::path& file, Damage how) {
     engine::Server server(options_for(directory, Algorithm::signatures));
     EveryUse uses(server, directory.stem().string(), data.cells, Algorithm::signatures);
@@ -184,7 +186,7 @@ std::string run_recovery(const Data& data, const fs::path& directory, const fs::
             uses.open();
             uses.dataset()->check_unchanged();
             return true;
-        } catch (const Error&) { // the lost one still, or looked at before it was whole
+        } catch (const Error&) { // the server still has the damaged dataset, or read the file before it was restored
             return false;
         }
     };
@@ -205,7 +207,7 @@ TEST_P(lost_datasets, come_back_when_they_are_restored) {
                   "");
         unsigned number = 0;
         for (const fs::path& file : mapped_files_in(folder / "whole.ciel")) {
-            if (!holds_indices(file)) continue; // values that were read before are not read again
+            if (!holds_indices(file)) continue; // values in memory are not read again, so their damage is not noticed
             const fs::path directory = folder / ("case" + std::to_string(++number) + ".ciel");
             fs::copy(folder / "whole.ciel", directory, fs::copy_options::recursive);
             EXPECT_EQ(in_child([&] { return run_recovery(data, directory, file, GetParam()); }), "") << file;
@@ -216,7 +218,7 @@ TEST_P(lost_datasets, come_back_when_they_are_restored) {
 INSTANTIATE_TEST_SUITE_P(kinds, lost_datasets, testing::Values(Damage::truncated, Damage::overwritten),
                          [](const auto& row) { return name_of(row.param); });
 
-// A loss is asked for with each frame: the files of a dataset that lost none are not.
+// Each frame checks for lost mappings. A lost file of one dataset must not affect another dataset.
 TEST(lost_files, are_of_one_dataset) {
     const Folder folder;
     EXPECT_EQ(in_child([&]() -> std::string {

@@ -1,4 +1,4 @@
-"""The TLS proxy of deploy/proxy as its container starts it, in front of a server that tells what reached it."""
+"""The TLS proxy of deploy/proxy, started as in its container, in front of a server that reports the requests it receives."""
 
 import contextlib
 import http.client
@@ -41,7 +41,7 @@ def free_port() -> int:
 
 
 class Proxy:
-    """A running proxy. `folder` stands for the container's volumes and keeps them."""
+    """A running proxy. `folder` replaces the container's volumes and is kept."""
 
     def __init__(self, folder: pathlib.Path, name: str, upstream: int):
         for part in ("certificates", "run"):
@@ -57,7 +57,7 @@ class Proxy:
             "CIEL_PROXY_TEMPLATE": str(PROXY / "nginx.conf"),
             "CIEL_PROXY_LISTEN": f"127.0.0.1:{self.port}",
         }
-        # A pipe, as a container's: nginx opens /dev/stdout anew.
+        # stdout must be a pipe, as in a container, because nginx opens /dev/stdout again.
         self.process = subprocess.Popen(
             [PROXY / "start"], env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.lines: list[str] = []
@@ -121,7 +121,7 @@ class TheProxy(unittest.TestCase):
         self.assertIsNone(self.hsts("ciel.example.org"), "the volume has kept the certificate")
 
     def test_a_mounted_certificate_is_strict_for_names_of_one_owner(self):
-        self.hsts("ciel.example.org")  # leaves its own certificate behind, which the operator replaces
+        self.hsts("ciel.example.org")  # leaves its self-signed certificate, which the operator replaces
         self.mount_certificate()
         self.assertEqual(self.hsts("ciel.example.org"), "max-age=31536000")
         for name in ("localhost", "ciel.localhost", "192.0.2.7", "2001:db8::7", "[2001:db8::7]"):
@@ -142,7 +142,7 @@ class TheProxy(unittest.TestCase):
         self.assertEqual(headers["X-Forwarded-For"].split(", ")[-1], "127.0.0.1")
 
     def test_the_proxy_gives_up_idle_connections_before_the_server_does(self):
-        """Otherwise a request meets a connection that the server is closing, and its user reads 502."""
+        """Otherwise a request could use a connection that the server is closing, and its user would get status 502."""
         limits = (ROOT / "server/limits/limits.hpp").read_text(encoding="utf-8")
         server = int(re.search(r"\bkeep_alive_seconds = (\d+)", limits).group(1))
         upstream = re.search(r"upstream ciel \{(.*?)\n    \}", (PROXY / "nginx.conf").read_text(encoding="utf-8"), re.S)

@@ -26,7 +26,7 @@ async def main(url: str, token: str) -> None:
 
 if __name__ == "__main__":
     address = urllib.parse.urlsplit(sys.argv[1])
-    with tempfile.NamedTemporaryFile("w", suffix=".crt") as certificate:  # the proxy made its own
+    with tempfile.NamedTemporaryFile("w", suffix=".crt") as certificate:  # trusts the proxy's self-signed certificate
         certificate.write(ssl.get_server_certificate((address.hostname, address.port)))
         certificate.flush()
         os.environ["SSL_CERT_FILE"] = certificate.name

@@ -1,5 +1,5 @@
-// Bytes as a small mesh of arbitrary faces, through assemble, Topology and extract: no crash, and whatever is accepted
-// keeps the operators' identities, gives the same surface from both algorithms, and that surface is closed.
+// Fuzzes assemble, Topology and extract with a small mesh of arbitrary faces. Nothing crashes; accepted meshes keep the
+// operators' identities, and all algorithms give the same closed surface.
 #include "ciel/extract.hpp"
 #include "fuzz/bytes.hpp"
 #include "oracle/twin/twin.hpp"
@@ -16,7 +16,7 @@ using test::number;
 using test::require;
 using test::same_bits;
 
-// Most bytes name a vertex; a few name none, so that ids out of range stay rare enough for cells to be accepted.
+// Returns an id out of range for few bytes only, so that most cells are accepted.
 Index vertex_id(std::uint8_t byte, Index vertices) { return byte < 252 ? byte % vertices : vertices + byte - 252; }
 
 test::Polyhedra read_mesh(Bytes& bytes) {
@@ -36,7 +36,7 @@ test::Polyhedra read_mesh(Bytes& bytes) {
     return mesh;
 }
 
-// Damages whole arrays, which assemble has to refuse with an Error or find harmless.
+// Damages a whole array. assemble must throw an Error or accept the mesh.
 void damage(test::Polyhedra& mesh, Bytes& bytes) {
     const std::uint8_t what = bytes.next(), where = bytes.next();
     switch (what) {
@@ -88,7 +88,7 @@ void check_operators(const Topology& topology, Index cells) {
     require(count == topology.counts().half_edges, "the count of half-edges");
 }
 
-// Cells that touch a vertex without a finite value are not cut; a face that collapsed to a point touches nothing.
+// Cells at a vertex without a finite value are not cut. A face that collapsed to a point counts as having no vertex.
 std::vector<bool> cells_with_values(const FaceMeshView& mesh, std::span<const float> values) {
     std::vector<bool> result(mesh.cell_count(), true);
     for (Index f = 0; f < mesh.face_count(); ++f) {

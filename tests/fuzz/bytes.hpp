@@ -1,4 +1,4 @@
-// What the targets of the kernel share: the fuzzer's bytes as numbers, and promises that end the run when broken.
+// Helpers of the kernel's fuzz targets: numbers from the fuzzer's bytes, and checks that abort.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ inline void require(bool holds, const char* what) {
     std::abort();
 }
 
-// Zeros when the bytes have run out.
+// Returns zeros after the last byte.
 class Bytes {
 public:
     Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}

@@ -1,5 +1,5 @@
-// Bytes as a small mesh, two fields and a history of what a viewer may do: every algorithm gives the same bits after
-// any history, a new query the same again, and whatever is made of the surface keeps what its header promises.
+// Fuzzes extract with a small mesh, two fields and a sequence of a viewer's calls. Every algorithm and a new query give
+// the same bits, and functions on surfaces keep their contracts.
 #include "ciel/extract.hpp"
 #include "fuzz/extract_promises.hpp"
 #include "fuzz/extract_steps.hpp"
@@ -72,7 +72,8 @@ private:
     }
 
     void move(std::size_t by) {
-        moved_.push_back({mesh_.positions.begin(), mesh_.positions.end()}); // views of earlier ones stay good
+        // Keeps earlier positions, to which views still refer.
+        moved_.push_back({mesh_.positions.begin(), mesh_.positions.end()});
         for (std::size_t i = by; i < moved_.back().size(); i += 7) moved_.back()[i] += number(bytes_.next() % 64);
         mesh_.positions = moved_.back();
         for (auto& field : field_) field->vertices_moved();
@@ -99,7 +100,7 @@ private:
         asked_.push_back(nu);
     }
 
-    // What a picture or a file makes of a surface.
+    // Calls the functions that drawing and exporting a surface need.
     void draw(const Surface& surface) {
         check_edges(surface);
         std::vector<float> at(surface.points.size());
@@ -124,7 +125,7 @@ private:
         const std::vector<float>& property = values_[1 - current_];
         const auto limits = cell_limits(mesh_, property);
         const SlabProperty of_slab{property, gradient_[1 - current_], limits};
-        // What is kept of a sweep through the other field must not show.
+        // Buffers left from a sweep through the other field must not affect the result.
         SweepParts<SoupSink> kept;
         SweepParts<SliceSink> kept_slices;
         require(sweep(topology_, mesh_, *field_[1 - current_], asked_, SoupSink{}, kept, soup) &&
@@ -186,7 +187,7 @@ private:
     std::array<std::vector<float>, 2> values_;
     std::array<std::vector<Vec3f>, 2> gradient_;
     std::array<std::optional<Field>, 2> field_;
-    std::vector<Query> query_; // one per algorithm
+    std::vector<Query> query_; // one query per algorithm
     std::vector<std::vector<float>> moved_;
     std::size_t current_ = 0;
     Decider decider_ = Decider::isolate_high;

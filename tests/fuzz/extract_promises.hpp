@@ -1,4 +1,4 @@
-// What extract.hpp and its neighbours promise of their results, whatever the mesh and the field.
+// Checks the contracts of extract.hpp and related headers, for any mesh and field.
 #pragma once
 
 #include "ciel/clip_surface.hpp"
@@ -60,7 +60,7 @@ inline void check_cut(const Surface& surface, const FaceMeshView& mesh, std::spa
     }
 }
 
-// Sides that no other polygon has the other way round must lie on a face that only one of the cut cells has.
+// An edge without an opposite one in another polygon must lie on a face that has only one cut cell.
 inline void check_closed(const Surface& surface, const FaceMeshView& mesh, std::span<const float> values) {
     std::map<std::pair<Index, Index>, int> open;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
@@ -77,7 +77,8 @@ inline void check_closed(const Surface& surface, const FaceMeshView& mesh, std::
         if (std::ranges::any_of(mesh.loop(f), [&](Index v) { return !std::isfinite(values[v]); }))
             for (const Index cell : {mesh.owner[f], mesh.neighbour[f]})
                 if (cell != none) cut[cell] = false;
-    std::map<std::pair<Index, Index>, std::set<Index>> faces_of; // edge -> faces at the border of what is cut
+    // Maps each mesh edge to the faces between a cut cell and an uncut one or the outside.
+    std::map<std::pair<Index, Index>, std::set<Index>> faces_of;
     for (Index f = 0; f < mesh.face_count(); ++f) {
         const bool owner = cut[mesh.owner[f]], neighbour = mesh.neighbour[f] != none && cut[mesh.neighbour[f]];
         if (owner && neighbour) continue;
@@ -92,7 +93,7 @@ inline void check_closed(const Surface& surface, const FaceMeshView& mesh, std::
     }
 }
 
-// Runs of high corners: each is one segment.
+// Number of contour lines: each run of high vertices of a polygon gives one segment.
 inline std::size_t expected_lines(const Surface& surface, std::span<const float> values, std::span<const double> at) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {

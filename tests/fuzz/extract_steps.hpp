@@ -1,4 +1,4 @@
-// A small mesh of good and of spoiled cells, fields and values, from a few bytes each.
+// A small mesh with valid and damaged cells, fields and values, each read from a few bytes.
 #pragma once
 
 #include "fuzz/bytes.hpp"
@@ -43,11 +43,11 @@ inline void spoil(Polyhedra& mesh, Bytes& bytes) {
         case 0:
             mesh.positions[3 * at + what / 8 % 3] = number(bytes.next());
             break;
-        case 1: // onto another vertex
+        case 1: // moves the vertex onto another one
             for (std::size_t d = 0; d < 3; ++d)
                 mesh.positions[3 * at + d] = mesh.positions[3 * ((at + what) % mesh.vertex_count()) + d];
             break;
-        case 2: { // a vertex id instead of another
+        case 2: { // replaces a vertex id by another one
             Id& id = mesh.face_vertex[(256U * what + where) % mesh.face_vertex.size()];
             id = bytes.next() % mesh.vertex_count();
             break;
@@ -72,7 +72,7 @@ inline void spoil(Polyhedra& mesh, Bytes& bytes) {
     }
 }
 
-// A few numbers, scattered over the vertices: ties, plateaus and gaps come by themselves.
+// Few distinct numbers, distributed over the vertices, give ties, plateaus and missing values.
 [[nodiscard]] inline std::vector<float> field_from(Bytes& bytes, std::size_t vertices) {
     std::vector<float> numbers(bytes.next() % 12 + 1U);
     for (float& one : numbers) one = number(bytes.next());

@@ -1,4 +1,4 @@
-// X-Forwarded-For, and the addresses of proxies: a line each.
+// Fuzzes X-Forwarded-For and the ranges of trusted proxies, one per line.
 #include "ciel/types.hpp"
 #include "gateway/remote_address.hpp"
 
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const TrustedProxies proxies({range});
         if (client && range == client->to_string() && !proxies.contains(*client)) std::abort();
-    } catch (const Error&) { // a sentence
+    } catch (const Error&) { // the parser may refuse the input
     }
     return 0;
 }

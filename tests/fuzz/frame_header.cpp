@@ -1,4 +1,4 @@
-// Any bytes are refused with an Error or read, and what was read writes itself back.
+// Fuzzes read_frame_header: bytes are refused with an Error, or the header is written back identically.
 #include "wire/frame_header.hpp"
 #include "ciel/types.hpp"
 
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const FrameHeader header = read_frame_header({data, size});
         std::array<std::uint8_t, frame_header_bytes> again{};
         write_frame_header(header, again);
-        if (std::memcmp(again.data(), data, 72) != 0) std::abort(); // the reserved bytes behind are not kept
+        if (std::memcmp(again.data(), data, 72) != 0) std::abort(); // the reserved bytes after these 72 are not kept
     } catch (const ciel::Error&) {
         return 0;
     }

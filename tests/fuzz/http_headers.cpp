@@ -1,5 +1,5 @@
-// The headers that decide on access and framing: Host, Origin, Authorization, Cookie, Sec-WebSocket-Protocol,
-// Transfer-Encoding, Accept-Encoding, Sec-WebSocket-Key, one a line.
+// Fuzzes the headers for access and framing, one per line: Host, Origin, Authorization, Cookie, Sec-WebSocket-Protocol,
+// Transfer-Encoding, Accept-Encoding, Sec-WebSocket-Key.
 #include "gateway/access.hpp"
 #include "gateway/framing.hpp"
 #include "gateway/static_files.hpp"

@@ -1,4 +1,4 @@
-// Request targets: decoding, the prefix, the look-up of static files.
+// Fuzzes HTTP request targets: decoding, prefix, lookup of static files.
 #include "gateway/static_files.hpp"
 #include "gateway/target.hpp"
 

@@ -1,4 +1,4 @@
-// The first byte chooses the parser: a PVD collection, a file series, or the dimensions of an OpenFOAM field.
+// Fuzzes three parsers, selected by the first byte: PVD collections, file series, dimensions of OpenFOAM fields.
 #include "ciel/types.hpp"
 #include "import/parsers/index_entry.hpp"
 #include "import/parsers/openfoam/units.hpp"
@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (data[0] % 3 == 0) check(ciel::importer::parse_pvd(text, "x"));
         if (data[0] % 3 == 1) check(ciel::importer::parse_series(text, "x"));
         if (data[0] % 3 == 2 && ciel::importer::openfoam_units(text).size() > 200) std::abort();
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

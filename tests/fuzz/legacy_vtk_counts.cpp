@@ -1,5 +1,5 @@
-// The bytes are a file. Whatever they hold, one declaration more than they can keep is refused in a text file: no word
-// of it is ever skipped.
+// Fuzzes check_legacy_vtk_counts. When an excess count is appended to an accepted text file, it must be refused: no
+// word is skipped.
 #include "import/parsers/legacy_vtk_counts.hpp"
 #include "ciel/types.hpp"
 
@@ -14,7 +14,7 @@ bool accepts(const std::string& content) {
     try {
         ciel::importer::check_legacy_vtk_counts(file, content.size(), "x");
         return true;
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
         return false;
     }
 }

@@ -1,5 +1,5 @@
-// The bytes are a file. Every value that is no number gets its stand-in, so that none is found afterwards; and a file
-// without any is as it was.
+// Fuzzes the replacement of NaN and infinity in legacy VTK files. Afterwards none is found, and a file without any is
+// unchanged.
 #include "import/parsers/legacy_vtk_numbers.hpp"
 
 #include <cstdint>

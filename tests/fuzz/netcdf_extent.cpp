@@ -1,4 +1,4 @@
-// The bytes are a file. What its header tells of is read or refused, and a longer file never holds fewer records.
+// Fuzzes netCDF headers: each is read or refused, and a longer file never has fewer records.
 #include "import/parsers/netcdf_extent.hpp"
 #include "ciel/types.hpp"
 
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (records < before || records > extent->records) std::abort();
             before = records;
         }
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

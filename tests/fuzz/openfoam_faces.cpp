@@ -1,4 +1,4 @@
-// The faces of an OpenFOAM mesh.
+// Fuzzes the parser of OpenFOAM's faces.
 #include "ciel/types.hpp"
 #include "import/parsers/openfoam/poly_mesh.hpp"
 
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (faces.offset.front() != 0 || faces.offset.back() != faces.points.size() ||
             !std::is_sorted(faces.offset.begin(), faces.offset.end()))
             std::abort();
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// A field of an OpenFOAM case, its macros replaced.
+// Fuzzes the parser of OpenFOAM's fields, with macros expanded.
 #include "ciel/types.hpp"
 #include "import/parsers/openfoam/field.hpp"
 #include "import/parsers/openfoam/macros.hpp"
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto width = static_cast<std::size_t>(field.components);
         if (field.cells.numbers.size() % width != 0) std::abort();
         static_cast<void>(field.condition("wall", {"solid"}));
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

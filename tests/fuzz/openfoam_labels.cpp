@@ -1,4 +1,4 @@
-// Owners, neighbours and addressing of an OpenFOAM mesh.
+// Fuzzes the parser of OpenFOAM's owners, neighbors and addressing.
 #include "ciel/types.hpp"
 #include "import/parsers/openfoam/poly_mesh.hpp"
 
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         constexpr std::size_t most = 1000;
         if (parse_foam_labels(text, "x", most).size() > std::max(most, size)) std::abort();
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// The zones of an OpenFOAM mesh.
+// Fuzzes the parser of OpenFOAM's zones.
 #include "ciel/types.hpp"
 #include "import/parsers/openfoam/poly_mesh.hpp"
 
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         for (const FoamZone& zone : parse_foam_zones(text, "x"))
             if (zone.labels.size() > size) std::abort();
-    } catch (const ciel::Error&) { // a refusal
+    } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Bytes 0 to 3: the size of the file (what the bytes say, or far more); then its head.
+// Fuzzes the detection of PLOT3D layouts. Bytes 0 to 3 give the size of the file, the rest is its beginning.
 #include "import/parsers/plot3d_layout.hpp"
 #include "ciel/types.hpp"
 
@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     try {
         (void)plot3d_restrict({Plot3dLayout{}}, std::string(text));
-    } catch (const ciel::Error&) { // a word it does not know
+    } catch (const ciel::Error&) { // the text contains an unknown word
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Runs a fuzz target over the files of its corpus: the regression test that every build can run.
+// Runs a fuzz target over the files of its corpus, as a regression test in every build.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

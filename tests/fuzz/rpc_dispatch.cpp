@@ -1,4 +1,4 @@
-// Any bytes as a JSON-RPC message to a server without datasets: every answer is nothing, or JSON-RPC 2.0.
+// Fuzzes a server without datasets with JSON-RPC messages: every answer is empty or valid JSON-RPC 2.0.
 #include "engine/server.hpp"
 #include "methods/dispatcher.hpp"
 

@@ -1,4 +1,4 @@
-// Two JSON texts, one a line: a document and a patch. Whatever parses must survive diff and merge.
+// Fuzzes diff and merge_patch with a document and a patch, two lines of JSON.
 #include "scene/scene.hpp"
 
 #include <cstdint>
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (document.is_discarded()) return 0;
     (void)is_scene(document);
     if (patch.is_discarded()) return 0;
-    const json from = merge_patch(json::object(), document); // without nulls
+    const json from = merge_patch(json::object(), document); // removes nulls
     const json to = merge_patch(from, patch);
     (void)is_scene(to);
     if (to.is_object() && merge_patch(from, diff(from, to)) != to) std::abort();

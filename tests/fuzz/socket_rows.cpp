@@ -1,4 +1,4 @@
-// Tables of sockets, as /proc/net/tcp and tcp6 hold them.
+// Fuzzes the parser of /proc/net/tcp and tcp6.
 #include "gateway/peer_owner.hpp"
 
 #include <cstdlib>

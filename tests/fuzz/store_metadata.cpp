@@ -1,5 +1,5 @@
-// The store's text documents and .npy files: the first byte chooses the parser, the rest is the file. Whatever is
-// accepted is written back and must be accepted again, and come out the same.
+// Fuzzes the store's text documents and .npy files; the first byte selects the parser. Accepted content is written,
+// read again and must be equal.
 #include "store/format/attributes.hpp"
 #include "store/format/marker.hpp"
 #include "store/format/npy.hpp"
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     try {
         run(data[0], {reinterpret_cast<const char*>(data + 1), size - 1});
-    } catch (const ciel::Error&) { // the only way to refuse
+    } catch (const ciel::Error&) { // only Error is a valid refusal
     }
     return 0;
 }

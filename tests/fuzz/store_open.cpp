@@ -1,5 +1,5 @@
-// A whole dataset of which one file is the fuzzer's: the first byte chooses the file, the second whether its checksum
-// is mended, the rest is its content. What opens is used as the server would: topology, field, surface, slice.
+// Fuzzes one file of a dataset. The first byte selects the file, the second whether its checksum is corrected, the rest
+// is the content. If the dataset opens, its topology, field, surface and slice are computed.
 #include "support/store_box/box.hpp"
 
 #include "ciel/extract.hpp"
@@ -63,14 +63,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size < 2) return 0;
     const fs::path file = directory / files[data[0] % std::size(files)];
     const std::string content(reinterpret_cast<const char*>(data + 2), size - 2), before = test::read_file(file);
-    // Two documents hold checksums; they are put back whole.
+    // These two documents hold checksums and are restored afterwards.
     const std::string mesh = test::read_file(directory / "meshes/0/.zattrs"),
                       steps = test::read_file(directory / "steps.json");
     test::overwrite_file(file, content);
     if (data[1] % 2 == 1) mend_checksums(directory, before, content);
     try {
         use(directory);
-    } catch (const Error&) { // the only way to refuse
+    } catch (const Error&) { // only Error is a valid refusal
     }
     test::overwrite_file(file, before);
     test::overwrite_file(directory / "meshes/0/.zattrs", mesh);

@@ -1,4 +1,5 @@
-// Any bytes are refused with an Error, or are a piece that lies within the message and has nothing beside it.
+// Fuzzes the parser of upload messages: bytes are refused with an Error, or the piece fills the message after its
+// header.
 #include "wire/upload_piece.hpp"
 #include "ciel/types.hpp"
 
@@ -12,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!piece.bytes.empty() && piece.bytes.data() != data + upload_header_bytes) std::abort();
         unsigned sum = 0;
         for (const std::uint8_t byte : piece.bytes) sum += byte;
-        if (sum > 255 * piece.bytes.size()) std::abort(); // all of it can be read
+        if (sum > 255 * piece.bytes.size()) std::abort(); // reads all bytes of the piece
     } catch (const ciel::Error&) {
         return 0;
     }

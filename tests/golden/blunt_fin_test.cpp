@@ -1,4 +1,4 @@
-// The vortices in front of the blunt fin (NASA's data, where it is there): a shaded volume, whole and cut open.
+// NASA's blunt fin dataset, if present: a shaded volume of the vortices, whole and cut open.
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/volume_scene.hpp"
@@ -16,8 +16,8 @@ namespace {
 constexpr int width = 360, height = 270;
 constexpr std::size_t columns = 40, rows = 32, sheets = 32, points = columns * rows * sheets;
 
-// PLOT3D, one grid: three counts, then (of a solution four numbers, and) arrays of floats, all with the high byte
-// first.
+// Reads floats of a PLOT3D file with one grid: three counts, four numbers in a solution file, then arrays. All numbers
+// are big-endian.
 std::vector<float> read_plot3d(const std::filesystem::path& path, std::size_t skipped, std::size_t count) {
     std::ifstream file(path, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(4 * (3 + skipped)));
@@ -72,7 +72,7 @@ TEST(GoldenVolume, TheBluntFinWholeAndCutOpen) {
         frame.clip.clear();
         renderer.draw(frame, image);
         EXPECT_TRUE(test::matches_golden("blunt_fin", {width, height, image.rgb}, name_of(backend)));
-        frame.clip = {{0, 1, 0, -1}, {1, 0, 0.5F, 2.5F}}; // y >= 1, and an oblique plane
+        frame.clip = {{0, 1, 0, -1}, {1, 0, 0.5F, 2.5F}}; // the half-space y >= 1 and an oblique one
         renderer.draw(frame, image);
         EXPECT_TRUE(test::matches_golden("blunt_fin_cut_open", {width, height, image.rgb}, name_of(backend)));
     }

@@ -1,4 +1,4 @@
-// What the comparison says of pictures whose difference is known.
+// The picture comparison, on pairs of pictures with a known difference.
 #include "support/golden/difference.hpp"
 
 #include <gmock/gmock.h>
@@ -21,8 +21,7 @@ void paint(Picture& picture, int left, int top, int width, int height, std::arra
                 picture.rgb[3 * static_cast<std::size_t>(y * picture.width + x) + k] = color[k];
 }
 
-// L*a*b* of these by CIE 15 (D65): white 100, 0, 0; black 0, 0, 0; red 53.24, 80.09, 67.20; (119, 119, 119) 50.03, 0,
-// 0.
+// L*a*b* values by CIE 15 (D65): white 100, 0, 0; black 0, 0, 0; red 53.24, 80.09, 67.20; (119, 119, 119) 50.03, 0, 0.
 TEST(Difference, IsMeasuredInLab) {
     struct Row {
         std::array<std::uint8_t, 3> a, b;

@@ -1,4 +1,4 @@
-// Two surfaces at 50 %, a volume around them and an opaque slice through all of it, from six sides in one picture.
+// Two surfaces of 50 % opacity, a volume around them and an opaque slice through both, from six sides in one picture.
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/scenes.hpp"

@@ -1,5 +1,4 @@
-// A volume that is dense after a few cells, while something moves: as many slabs are drawn then that its colors are
-// those of the still, though it is less sharp.
+// A dense volume while something moves: enough slabs are drawn for the colors of the still, though it is less sharp.
 #include "geometry/volume_cut.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/volume_compare.hpp"
@@ -9,8 +8,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr int block = 8;          // pixels, whose mean is the color of what is there, sharp or not
-constexpr std::size_t cells = 28; // along an edge
+constexpr int block = 8;          // Side of a block in pixels. The mean color of a block does not depend on sharpness.
+constexpr std::size_t cells = 28; // cells along an edge of the cube
 constexpr std::size_t slices = 200;
 
 double wake(const Vec3d& p) { return std::sin(15 * p[0] + 4 * std::sin(6 * p[2])) * std::cos(13 * p[1] + 5 * p[2]); }
@@ -34,7 +33,7 @@ std::array<double, 3> mean_of(const Image& image, int left, int top) {
     return sum;
 }
 
-// Along the outline the still is sharper.
+// False for blocks near the volume's outline, where the still is sharper.
 bool is_full(const Image& image, int left, int top) {
     for (int y = std::max(0, top - 2); y < std::min(image.height, top + block + 2); ++y)
         for (int x = std::max(0, left - 2); x < std::min(image.width, left + block + 2); ++x)
@@ -42,7 +41,7 @@ bool is_full(const Image& image, int left, int top) {
     return true;
 }
 
-// Of blocks, of 255: the mean of the volume's, and the most.
+// Mean and largest difference of the blocks' mean colors, in 255ths.
 std::array<double, 2> difference(const Image& still, const Image& moving) {
     double sum = 0, most = 0;
     int seen = 0;

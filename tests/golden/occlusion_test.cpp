@@ -1,4 +1,4 @@
-// A ball and a bowl on a floor against a wall, with lines, a transparent sheet and a volume, in ambient occlusion.
+// Ambient occlusion on a ball and a bowl on a floor against a wall, with lines, a transparent sheet and a volume.
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/scenes.hpp"

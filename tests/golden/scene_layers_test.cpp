@@ -1,4 +1,4 @@
-// Layers as a scene document asks for them, with what is written on the picture: each scene in one golden image.
+// Layers and annotations of scene documents; each scene is compared with one golden picture.
 #include "frames/picture.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"

@@ -1,4 +1,4 @@
-// Two iso-surfaces at 50 %, a volume and an opaque slice of one scene document, from six sides in one picture.
+// Scene document with two iso-surfaces of 50 % opacity, a volume and an opaque slice, from six sides in one picture.
 #include "frames/picture.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"

@@ -1,5 +1,4 @@
-// The golden comparison with the default tolerance lets every back end of this machine pass and catches small changes
-// of a picture.
+// With the default tolerance, the golden comparison accepts all back ends of this machine and detects small changes.
 #include "render/renderer.hpp"
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
@@ -13,7 +12,7 @@
 namespace ciel::render {
 namespace {
 
-// A solid ball, a transparent one and a colored square behind them.
+// An opaque ball and a transparent one in front of a colored square.
 struct Stage {
     Shape ball = sphere(0.6, {-0.5, 0, 0});
     Shape bubble = sphere(0.7, {0.5, -0.3, 0.1});
@@ -61,7 +60,7 @@ TEST(GoldenPicture, CatchesASmallChangeOfTheCameraOrOfAnOpacity) {
     }
 }
 
-// A shaded ball of fog that is thickest in its middle.
+// A shaded ball of fog, densest in its middle.
 struct FogStage {
     VolumeScene fog{test::hexahedra({{6, 6, 6}, -1, 1, 1.0 / 3}),
                     [](const Vec3d& p) { return std::hypot(p[0], p[1], p[2]); }};

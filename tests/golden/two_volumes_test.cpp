@@ -1,5 +1,5 @@
-// Two fogs in one cube, each thick where the other is thin, around a ball, from six sides in one picture, whichever of
-// them comes first.
+// Two volumes in one cube around a ball, from six sides in one picture. Each is dense where the other is thin. Their
+// order must not matter.
 #include "support/golden/golden.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/scenes.hpp"

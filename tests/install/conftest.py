@@ -13,7 +13,7 @@ if shutil.which("ccache"):
 
 
 def run(*command, **options):
-    """The output of a command that has to succeed; what it said is in the failure."""
+    """Runs a command, which must succeed, and returns its output. A failure shows stdout and stderr."""
     done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, **options)
     assert done.returncode == 0, f"{command}\n{done.stdout[-4000:]}\n{done.stderr[-4000:]}"
     return done.stdout
@@ -21,7 +21,7 @@ def run(*command, **options):
 
 @pytest.fixture(scope="session")
 def prefix(tmp_path_factory):
-    """Where the kernel is installed, after the folder that it was installed into has been moved."""
+    """Folder of the installed kernel, which has been moved after the installation."""
     folder = tmp_path_factory.mktemp("kernel")
     run("cmake", "-G", "Ninja", "-S", ROOT / "server/ciel", "-B", folder / "build",
         "-DCIEL_PARALLEL=threads", f"-DCMAKE_INSTALL_PREFIX={folder / 'first'}")  # fmt: skip
@@ -34,7 +34,7 @@ def prefix(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def python(tmp_path_factory):
-    """The interpreter of a fresh virtual environment with the package of the kernel, and Debian's NumPy and VTK."""
+    """Interpreter of a fresh virtual environment with the kernel's package and Debian's NumPy and VTK."""
     folder = tmp_path_factory.mktemp("python") / "venv"
     run(sys.executable, "-m", "venv", "--system-site-packages", folder)
     program = folder / "bin/python"

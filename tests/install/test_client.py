@@ -1,4 +1,4 @@
-"""The client's package in a fresh virtual environment."""
+"""The Python client's package, installed into a fresh virtual environment."""
 
 import shutil
 
@@ -6,7 +6,7 @@ from conftest import ROOT, run
 
 
 def test_the_client_installs_without_a_network_and_brings_its_types(tmp_path):
-    source = shutil.copytree(ROOT / "protocol/python", tmp_path / "source")  # setuptools writes beside it
+    source = shutil.copytree(ROOT / "protocol/python", tmp_path / "source")  # setuptools writes into the source folder
     run("/usr/bin/python3", "-m", "venv", "--system-site-packages", tmp_path / "venv")
     program = tmp_path / "venv/bin/python"
     run(program, "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", source)

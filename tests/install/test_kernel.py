@@ -1,4 +1,4 @@
-"""An outside CMake project, and pkg-config, against the installed kernel."""
+"""An external CMake project and pkg-config use the installed kernel."""
 
 import os
 import re
@@ -28,7 +28,7 @@ def test_examples_run(programs, name):
 
 
 def test_the_sphere_is_closed(programs):
-    """Euler: a closed surface of triangles like a sphere's has two points more than half of its triangles."""
+    """Euler's formula: a closed triangulated sphere has half as many points as triangles, plus two."""
     _, points, triangles = map(int, re.findall(r"\d+", run(programs / "contour")))
     assert points - triangles / 2 == 2
 

@@ -1,4 +1,4 @@
-"""The Python package in a fresh virtual environment."""
+"""The kernel's Python package, installed into a fresh virtual environment."""
 
 import textwrap
 

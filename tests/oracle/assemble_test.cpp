@@ -1,4 +1,4 @@
-// What assemble() makes of any mesh, in any order and winding, told back in ids of the input.
+// assemble() keeps the cells and faces of its input, in any order and winding. Results are compared in the input's ids.
 #include "ciel/assemble.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -11,7 +11,7 @@
 namespace ciel::test {
 namespace {
 
-using CellFaces = std::vector<std::multiset<Loop>>; // per input cell, outward loops
+using CellFaces = std::vector<std::multiset<Loop>>; // outward loops of each input cell
 
 CellFaces faces_of(const Polyhedra& mesh) {
     CellFaces result(mesh.cell_count());
@@ -34,8 +34,8 @@ CellFaces faces_of(const Assembled& assembled, Id input_cells) {
     return result;
 }
 
-// Where two cells wrote a face differently (a quad collapsed to a triangle beside a triangle), the owner's loop stands
-// for both, so repeats are left out before comparing.
+// When two cells list a face differently (a collapsed quadrilateral beside a triangle), the mesh stores the owner's
+// loop. Repeated vertices are therefore removed before comparing.
 CellFaces comparable(const CellFaces& cells) {
     CellFaces result(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -174,7 +174,7 @@ TEST(AssembleOneFace, OneTurnedFaceIsCounted) {
     }
 }
 
-// So much jitter that some cells are turned inside out: agreement with the neighbours counts more than volume.
+// The jitter inverts some cells. assemble() keeps their winding consistent with the neighbors and reports them.
 TEST(AssembleFolded, CellsStayWoundLikeTheirNeighboursAndAreNamed) {
     const Polyhedra folded = hexahedra({{9, 9, 9}, 0.9, 91});
     std::vector<Id> inverted;

@@ -1,4 +1,4 @@
-// Input that assemble() must refuse, by cell where it can and as a whole where it cannot.
+// Input that assemble() must refuse: single cells where possible, otherwise the whole mesh.
 #include "ciel/assemble.hpp"
 #include "ciel/topology.hpp"
 #include "support/meshes.hpp"
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 Polyhedra cubes() { return hexahedra({{4, 1, 1}}); } // cells 0 to 3 in a row
 
-// The row with the faces of one cell replaced.
+// The row of cells, with the faces of one cell changed by `change`.
 Polyhedra with_cell(Id cell, const std::function<void(std::vector<Loop>&)>& change) {
     const Polyhedra row = cubes();
     Polyhedra result = keep_cells(row, [](Id) { return false; });
@@ -29,7 +29,7 @@ Polyhedra with_cell(Id cell, const std::function<void(std::vector<Loop>&)>& chan
     return result;
 }
 
-// The projective plane on six vertices: closed, every edge in two triangles, and one-sided.
+// The projective plane on six vertices: closed, two triangles at each edge, and not orientable.
 const std::vector<Loop> one_sided{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                                   {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
 
@@ -105,7 +105,7 @@ TEST(BadCells, EachReasonHasItsEntryAndAtMostTenIds) {
     }
 }
 
-// Three cubes that all claim the side between the first two.
+// assemble() ignores faces without vertices.
 TEST(BadCells, AFaceWithoutCornersIsNothing) {
     Polyhedra row = keep_cells(cubes(), [](Id) { return false; });
     for (Id cell = 0; cell < 4; ++cell) {
@@ -118,10 +118,11 @@ TEST(BadCells, AFaceWithoutCornersIsNothing) {
     EXPECT_EQ(Topology(assembled.mesh.view()).counts().half_edges, 4U * 24);
 }
 
+// Three cubes share the face between the first two, so that face is not matched.
 TEST(BadCells, AFaceThatThreeCellsClaimStaysUnmatched) {
     Polyhedra mesh = hexahedra({{2, 1, 1}});
     std::vector<Loop> third = mesh.loops(0);
-    std::map<Id, Id> moved; // all but the shared side gets vertices of its own
+    std::map<Id, Id> moved; // the third cell's own vertices, except on the shared face
     const Loop shared = third[1];
     for (Loop& loop : third) {
         for (Id& v : loop) {
@@ -139,7 +140,7 @@ TEST(BadCells, AFaceThatThreeCellsClaimStaysUnmatched) {
     for (Index neighbour : assembled.mesh.neighbour) EXPECT_EQ(neighbour, none);
 }
 
-// A cell that names a standard type but has other faces is what its faces say.
+// A cell whose type does not match its faces becomes a polyhedron.
 TEST(BadCells, ATypeThatDoesNotFitTheFacesBecomesAPolyhedron) {
     Polyhedra mesh = hexagonal_prisms(1, 1, 1);
     mesh.cell_types[0] = hexahedron;
@@ -196,7 +197,7 @@ TEST_P(StandardCorners, TakesItsNumberOfCornersOnly) {
                 testing::Each(testing::AllOf(testing::Ge(100U), testing::Lt(100U + static_cast<Index>(corners)))));
     ids.push_back(7);
     EXPECT_THROW(append_standard_faces(type, ids, face_offset, face_vertex), Error);
-    EXPECT_EQ(face_offset.size(), static_cast<std::size_t>(faces) + 1); // nothing half-written
+    EXPECT_EQ(face_offset.size(), static_cast<std::size_t>(faces) + 1); // a refused call appends nothing
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StandardCorners,
@@ -211,8 +212,7 @@ TEST(StandardCell, APolyhedronIsNotStandard) {
                  Error);
 }
 
-// VTK's corner order, with positions that make the cell a proper one: outward faces give a positive volume, so nothing
-// has to be turned.
+// Positions in VTK's vertex order. Outward faces give a positive volume.
 TEST(StandardCell, FacesAreWoundOutwards) {
     struct Shape {
         CellType type;
@@ -222,7 +222,7 @@ TEST(StandardCell, FacesAreWoundOutwards) {
         {CellType::tetrahedron, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
         {CellType::hexahedron,
          {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
-        // The normal of a VTK wedge's first triangle points away from the second.
+        // In a VTK wedge, the normal of the first triangle points away from the second triangle.
         {CellType::wedge, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}}},
         {CellType::pyramid, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}}},
     };

@@ -1,4 +1,4 @@
-// A clipped boundary and its caps enclose what is left of the box.
+// A clipped boundary surface and its caps together enclose the kept part of the box.
 #include "ciel/clip_surface.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"

@@ -1,4 +1,4 @@
-// Contour lines join from polygon to polygon, on cuts through every kind of mesh.
+// Contour lines continue across polygon edges, on cuts through every kind of mesh.
 #include "ciel/contour_lines.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 class ContourLines : public testing::TestWithParam<NamedMesh> {};
 
-// Where a line ends inside the surface, another one goes on: an end is met an even number of times unless it lies on a
-// side of one polygon only. To the last bit, for positions are compared.
+// Each line end lies on a polygon edge and occurs once for each polygon at that edge. Positions are compared bit by
+// bit.
 TEST_P(ContourLines, GoOnInTheNextPolygon) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});
@@ -30,7 +30,8 @@ TEST_P(ContourLines, GoOnInTheNextPolygon) {
     const double nu = 0.5;
     const std::vector<Vec3f> lines = contour_lines(surface, values, std::vector<double>{nu});
 
-    std::map<std::pair<Index, Index>, int> sides; // crossed by the value, and by how many polygons they are used
+    // Polygon edges that the contour value crosses, with the number of polygons at each.
+    std::map<std::pair<Index, Index>, int> sides;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
         const std::span<const Index> loop = polygon(surface, i);
         for (std::size_t k = 0; k < loop.size(); ++k) {

@@ -1,4 +1,5 @@
-// A block of polyhedra may have more half-edges than 16 bits name: the two sides of a face share their corners' ids.
+// A block of polyhedra may have more than 65536 half-edges and still use 16-bit ids, because both sides of a face share
+// corner ids.
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
@@ -8,7 +9,7 @@
 namespace ciel::test {
 namespace {
 
-// With the sides across z in triangles, so that no cell passes for a hexahedron.
+// Splits the faces across z into triangles, so that no cell counts as a hexahedron.
 Polyhedra with_split_sides(const Polyhedra& mesh) {
     Polyhedra split;
     split.positions = mesh.positions;
@@ -20,7 +21,7 @@ Polyhedra with_split_sides(const Polyhedra& mesh) {
                 loops.push_back(loop);
                 continue;
             }
-            const Loop from_least = canonical(loop); // the same diagonal for both cells at it
+            const Loop from_least = canonical(loop); // both cells at the face get the same diagonal
             loops.push_back({from_least[0], from_least[1], from_least[2]});
             loops.push_back({from_least[0], from_least[2], from_least[3]});
         }
@@ -29,7 +30,7 @@ Polyhedra with_split_sides(const Polyhedra& mesh) {
     return split;
 }
 
-// Collapsed faces are where a mate has to be written down in full.
+// For collapsed faces, mates are stored explicitly.
 TEST(CrowdedBlock, KeepsTheMatesOfCollapsedFaces) {
     const KernelMesh mesh(with_split_sides(o_grid(2, 60, 26)));
     ASSERT_EQ(mesh.topology.block_count(), 1U);
@@ -44,7 +45,7 @@ TEST(CrowdedBlock, KeepsTheMatesOfCollapsedFaces) {
         }
 }
 
-// Where half of the cells are missing, most faces serve one cell, and a block holds fewer cells.
+// Half of the cells are missing, so most faces have one cell and blocks hold fewer cells.
 TEST(CrowdedBlock, KeepsItsShortIdsWhereFewFacesAreShared) {
     const KernelMesh mesh(
         keep_cells(hexagonal_prisms(60, 60, 10), [](Id cell) { return (cell * 2654435761U >> 8) % 2 != 0; }));

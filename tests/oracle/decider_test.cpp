@@ -1,5 +1,5 @@
-// The asymptotic decider against the twin: on every mesh with random values, and on every way in which a hexahedron's
-// corners can be high or low, which holds the classic configurations.
+// The asymptotic decider against the twin: random values on every mesh, and all 256 high-low patterns of a hexahedron,
+// which include the classic configurations.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -32,7 +32,8 @@ TEST_P(Decided, SurfacesAreTheTwinsAndClosed) {
         const std::vector<float> values = random_field(input.vertex_count(), seed);
         const Field field = make_field(mesh.topology, mesh.stored(values));
         query.set_field(field);
-        for (const double nu : {0.5, 0.51, 0.5100001, 0.3, 0.7, 0.5}) { // with the same signatures, and others
+        // Values with equal and with different vertex signatures.
+        for (const double nu : {0.5, 0.51, 0.5100001, 0.3, 0.7, 0.5}) {
             SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(nu));
             ASSERT_TRUE(query.extract(nu, false, surface));
             const Cut actual = mesh.cut(surface);
@@ -72,10 +73,10 @@ TEST(DeciderOnOneHexahedron, EveryConfigurationIsTheTwins) {
             ASSERT_EQ(difference(cut_every_cell(input, values, 0, Joined::asymptotic), actual), "") << high;
             joined += polygons_that_differ(actual, cut_every_cell(input, values, 0)) > 0 ? 1 : 0;
         }
-    EXPECT_GT(joined, 500U); // else the decider has decided nothing
+    EXPECT_GT(joined, 500U); // otherwise the decider never joined anything
 }
 
-// A saddle of known height: the two high corners hang together below it and are apart above.
+// Saddle of known height on a face: below it the two high corners are joined, above it they are separate.
 TEST(DeciderOnOneHexahedron, TheSaddleOfAFaceIsTheHeightAtWhichItsCornersPart) {
     const Polyhedra input = hexahedra({{1, 1, 1}});
     const KernelMesh mesh(input, {32});

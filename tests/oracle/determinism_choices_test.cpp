@@ -1,5 +1,5 @@
-// The same bits for any block size, number of threads and algorithm, whatever is chosen: decider, normals, sinks of a
-// sweep, thresholds and what is made of surfaces.
+// Bit-identical results for any block size, thread count and algorithm, with each decider, normal rule, sweep sink,
+// threshold and derived surface.
 #include "ciel/clip_surface.hpp"
 #include "ciel/contour_lines.hpp"
 #include "ciel/feature_edges.hpp"
@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};
 
-struct Way { // of working that must not show
+// A configuration that must not affect results.
+struct Way {
     unsigned threads;
     Index cells_per_block;
 };
@@ -45,7 +46,7 @@ protected:
     std::vector<float> others = bumps_field(input, 202);
     std::vector<double> walk = walk_through(values, 6, 203);
 
-    // Calls f(mesh, way) for each way; the kernel mesh is made under it too.
+    // Calls f(mesh, way) for each way. The kernel mesh is built with that block size and thread count.
     template <class F>
     void in_every_way(F&& f) {
         for (const Way& way : ways) {
@@ -100,7 +101,7 @@ struct SliceCorner {
     bool operator==(const SliceCorner&) const = default;
 };
 
-// Points at the border of two blocks are in both; the triangles are the same.
+// A point on the border of two blocks occurs in both blocks; the triangles are the same.
 TEST_P(DeterminismOfChoices, TrianglesOfSlices) {
     std::vector<std::vector<SliceCorner>> expected;
     in_every_way([&](const KernelMesh& mesh, const Way& way) {
@@ -127,9 +128,10 @@ struct SlabCorner {
         return std::tie(position, value, gradient) < std::tie(other.position, other.value, other.gradient);
     }
 };
-using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; // limits, corners in order of size
+using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; // limits, and sorted corners
 
-// A fan's first vertex is one that no other polygon of the block has taken, so it may be another one in other blocks.
+// The apex of a polygon's fan depends on the other polygons of the block, so polygons are compared by their sorted
+// corners.
 std::vector<SlabPolygon> polygons_of(const SlabMesh& mesh) {
     std::vector<SlabPolygon> out;
     Index apex = none;
@@ -166,7 +168,7 @@ TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
     });
 }
 
-// The same number of threads and size of the blocks give the same bits twice, apexes too.
+// For a fixed block size, the arrays are identical for any number of threads, fan apexes included.
 TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
     std::vector<SlabSink::Out> expected;
     for (const unsigned threads : {1U, 2U, 5U}) {
@@ -240,8 +242,8 @@ TEST_P(DeterminismOfChoices, WhatIsMadeOfSurfaces) {
     });
 }
 
-// Folded in the middle, a surface has polygons that cancel around the points in the fold: what is left of their sum is
-// all rounding, and so tells in which order it was made.
+// The surface is folded, so polygons at the fold cancel. The rest of their normals' sum is pure rounding and reveals
+// the order of summation.
 TEST(DeterminismOfSums, PolygonsThatCancel) {
     const Polyhedra input = hexahedra({{6, 5, 5}});
     const std::vector<float> half = random_field(input.vertex_count(), 204);
@@ -254,11 +256,12 @@ TEST(DeterminismOfSums, PolygonsThatCancel) {
         for (std::size_t v = 0; v < positions.size(); v += 3) {
             float* p = &positions[v];
             p[0] = 3 - std::abs(p[0] - 3);
-            const auto place = static_cast<std::size_t>(p[0] + 7 * (p[1] + 6 * p[2])); // the same on both sides
+            // Equal on both sides of the fold.
+            const auto place = static_cast<std::size_t>(p[0] + 7 * (p[1] + 6 * p[2]));
             values.push_back(half[place]);
             for (std::size_t d = 0; d < 3; ++d)
                 p[d] = std::ldexp(p[d] + 0.3F * half[(place * (d + 3) + 11) % half.size()],
-                                  static_cast<int>(place * (d + 5) % 24)); // so that sums are not exact
+                                  static_cast<int>(place * (d + 5) % 24)); // makes the sums inexact
         }
         FaceMeshView folded = mesh.mesh();
         folded.positions = positions;

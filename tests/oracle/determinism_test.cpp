@@ -1,4 +1,4 @@
-// The same bits whatever the algorithm, the block size, the number of threads and the calls before.
+// Bit-identical results for any algorithm, block size, number of threads and history of calls.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -104,7 +104,7 @@ TEST_P(Determinism, ThreadsDoNotShow) {
 INSTANTIATE_TEST_SUITE_P(All, Determinism, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// Enough cells that the parallel loops really split.
+// Enough cells for the parallel loops to split.
 TEST(DeterminismLarge, ThreadsDoNotShow) {
     const Polyhedra input = zoo({{14, 14, 14}, 0.1, 106});
     const std::vector<float> values = bumps_field(input, 107);

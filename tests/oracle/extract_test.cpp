@@ -1,4 +1,4 @@
-// extract() against the brute-force twin, over every mesh and field and for walks that a hand on a slider makes.
+// extract() against the brute-force twin, for every mesh and field, along sequences of values as from a slider.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -21,7 +21,7 @@ protected:
     Query query = mesh.query(algorithm);
     Surface surface;
 
-    // The surface at nu is the twin's, keeps its promises and is closed.
+    // Expects the twin's surface at nu, valid arrays, and a closed surface.
     void expect_right(const std::vector<float>& values, double nu) {
         ASSERT_TRUE(query.extract(nu, false, surface));
         const Cut actual = mesh.cut(surface);
@@ -29,7 +29,8 @@ protected:
         ASSERT_EQ(broken_promise(surface, mesh, mesh.stored(values), nu, false), "");
         const Segments segments = polygon_segments(actual.polygons);
         ASSERT_EQ(open_segment(segments, boundary_segments(input, values, nu)), "");
-        for (const auto& [segment, count] : segments) ASSERT_EQ(count, 1); // so two polygons share an edge, not more
+        // Exactly two polygons share each inner edge.
+        for (const auto& [segment, count] : segments) ASSERT_EQ(count, 1);
     }
 };
 
@@ -46,7 +47,7 @@ TEST_P(Extract, EqualsTheTwinOnAnyWalk) {
     }
 }
 
-// The field changes under a surface that is already there, as when time plays.
+// The field changes between extractions, as during playback.
 TEST_P(Extract, EqualsTheTwinAfterEveryChangeOfField) {
     for (std::uint64_t step = 0; step < 12; ++step) {
         SCOPED_TRACE("seed " + std::to_string(step));
@@ -140,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(Algorithm::signatures, Algorithm::propagation, Algorithm::naive)),
     [](const auto& test) { return std::get<0>(test.param).name + "_" + name_of(std::get<1>(test.param)); });
 
-// A face that runs along an edge and back: where only that edge is active, there is no polygon to have its point.
+// A face that runs along an edge and back. When only that edge is active, no polygon uses its point.
 TEST(ExtractSpike, AnEdgeThatAFaceRunsAlongTwiceHasNoPointOfItsOwn) {
     const Polyhedra cube = hexahedra({{1, 1, 1}});
     Polyhedra input = keep_cells(cube, [](Id) { return false; });
@@ -163,7 +164,7 @@ TEST(ExtractSpike, AnEdgeThatAFaceRunsAlongTwiceHasNoPointOfItsOwn) {
     }
 }
 
-// Values at the ends of what a float holds: differences overflow, ratios must not.
+// Values near the limits of float32, where differences overflow.
 TEST(ExtractExtremes, PositionsStayFinite) {
     const Polyhedra input = tetrahedra({{3, 3, 3}});
     const KernelMesh mesh(input);

@@ -1,4 +1,4 @@
-// Where surfaces of known shapes bend, end and branch.
+// Feature edges of known surfaces: sharp bends, borders and branches.
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "ciel/threshold_surface.hpp"
@@ -25,7 +25,7 @@ TEST(FeatureEdges, OfABoxAreItsTwelveSides) {
 }
 
 TEST(FeatureEdges, EndsAndBranchesAreFeaturesAtAnyAngle) {
-    Surface open; // three sheets along one edge
+    Surface open; // three triangles at one edge
     open.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
     open.polygon_vertex = {0, 1, 2, 1, 0, 3, 0, 1, 4};
     open.polygon_offset = {0, 3, 6, 9};
@@ -37,7 +37,7 @@ TEST(FeatureEdges, EndsAndBranchesAreFeaturesAtAnyAngle) {
     EXPECT_EQ(feature_edges(open, 180).size(), polygon_edges(open).size() - 2) << "of two in one plane: no feature";
 }
 
-// Twelve prisms around an axis bend by 30 degrees from side to side, and by 90 at top and bottom.
+// Twelve prisms around an axis: 30 degrees between neighboring sides, 90 degrees at top and bottom.
 TEST(FeatureEdges, TheAngleDecides) {
     const Surface surface = boundary(o_grid(2, 12, 1));
     const std::size_t sharp = feature_edges(surface, 45).size(), fine = feature_edges(surface, 20).size();

@@ -136,7 +136,7 @@ TEST_P(Fields, PlaneDistanceIsTheScalarProduct) {
 INSTANTIATE_TEST_SUITE_P(All, Fields, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// A cell of volume 1 where the field climbs by 1 per length, beside a cell of volume 3 where it climbs by 5.
+// A cell of volume 1 with slope 1 beside a cell of volume 3 with slope 5.
 TEST(GradientWeights, AreTheVolumesOfTheCells) {
     Polyhedra input = hexahedra({{2, 1, 1}});
     std::vector<float> values, expected;
@@ -155,8 +155,7 @@ TEST(GradientWeights, AreTheVolumesOfTheCells) {
     }
 }
 
-// Alternating corners: the least-squares gradient is zero everywhere, and the polygons have to tell the way.
-// Cells of atoms and of galaxies in one unit: their volumes are beyond what a float holds.
+// Cell edges from 1e-18 to 1e18: the cells' volumes are outside the range of float32.
 TEST(GradientScales, DoNotMatter) {
     for (const double edge : {1e-18, 1e-14, 1.0, 1e13, 1e18}) {
         Polyhedra cells = hexahedra({{3, 2, 2}, 0, 1, edge});
@@ -195,7 +194,7 @@ TEST(NormalsWithoutAGradient, FollowThePolygons) {
     }
 }
 
-// As a map projection gives them: cells of some metres, coordinates of millions.
+// Coordinates as of a map projection: cells of some meters, positions of millions of meters.
 Polyhedra far_away(const Polyhedra& mesh, bool as_origin) {
     const Point shift{500000, 4500000, -2500};
     Polyhedra result = mesh;
@@ -215,7 +214,7 @@ TEST_P(FarAway, GradientsOfLinearFieldsAreExact) {
         const KernelMesh mesh(input);
         const Point gradient{0.25, -1, 0.5};
         LinearField linear{gradient};
-        linear.constant = -linear.at(input.position(0)); // values of some hundreds, which floats hold well
+        linear.constant = -linear.at(input.position(0)); // keeps the values small, so that float32 is precise enough
         const std::vector<float> values = mesh.stored(linear_field(input, linear));
         for (const Vec3f& g : gradients_of(mesh, values)) {
             for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(g[d], gradient[d], 1e-4);
@@ -250,7 +249,7 @@ TEST_P(FarAway, SlicesKeepTheirArea) {
 INSTANTIATE_TEST_SUITE_P(Origin, FarAway, testing::Bool(),
                          [](const auto& test) { return test.param ? "in_double" : "in_the_floats"; });
 
-// A range that a cell without values had would bring the cell into each cut.
+// Cells without any value must have an empty range, so that no cut contains them.
 TEST(CellRanges, AreEmptyWhereThereIsNoValue) {
     for (const NamedMesh& named : all_meshes()) {
         const Polyhedra input = named.make();
@@ -260,7 +259,7 @@ TEST(CellRanges, AreEmptyWhereThereIsNoValue) {
         const Field::Data& blocks = field.data();
         for (Index b = 0; b < mesh.topology.block_count(); ++b) {
             const Block& block = mesh.topology.blocks().block[b];
-            (void)blocks.ranges.of(block, b, blocks.of_block(b)); // the first time nothing is made
+            (void)blocks.ranges.of(block, b, blocks.of_block(b)); // the ranges are built by the second call
             for (const CellRanges::Range& range : blocks.ranges.of(block, b, blocks.of_block(b)))
                 EXPECT_GT(range[0], range[1]) << named.name;
         }

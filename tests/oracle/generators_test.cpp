@@ -1,4 +1,4 @@
-// The test meshes are what they claim to be; otherwise the tests that stand on them prove nothing.
+// The test meshes have the properties that other tests rely on.
 #include "support/meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST_P(Generators, RepeatedIdsAreDeclared) {
 INSTANTIATE_TEST_SUITE_P(All, Generators, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// How many times each face occurs: 1 on the boundary, 2 inside.
+// Maps the number of occurrences of a face (1 on the boundary, 2 inside) to the number of such faces.
 std::map<std::size_t, std::size_t> face_uses(const Polyhedra& mesh) {
     std::map<Loop, std::size_t> uses;
     for (std::uint64_t f = 0; f < mesh.face_count(); ++f) {
@@ -66,7 +66,7 @@ TEST(GeneratorCounts, TetrahedraMatchTheClosedForm) {
     EXPECT_EQ(face_uses(five_tetrahedra({{3, 4, 5}})), (Histogram{{1, 188}, {2, 506}}));
 }
 
-// Boundary faces of these have all their vertices on the box; a face inside that found no partner would not.
+// All vertices of a boundary face lie on the box. An inner face without a partner would violate this.
 TEST(GeneratorCounts, VoronoiFacesMatchInside) {
     const Polyhedra mesh = voronoi(200, 3);
     EXPECT_EQ(mesh.cell_count(), 200U);

@@ -1,4 +1,4 @@
-// Minima of a distance along a direction, looked for on the boundary and at reflex corners only, are all there are.
+// The fast search for minima of a distance, on the boundary and at reflex corners only, finds all minima.
 #include "ciel/geometric_vertices.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
@@ -43,13 +43,13 @@ TEST_P(GeometricMinima, AreAllOfThem) {
     for (const Vec3d& normal : directions()) expect_all({0, 0, 0}, normal);
 }
 
-// From so far that distances are no longer told apart in float: all vertices are looked at.
+// At large distances float32 rounds different distances to equal values, so all vertices are searched.
 TEST_P(GeometricMinima, AreAllOfThemFarAway) {
     for (const Vec3d& normal : directions())
         for (const double far : {1e3, 1e6, 1e8}) expect_all({far, -far, far / 3}, normal);
 }
 
-// The propagation algorithm begins there, and has the surface of the others.
+// Propagation that starts at these minima gives the surface of the other algorithms.
 TEST_P(GeometricMinima, AreEnoughToPropagateFrom) {
     for (const Vec3d& normal : directions()) {
         Field field = distance({0, 0, 0}, normal);
@@ -82,7 +82,7 @@ TEST(GeometricVertices, OfConvexCellsAreThoseOfTheBoundary) {
     EXPECT_EQ(vertices_of(pyramids({{4, 4, 4}})), 125U - 27);
 }
 
-// An agglomerate has corners that are not convex inside the mesh, and some directions have minima there.
+// Agglomerated cells have reflex corners inside the mesh, and some directions have minima there.
 TEST(GeometricVertices, OfReflexCornersAreInsideToo) {
     const Polyhedra input = agglomerated(hexahedra({{6, 6, 6}, 0.2}), 5, 3);
     const KernelMesh mesh(input);

@@ -1,4 +1,4 @@
-// A cell with more half-edges than 16 bits hold, among small ones.
+// A cell with more half-edges than 16 bits can number, among small cells.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 class GiantCell : public testing::TestWithParam<Index> {
 protected:
-    const Polyhedra input = giant_cell(56); // 75,264 half-edges in one cell
+    const Polyhedra input = giant_cell(56); // one cell of 75,264 half-edges
     const KernelMesh mesh{input, {GetParam()}};
 };
 
@@ -35,7 +35,7 @@ TEST_P(GiantCell, OperatorsHold) {
         ++between_cells;
     }
     EXPECT_EQ(between_cells, 8U * 56 * 56 + 2 * 4U * 2 * 56 * 55);
-    // Every half-edge leaves one vertex, so the rings together visit each once.
+    // Every half-edge leaves one vertex, so the rings of all vertices visit each half-edge once.
     std::size_t in_rings = 0;
     for (Index v = 0; v < mesh.mesh().vertex_count(); ++v) {
         const HalfEdge start = topology.half_edge_of_vertex(v);

@@ -1,5 +1,5 @@
-// Faces of thousands of corners, and vertices of thousands of edges. Nothing here is measured: with work that is
-// quadratic anywhere, these tests do not end.
+// Faces with thousands of corners and vertices with thousands of edges. No time is measured: an algorithm of quadratic
+// time would not end here.
 #include "blocks/blocks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
@@ -18,7 +18,7 @@ Point on_circle(Id i, double z) {
     return {100 * std::cos(angle), 100 * std::sin(angle), z};
 }
 
-// One cell with a floor and a roof of as many corners as it has walls.
+// One cell with `sides` walls, and a floor and roof of `sides` corners.
 Polyhedra prism() {
     Polyhedra mesh;
     std::vector<Loop> faces(2);
@@ -34,8 +34,8 @@ Polyhedra prism() {
     return mesh;
 }
 
-// One cell with two apexes that all of its triangles are at. The apexes come first, so they are the lower end of
-// their edges, or last.
+// One cell whose triangles all meet at one of two apexes. The apexes have the lowest vertex ids or the highest, which
+// decides the direction of their edges.
 Polyhedra spindle(bool apexes_first) {
     Polyhedra mesh;
     if (apexes_first) mesh.add_vertex({0, 0, -1}), mesh.add_vertex({0, 0, 1});
@@ -52,7 +52,7 @@ Polyhedra spindle(bool apexes_first) {
     return mesh;
 }
 
-// As many tetrahedra around one edge.
+// `sides` tetrahedra around one edge.
 Polyhedra ring_of_tetrahedra() {
     Polyhedra mesh;
     mesh.add_vertex({0, 0, -1});
@@ -76,7 +76,7 @@ void expect_operators_hold(const Topology& topology) {
     }
 }
 
-// All algorithms cut at a height, in a ring around the axis.
+// Cuts at height z with every algorithm, and expects the given numbers of polygons and points.
 void expect_polygon(const KernelMesh& mesh, double z, std::size_t polygons, std::size_t points) {
     const Field height = make_field(mesh.topology, plane_distance(mesh.mesh(), {0, 0, 0}, {0, 0, 1}));
     for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive}) {
@@ -110,7 +110,7 @@ TEST(GiantFace, ASpindleOfTwoApexes) {
     }
 }
 
-// Wound either way at random, the cell has to find its own agreement.
+// Face windings are reversed at random. assemble() has to make them consistent.
 TEST(GiantFace, ASpindleWithTurnedFaces) {
     const KernelMesh mesh(with_turned_faces(spindle(true), 0.5, 3));
     ASSERT_TRUE(mesh.assembled.report.bad_cells.empty());
@@ -136,7 +136,8 @@ TEST(GiantFace, ARingOfTetrahedraInBlocksOfOne) {
     expect_polygon(mesh, 0.25, sides, sides + 1ULL);
 }
 
-// What bounds a step of mate_face: not the cell, and not the face.
+// The search for a mate takes at most `longest_search` steps, for cells and faces of any size; otherwise the mate is
+// stored.
 TEST(GiantFace, AMateIsFoundInAFewStepsOrListed) {
     for (const Polyhedra& input : {prism(), spindle(true), giant_cell(56)}) {
         const KernelMesh mesh(input);

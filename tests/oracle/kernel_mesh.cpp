@@ -54,7 +54,7 @@ Vec3d vector_area(std::span<const Vec3f> positions, std::span<const Index> polyg
 
 namespace {
 
-// Collects the first broken promise.
+// Checks conditions and keeps the message of the first that fails.
 class Promises {
 public:
     template <typename... Words>

@@ -1,4 +1,4 @@
-// A test mesh that has gone through the kernel's front door, with the way back to the ids of the input.
+// A test mesh assembled by the kernel, with conversions to and from the ids of the input.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -18,19 +18,21 @@ struct KernelMesh {
     [[nodiscard]] Query query(Algorithm algorithm = Algorithm::signatures) const {
         return {topology, mesh(), algorithm};
     }
-    // Values of the input's vertices in stored order.
+    // Reorders values of the input's vertices into the kernel's order.
     [[nodiscard]] std::vector<float> stored(std::span<const float> input_values) const;
-    [[nodiscard]] Cut cut(const Surface& surface) const; // in ids of the input
+    [[nodiscard]] Cut cut(const Surface& surface) const; // ids are those of the input
 };
 
-// A field that keeps its own values.
+// The field owns its values.
 [[nodiscard]] Field make_field(const Topology& topology, std::vector<float> stored_values);
 
-// Empty when the surface keeps what its header promises, whatever the field; otherwise one line.
+// Returns an empty string when the surface fulfills the contract of its header; otherwise a description of the
+// violation.
 [[nodiscard]] std::string broken_promise(const Surface& surface, const KernelMesh& mesh, std::span<const float> stored,
                                          double nu, bool normals);
 
-// Empty when all arrays (of chunks only if asked) are the same bits; otherwise the name of the first that is not.
+// Returns an empty string when all arrays are bit-identical; otherwise the name of the first that differs. `chunks`:
+// whether the chunk arrays are compared too.
 enum class Chunks { compare, ignore };
 [[nodiscard]] std::string bit_difference(const Surface& a, const Surface& b, Chunks chunks = Chunks::compare);
 

@@ -1,4 +1,4 @@
-// Areas, volumes, orientation and normals of surfaces whose closed form is known: planes through a box.
+// Areas, volumes, orientation and normals of plane cuts through a box, against closed forms.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -26,7 +26,7 @@ Vec3d total_area(const Surface& surface) {
     return sum;
 }
 
-// Between the surface and the origin: a third of the sum of (position . area) over its pieces.
+// Volume between the surface and the origin: a third of the sum of (position . area) over triangles.
 double cone_volume(const Surface& surface) {
     double sum = 0;
     for (std::size_t p = 0; p < surface.polygon_cell.size(); ++p) {
@@ -37,7 +37,7 @@ double cone_volume(const Surface& surface) {
     return sum;
 }
 
-// By inclusion and exclusion of the box's corners, for positive gradients.
+// Sum over the box's corners by inclusion and exclusion, for gradients with positive components.
 double corner_sum(const Vec3d& size, const Vec3d& gradient, double nu, int power) {
     double sum = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -48,12 +48,12 @@ double corner_sum(const Vec3d& size, const Vec3d& gradient, double nu, int power
     return sum / (gradient[0] * gradient[1] * gradient[2]);
 }
 
-// The part of the box [0, size] where gradient . x < nu.
+// Volume of the part of the box [0, size] where gradient . x < nu.
 double volume_below(const Vec3d& size, const Vec3d& gradient, double nu) {
     return corner_sum(size, gradient, nu, 3) / 6;
 }
 
-// The derivative of the volume by the distance along the gradient.
+// Area of the plane section: the derivative of the volume with respect to the distance along the gradient.
 double section_area(const Vec3d& size, const Vec3d& gradient, double nu) {
     return corner_sum(size, gradient, nu, 2) / 2 * std::sqrt(dot(gradient, gradient));
 }
@@ -95,7 +95,7 @@ TEST_P(PlaneThroughABox, HasTheAreaAndTheVolumeOfTheClosedForm) {
                 EXPECT_GT(dot(piece, direction), -1e-6 * expected); // every polygon faces the higher values
             }
             EXPECT_NEAR(unsigned_area, expected, 1e-4 * expected);
-            // While the plane cuts only the three axes, the box's other sides are not involved.
+            // While the plane meets only the three coordinate planes, the cone volume is the volume below the plane.
             const double nu = share * top;
             if (nu < gradient[0] * size[0] && nu < gradient[1] * size[1] && nu < gradient[2] * size[2]) {
                 const double below = volume_below(size, gradient, nu);
@@ -105,7 +105,7 @@ TEST_P(PlaneThroughABox, HasTheAreaAndTheVolumeOfTheClosedForm) {
     }
 }
 
-// Volumes by adding up slabs of sections: holds at every value, the other sides of the box included.
+// Integrates section areas over nu. Valid for every nu, also where the plane meets the other sides of the box.
 TEST_P(PlaneThroughABox, SectionsAddUpToTheVolume) {
     const Vec3d gradient{1, 0.5, 0.25};
     const std::vector<float> values = linear_field(input, {gradient});
@@ -131,13 +131,14 @@ TEST_P(PlaneThroughABox, SlicesAcrossAnAxisCoverTheBoxExactlyOnce) {
         Query query = mesh.query();
         query.set_field(field);
         const double expected = size[(axis + 1) % 3] * size[(axis + 2) % 3];
-        for (double share : {0.0, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 1.0}) { // several lie on whole layers of vertices
+        // Several values coincide with layers of vertices.
+        for (double share : {0.0, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 1.0}) {
             Surface surface;
             ASSERT_TRUE(query.extract(share * size[axis], false, surface));
             if (share > 0)
                 EXPECT_NEAR(total_area(surface)[axis], expected, 1e-5 * expected) << axis << " " << share;
             else
-                EXPECT_TRUE(surface.points.empty()); // nothing is lower
+                EXPECT_TRUE(surface.points.empty()); // no vertex is lower
         }
     }
 }
@@ -265,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(All, PlaneThroughABox,
                                          FilledBox{"voronoi", [] { return voronoi(200, 9); }, {1, 1, 1}}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// The polygon of a tetrahedron is flat, so which way it faces is not a matter of opinion.
+// The polygon of a tetrahedron is planar, so its orientation is well defined.
 TEST(Orientation, PolygonsOfTetrahedraFaceTheHigherValues) {
     const Polyhedra input = tetrahedra({{4, 4, 4}, 0.15, 114});
     const KernelMesh mesh(input);

@@ -1,5 +1,5 @@
-// What the six operators cost, in blocks of the usual size: a block that falls back to wider ids or to the general form
-// says so here, and nowhere else but in time.
+// Memory of the six operators, for blocks of the usual size. Detects a block that uses wider ids or the general form
+// without need.
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
@@ -20,7 +20,7 @@ void expect_within_5_percent(const Polyhedra& input, double bytes) {
 
 TEST(Memory, AStandardCellsHalfEdgeHasTheBytesThatItHad) {
     const Box box{{24, 24, 24}};
-    // One block as full as blocks get: 4092 cells.
+    // One block of almost the maximal size: 4092 cells.
     expect_within_5_percent(tetrahedra({{11, 31, 2}}), 3.19);
     expect_within_5_percent(hexahedra(box), 3.23);
     expect_within_5_percent(wedges(box), 3.27);

@@ -1,4 +1,4 @@
-// The normals of a surface never point against it, whatever the field: a light would fall on its wrong side.
+// Vertex normals never point against their polygons, for any field; lighting would be on the wrong side.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -49,7 +49,7 @@ TEST_P(Normals, NeverPointAgainstTheSurface) {
     EXPECT_TRUE(seen > 0 || input.cell_count() == 0);
 }
 
-// Along the polygons around each point, by area; the same bits for any size of the blocks.
+// Normals from polygons are the area-weighted mean around each point, bit-identical for any block size.
 TEST_P(Normals, FromPolygonsAreTheirMean) {
     const Polyhedra input = GetParam().make();
     const std::vector<float> values = random_field(input.vertex_count(), 9);
@@ -67,7 +67,7 @@ TEST_P(Normals, FromPolygonsAreTheirMean) {
         ASSERT_EQ(surface.normals.size(), areas.size());
         for (std::size_t v = 0; v < areas.size(); ++v) {
             const double length = std::hypot(areas[v][0], areas[v][1], areas[v][2]);
-            if (length < 1e-9) continue; // polygons that fold back onto themselves
+            if (length < 1e-9) continue; // polygons around this point cancel each other
             for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(surface.normals[v][d], areas[v][d] / length, 1e-5);
         }
     }

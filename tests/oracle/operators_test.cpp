@@ -1,4 +1,4 @@
-// The six operators as identities on every half-edge of every mesh, and the counts against counting.
+// Identities of the six operators on every half-edge of every mesh, and the topology's counts against counting.
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
@@ -16,7 +16,7 @@ using Pair = std::pair<Index, Index>;
 
 Pair unordered(Index a, Index b) { return std::minmax(a, b); }
 
-// A loop as the topology holds it: a half-edge joins two different vertices.
+// A face loop as the topology stores it, without consecutive duplicates: a half-edge joins two different vertices.
 Loop half_edge_loop(const Ids& loop) {
     Loop result = without_repeats({loop.begin(), loop.end()});
     if (result.size() == 1) result.clear();
@@ -89,7 +89,7 @@ TEST_P(Operators, MatePolyhedronIsItsOwnInverseOrNoneOnTheBoundary) {
     std::uint64_t without = 0;
     for (HalfEdge h : half_edges) {
         const HalfEdge mate = topology.mate_polyhedron(h);
-        // Whole faces match: the next of one is the previous of the other.
+        // Faces match as a whole: the mate of the next half-edge is the previous one of the mate.
         const HalfEdge beside = topology.mate_polyhedron(topology.next_around_face(h));
         ASSERT_EQ(mate == none, beside == none);
         if (mate == none) {
@@ -113,7 +113,7 @@ TEST_P(Operators, MatePolyhedronIsItsOwnInverseOrNoneOnTheBoundary) {
 
 TEST_P(Operators, MatePolyhedronLeadsToTheCellThatTheMeshNames) {
     const FaceMeshView faces = mesh.mesh();
-    std::multiset<Pair> expected, found; // of cells, once per half-edge of the owner
+    std::multiset<Pair> expected, found; // pairs of cells, one for each half-edge of the owner
     for (Index f = 0; f < faces.face_count(); ++f) {
         if (faces.neighbour[f] == none) continue;
         for (std::size_t i = half_edge_loop(faces.loop(f)).size(); i > 0; --i) {
@@ -186,8 +186,8 @@ TEST_P(Operators, CountsAreWhatIsThere) {
     EXPECT_EQ(counts.components, components);
     const Index per_block = std::get<1>(GetParam());
     EXPECT_EQ(topology.block_count(), (faces.cell_count() + per_block - 1) / per_block);
-    // What the leanest cells of all, tetrahedra, cannot do without: 16 bits for each corner, its place in the vertex's
-    // list, each edge and each face.
+    // Lower bound for tetrahedra, the leanest cells: 16 bits for each corner, each entry of a vertex's list, each edge
+    // and each face.
     EXPECT_GE(topology.memory_bytes(), 2 * (4 + 4 + 6 + 4) * half_edges.size() / 12);
 }
 
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(All, Operators,
                              return std::get<0>(test.param).name + "_" + std::to_string(std::get<1>(test.param));
                          });
 
-// Closed forms, told by nobody's code.
+// Closed forms, computed by hand.
 TEST(OperatorCounts, AHexahedralLattice) {
     const KernelMesh mesh(hexahedra({{3, 4, 5}}));
     const TopologyCounts& counts = mesh.topology.counts();
@@ -222,7 +222,7 @@ TEST(OperatorCounts, AVertexThatTwoCellsShareAloneHasOneRing) {
     EXPECT_EQ(topology.counts().vertices, 15U);
     EXPECT_EQ(topology.counts().edges, 24U);
     const auto& ids = mesh.assembled.original_vertex;
-    const auto shared = std::find(ids.begin(), ids.end(), 13U); // the middle of 3 x 3 x 3
+    const auto shared = std::find(ids.begin(), ids.end(), 13U); // the middle vertex of 3 x 3 x 3
     ASSERT_NE(shared, ids.end());
     const HalfEdge start = topology.half_edge_of_vertex(static_cast<Index>(shared - ids.begin()));
     std::multiset<Index> ring;

@@ -9,9 +9,9 @@
 namespace ciel::test {
 namespace {
 
-constexpr double allowed = 1e-4; // of a cell's edge: positions and values are floats
+constexpr double allowed = 1e-4; // In cell edges. Positions and values are float32.
 
-// At how many of the box's sides a point lies, by axis.
+// For each axis, true when the vertex lies on one of the box's two sides across that axis.
 std::array<bool, 3> at_sides(const FaceMeshView& mesh, Index vertex, const std::array<double, 3>& box) {
     std::array<bool, 3> at{};
     const Vec3d p = position(mesh, vertex);
@@ -22,8 +22,8 @@ std::array<bool, 3> at_sides(const FaceMeshView& mesh, Index vertex, const std::
     return at;
 }
 
-// The coordinate `axis` of the cells' centres, at the vertices; how far it is from the vertices' own, at most, over the
-// vertices that do not lie on a side across that axis.
+// Interpolates the coordinate `axis` of the cell centers to the vertices. Returns the largest difference from the
+// vertices' own coordinate, without vertices on the sides across that axis.
 double largest_error(const std::array<int, 3>& cubes, std::size_t axis) {
     const Assembled assembled = assemble(view(hexahedra({cubes, 0.15, 7})));
     const FaceMeshView mesh = assembled.mesh.view();

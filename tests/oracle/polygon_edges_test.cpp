@@ -1,4 +1,4 @@
-// Polygon edges against a set of them, on surfaces through every kind of mesh, and counted where the count is known.
+// Polygon edges against a brute-force set of them, on surfaces through every kind of mesh, and against known counts.
 #include "ciel/polygon_edges.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
@@ -49,8 +49,7 @@ TEST_P(PolygonEdges, AreEachSideOfAPolygonOnce) {
 INSTANTIATE_TEST_SUITE_P(meshes, PolygonEdges, testing::ValuesIn(all_meshes()),
                          [](const auto& mesh) { return mesh.param.name; });
 
-// A plane between the layers of n x n cubes cuts n x n squares: n + 1 lines of n edges in each direction, and no
-// diagonal.
+// A plane between two layers of n x n cubes cuts n x n squares: n + 1 lines of n edges in each direction, no diagonals.
 TEST(PolygonEdgesOfALattice, AreThoseOfItsSquares) {
     constexpr std::size_t n = 7;
     const Polyhedra input = hexahedra({{n, n, n}});

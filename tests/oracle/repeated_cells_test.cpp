@@ -1,4 +1,5 @@
-// Cells that a mesh lists more than once: the surface is that of the mesh without the copies, and the copies are named.
+// Meshes that list cells more than once: the surface is that of the mesh without the copies, and the copies are
+// reported.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -14,7 +15,8 @@ namespace {
 
 using Reason = BadCells::Reason;
 
-// A cell that collapsed to one of its faces has it twice, as a curvilinear grid's poles do: it repeats nothing.
+// A cell that collapsed to one of its faces, as at the poles of curvilinear grids, has that face twice. It is no copy
+// of another cell.
 bool has_a_face_twice(const Polyhedra& mesh, Id cell) {
     std::vector<std::vector<Id>> faces;
     for (const Loop& loop : mesh.loops(cell)) {
@@ -27,7 +29,7 @@ bool has_a_face_twice(const Polyhedra& mesh, Id cell) {
     return faces.empty() || std::ranges::adjacent_find(faces) != faces.end();
 }
 
-// The same faces in another order, from other corners, wound either way.
+// The same faces in random order, with random first corners and windings.
 std::vector<Loop> disguised(std::vector<Loop> loops, std::mt19937_64& random) {
     std::ranges::shuffle(loops, random);
     for (Loop& loop : loops) {
@@ -41,7 +43,7 @@ class RepeatedCells : public testing::TestWithParam<NamedMesh> {
 protected:
     Polyhedra once = GetParam().make();
 
-    // `often` more times each of a share of the cells, behind all others.
+    // Appends `often` copies of a `share` of the cells, and expects the surface of the mesh without copies.
     void expect_as_if_listed_once(double share, int often) {
         std::mt19937_64 random(5);
         Polyhedra repeated = once;
@@ -83,7 +85,7 @@ TEST_P(RepeatedCells, SomeManyTimes) { expect_as_if_listed_once(0.3, 4); }
 INSTANTIATE_TEST_SUITE_P(All, RepeatedCells, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// Side by side in the file, as where two partitions of a parallel run have both written the cells at their border.
+// Copies beside each other in the file, as from a parallel run in which two partitions write their border cells.
 TEST(RepeatedCell, TheFirstOneIsKept) {
     const Polyhedra row = hexahedra({{4, 1, 1}});
     Polyhedra mesh = keep_cells(row, [](Id) { return false; });
@@ -97,7 +99,7 @@ TEST(RepeatedCell, TheFirstOneIsKept) {
     EXPECT_EQ(std::ranges::count(assembled.mesh.neighbour, none), 18);
 }
 
-// Two different cells may claim the same faces but one: where three meet, that is a bad mesh and no repetition.
+// Two different cells share all faces except one. Faces with three cells make a bad mesh, but neither cell is a copy.
 TEST(RepeatedCell, NeighboursThatShareAllFacesButOneStay) {
     Polyhedra mesh = hexahedra({{1, 1, 1}});
     const Id roof = mesh.add_vertex({0.5, 0.5, 2});

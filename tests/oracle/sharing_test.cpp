@@ -1,4 +1,4 @@
-// One topology and one field under many queries, calls cut short, and vertices that move.
+// One topology and one field shared by many queries, interrupted calls, and vertices that move.
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -28,7 +28,7 @@ protected:
     }
 };
 
-// Minima and gradients are made on demand, by whichever session comes first.
+// Minima and gradients are computed on demand, by the first thread that needs them.
 TEST_P(Sharing, QueriesInManyThreadsGiveTheSameBits) {
     const std::vector<double> walk = walk_through(values, 12, 153);
     std::vector<Surface> expected;
@@ -53,8 +53,8 @@ TEST_P(Sharing, QueriesInManyThreadsGiveTheSameBits) {
     EXPECT_EQ(different, 0);
 }
 
-// Whenever the stop comes, the query goes on as if the call had not been made. One call follows the other until one is
-// stopped, so that it is found at work however the threads take turns.
+// An interrupted call must leave the query unchanged, wherever the stop comes. Calls repeat until the stop interrupts
+// one, for any timing of the threads.
 TEST_P(Sharing, ACallStoppedAnywhereHarmsNothing) {
     using std::chrono::steady_clock;
     const Field field = make_field(mesh.topology, mesh.stored(values));
@@ -94,7 +94,7 @@ TEST_P(Sharing, ACallStoppedAnywhereHarmsNothing) {
     EXPECT_GE(stopped_inside, 20);
 }
 
-// A moved mesh keeps its topology: the polygons stay, their vertices follow.
+// Moving the vertices keeps the topology: the polygons are the same at other positions.
 TEST_P(Sharing, VerticesMayMoveUnderATopology) {
     const Field field = make_field(mesh.topology, mesh.stored(values));
     const Surface before = fresh(field, 0.5);

@@ -1,4 +1,4 @@
-// Linear fields on cells that are stretched, as those of boundary layers are: what the gradient is, is known.
+// Gradients of linear fields on stretched cells, as in boundary layers.
 #include "fields/cell_gradient.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
@@ -11,9 +11,9 @@
 namespace ciel::test {
 namespace {
 
-using Axes = std::array<Point, 3>; // orthogonal, of length 1
+using Axes = std::array<Point, 3>; // orthonormal
 
-// By no angle that makes anything zero.
+// Angles for which no component of the axes is zero.
 Axes turned() {
     const double a = 0.6435, b = 1.1071, c = 0.2914;
     const double ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b), cc = std::cos(c),
@@ -41,14 +41,14 @@ Point placed(const Point& p, const Point& scale, const Axes& axes) {
 
 class StretchedCell : public testing::TestWithParam<Stretch> {
 protected:
-    // Positions in double, so the only error is the solver's own. In the cell's own axes each slope is right to a part
-    // of a million: along the short ones as along the long ones.
+    // Uses positions in double, so only the solver's error remains. The slope along each axis of the cell has an error
+    // below 1e-6, along short and long axes.
     template <const StandardShape& shape>
     void expect_exact(const std::array<Point, shape.corners>& corners, double unit_volume) {
         const Axes axes = turned();
         for (const double by : {1.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
             const Point scale = GetParam().scale(by);
-            const Point slope{1.5, -0.75, 2}; // along the axes
+            const Point slope{1.5, -0.75, 2}; // along the cell's axes
             std::array<Sample, shape.corners> samples;
             for (std::size_t c = 0; c < shape.corners; ++c) {
                 const Point p = placed(corners[c], scale, axes);
@@ -58,7 +58,7 @@ protected:
             }
             const CellGradient made = standard_gradient<shape>(samples);
             const Point gradient{made.gradient[0], made.gradient[1], made.gradient[2]};
-            // What is rounded: positions and values to 53 bits, the gradient to 24.
+            // Positions and values are rounded to 53 bits, the gradient to 24.
             const double tolerance = 1e-6 + 1e-14 * by;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 EXPECT_NEAR(along(gradient, axes[axis]), slope[axis], tolerance) << by << " axis " << axis;
@@ -77,7 +77,7 @@ TEST_P(StretchedCell, OfEachStandardType) {
     expect_exact<pyramid_shape>({o, x, xy, y, {0, 0, 0.5}}, 1.0 / 3);
 }
 
-// A cell without volume has no gradient, whatever its place and however it lies.
+// A cell without volume has no gradient, at any place and orientation.
 TEST(StretchedCells, FlatOnesDoNotCount) {
     for (const Point& far : {Point{0, 0, 0}, Point{1000, -3000, 700}, Point{0.1F, 0.7F, 0.3F}})
         for (const double tilt : {0.0, 0.25, 1.0}) {
@@ -94,8 +94,8 @@ TEST(StretchedCells, FlatOnesDoNotCount) {
 
 class StretchedMesh : public testing::TestWithParam<std::tuple<Stretch, NamedMesh>> {};
 
-// Positions and values in float, as they come: the bound is what half a unit in the last place of the values does
-// across the thinnest cell.
+// Positions and values in float32. The tolerance is half a unit in the last place of the values, divided by the
+// thinnest cell's thickness.
 TEST_P(StretchedMesh, HasTheGradientOfALinearField) {
     const auto& [stretch, named] = GetParam();
     const Axes axes = turned();
@@ -107,7 +107,7 @@ TEST_P(StretchedMesh, HasTheGradientOfALinearField) {
             for (std::size_t k = 0; k < 3; ++k) input.positions[3 * v + k] = static_cast<float>(p[k]);
         }
         const KernelMesh mesh(input);
-        for (const std::size_t axis : {0U, 2U}) { // along and across
+        for (const std::size_t axis : {0U, 2U}) { // along the longest and along the shortest edges
             std::vector<float> values(input.vertex_count());
             double largest = 0;
             for (Id v = 0; v < input.vertex_count(); ++v) {

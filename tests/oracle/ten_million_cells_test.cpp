@@ -1,4 +1,4 @@
-// As many cells as users have: what only shows where ids are large or memory is short.
+// A mesh of ten million cells, for errors that need large ids or much memory.
 #include "ciel/extract.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 constexpr Index n = 216; // cells along an edge of the unit cube
 constexpr Index corners = n + 1;
 
-// n x n x n hexahedra in rows, in the kernel's own form: made cell by cell, faces with their first cell.
+// n x n x n hexahedra in row order, written directly as a FaceMesh. Each face is stored with its first cell.
 class CubeOfCells {
 public:
     CubeOfCells() : number_(std::size_t{corners} * corners * corners, none) {
@@ -74,7 +74,7 @@ TEST(TenMillionCells, AreBuiltSlicedAndContoured) {
     EXPECT_EQ(topology.counts().boundary_faces, std::uint64_t{6} * n * n);
     EXPECT_EQ(topology.counts().half_edges, 24 * cells);
     EXPECT_EQ(topology.counts().components, 1U);
-    // Rows of cells make flat blocks with long borders; along a space-filling curve it is less.
+    // Row order gives flat blocks with large borders. Cells along a space-filling curve need less memory.
     EXPECT_LT(topology.memory_bytes(), 5 * 24 * cells);
 
     std::vector<float> height(mesh.vertex_count()), distance(mesh.vertex_count());

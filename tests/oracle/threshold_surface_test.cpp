@@ -1,4 +1,4 @@
-// Thresholds against cells looked at one by one, without owners, neighbours or blocks.
+// Threshold surfaces against a brute-force test of each cell, without owners, neighbors or blocks.
 #include "ciel/clip_surface.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
@@ -15,16 +15,16 @@
 namespace ciel::test {
 namespace {
 
-using Sides = std::vector<std::pair<Id, Loop>>; // (cell, its side), of the input, sorted
+using Sides = std::vector<std::pair<Id, Loop>>; // sorted pairs of an input cell and one of its faces
 
-// A collapsed edge is no edge of what is drawn.
+// Removes consecutive duplicates: collapsed edges are not part of a surface.
 Loop without_repeats(Loop loop) {
     loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
     while (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
     return loop;
 }
 
-// Every cell by itself; a side is one of the boundary where no other kept cell has a face of the same vertices.
+// A face of a kept cell is on the boundary when no other kept cell has a face with the same vertices.
 Sides kept_boundary(const Polyhedra& mesh, const std::vector<float>& values, std::array<double, 2> range,
                     InRange rule) {
     Sides all;
@@ -132,9 +132,9 @@ TEST(Threshold, OfAClippedSurfaceIsRefused) {
         (void)polygons_of_cells(clip_surface(cut, {}, between, 0).surface, all);
         FAIL() << "not refused";
     } catch (const Error& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("choose first and clip then"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("filter the surface before it is clipped"));
     }
-    // Nothing was cut off: nothing is new.
+    // The clip cuts nothing off, so all polygons are still those of cells.
     EXPECT_EQ(polygons_of_cells(clip_surface(cut, {}, beside, 0).surface, all).polygon_cell.size(), 16U);
     EXPECT_THROW((void)polygons_of_cells(cut, std::span(all).first(20)), Error);
 }

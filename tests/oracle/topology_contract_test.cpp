@@ -1,4 +1,4 @@
-// Topology refuses arrays that break the contract of FaceMeshView, whoever made them.
+// Topology refuses arrays that violate the contract of FaceMeshView.
 #include "ciel/topology.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"

@@ -1,4 +1,4 @@
-// Triangles of single polygons, convex or not, and what the functions beside extract() refuse.
+// Triangulation of single polygons, convex or not, and invalid arguments of the functions beside extract().
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
@@ -32,7 +32,7 @@ struct Shape {
 
 class Triangulate : public testing::TestWithParam<Shape> {};
 
-// From every start of the loop: the triangles face the polygon's way and cover it once.
+// From every first corner, the triangles have the polygon's orientation and cover it once.
 TEST_P(Triangulate, CoversThePolygonOnce) {
     Shape shape = GetParam();
     for (std::size_t start = 0; start < shape.corners.size(); ++start) {
@@ -96,8 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shape{"no_area", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, 0, 0}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Twice as many ways to look at it would be four times the work, were it quadratic: at a quarter of a million corners
-// that is a test which does not end.
+// With an algorithm of quadratic time, a quarter of a million corners would not end.
 constexpr int many = 250'000;
 
 std::vector<Vec3f> giant_comb() {
@@ -122,7 +121,7 @@ std::vector<Vec3f> giant_circle() {
 
 struct Covered {
     std::size_t triangles;
-    double area, turned_over; // sums
+    double area, turned_over; // summed areas of triangles with the right and with the wrong orientation
 };
 
 Covered cover(const std::vector<Vec3f>& corners) {
@@ -138,7 +137,8 @@ Covered cover(const std::vector<Vec3f>& corners) {
 
 TEST(TriangulateGiant, ACombIsCoveredOnce) {
     const Covered comb = cover(giant_comb());
-    EXPECT_LE(comb.triangles, static_cast<std::size_t>(many)); // valleys lie on one line: some have no area
+    // The comb's valleys are collinear, so some triangles have no area and are omitted.
+    EXPECT_LE(comb.triangles, static_cast<std::size_t>(many));
     EXPECT_EQ(comb.turned_over, 0);
     EXPECT_NEAR(comb.area, many / 2 * 2.0, 1e-3);
 }
@@ -150,7 +150,7 @@ TEST(TriangulateGiant, ACircleIsCoveredOnceButForRounding) {
     EXPECT_LT(circle.turned_over, 1);
 }
 
-// A polygon that crosses itself, over and over, has no right answer but gets one.
+// A polygon that crosses itself many times has no correct triangulation, but the function must return.
 TEST(TriangulateGiant, AScribbleEnds) {
     std::vector<Vec3f> corners;
     std::uint64_t state = 7;

@@ -1,4 +1,4 @@
-// The twin itself, against cases worked out by hand and against what holds for any cut.
+// The twin against examples worked out by hand, and against properties of any cut.
 #include "oracle/twin/twin.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -17,7 +17,7 @@ std::vector<CutPolygon> polygons_of(const Polyhedra& mesh, const std::vector<flo
     return cut_every_cell(mesh, values, nu).polygons;
 }
 
-// Corners of the unit cube are numbered by their bits: 1 for x, 2 for y, 4 for z.
+// Vertices of the unit cube are numbered by bits: 1 for x, 2 for y, 4 for z.
 TEST(Twin, CutsACubeAcross) {
     const std::vector<float> up{0, 0, 0, 0, 1, 1, 1, 1};
     // Counter-clockwise seen from above, where the values are higher.
@@ -27,14 +27,15 @@ TEST(Twin, CutsACubeAcross) {
 
 TEST(Twin, AHighCornerIsIsolatedWithItsNormalTowardsIt) {
     const std::vector<float> corner{0, 0, 0, 0, 0, 0, 0, 1};
-    // (3,7) lies below corner 7, (5,7) before it in y, (6,7) before it in x: this order turns left around (1,1,1).
+    // (3,7) is below vertex 7, (5,7) beside it in y, (6,7) beside it in x. This order is counter-clockwise seen from
+    // (1,1,1).
     const CutPolygon expected{0, {{3, 7}, {6, 7}, {5, 7}}};
     EXPECT_EQ(polygons_of(hexahedra({{1, 1, 1}}), corner, 0.5), std::vector{expected});
 }
 
 TEST(Twin, TwoHighCornersOnADiagonalAreTwoPolygons) {
     EXPECT_EQ(polygons_of(hexahedra({{1, 1, 1}}), {1, 0, 0, 1, 0, 0, 0, 0}, 0.5).size(), 2U);
-    // The complement: the low corners are joined, because the high side is what a face isolates.
+    // The complement: on ambiguous faces the high vertices are separated, so the low ones are joined.
     EXPECT_EQ(polygons_of(hexahedra({{1, 1, 1}}), {0, 1, 1, 0, 1, 1, 1, 1}, 0.5).size(), 1U);
 }
 
@@ -74,7 +75,7 @@ TEST_P(TwinOnMeshes, LeavesNoOpenSegment) {
 INSTANTIATE_TEST_SUITE_P(All, TwinOnMeshes, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// The build already keeps server/ out of the twin's include folders; this keeps a relative path from creeping in.
+// The build keeps server/ out of the twin's include folders. This test also finds relative paths.
 TEST(Twin, IncludesNoHeaderOfTheKernel) {
     const std::filesystem::path tests = std::filesystem::path(CIEL_SOURCE_DIR) / "tests";
     const std::set<std::string> for_its_tests{"views.hpp", "thread_count.hpp", "chosen_algorithm.hpp"};

@@ -1,4 +1,4 @@
-// Iso-surfaces of tetrahedra are the same for everyone: the same area and the same points as VTK's two contour filters.
+// Iso-surfaces of tetrahedra have the area and the points that VTK's two contour filters give.
 #include "ciel/extract.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkUnstructuredGrid> as_grid(const Polyhedra& mesh, const std::v
     grid->SetPoints(points);
     grid->GetPointData()->SetScalars(scalars);
     for (Id c = 0; c < mesh.cell_count(); ++c) {
-        const Loop base = mesh.loops(c)[0]; // wound outwards: the fourth corner lies behind it
+        const Loop base = mesh.loops(c)[0]; // wound outwards, so the fourth vertex is behind it
         std::set<Id> corners;
         for (const Loop& loop : mesh.loops(c)) corners.insert(loop.begin(), loop.end());
         for (Id v : base) corners.erase(v);

@@ -1,4 +1,4 @@
-"""The files a public project needs, and one version: CMakeLists.txt states it, all other places agree with it."""
+"""The files that a public project needs. The version in CMakeLists.txt and in all other places must be equal."""
 
 import json
 import pathlib
@@ -9,7 +9,7 @@ import unittest
 
 PROGRAM = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 else None
 ROOT = pathlib.Path(sys.argv.pop(1) if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
-# The headings that keepachangelog.com 1.1.0 allows inside a release.
+# Headings that keepachangelog.com 1.1.0 allows inside a release.
 KINDS = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
 
 

@@ -1,4 +1,4 @@
-"""A dataset written from the documented format alone: a box of hexahedra with `r` (distance from a moving centre) and `x`."""
+"""Writes a dataset by the documented format alone: a box of hexahedra with `r` (distance from a moving center) and `x`."""
 
 import ctypes
 import json
@@ -18,7 +18,7 @@ def checksum(data: bytes) -> str:
 
 
 def write_array(folder: pathlib.Path, values: np.ndarray, chunked: bool = False) -> list[str]:
-    """One chunk, or one per entry of the first axis. Returns the chunks' checksums."""
+    """Writes one chunk, or with `chunked` one per entry of the first axis. Returns the chunks' checksums."""
     folder.mkdir(parents=True)
     chunks = (1, *values.shape[1:]) if chunked else values.shape
     dtype = values.dtype.str
@@ -36,11 +36,11 @@ def write_array(folder: pathlib.Path, values: np.ndarray, chunked: bool = False)
 
 
 def box_faces(n: int):
-    """Loops with the normal out of the owner, sorted by owner: face_vertex [F, 4], owner, neighbour."""
-    cells = np.arange(n**3, dtype=np.int64).reshape(n, n, n)  # z, y, x
+    """Returns face_vertex [F, 4], owner and neighbor, sorted by owner. Normals point out of the owner."""
+    cells = np.arange(n**3, dtype=np.int64).reshape(n, n, n)  # indexed z, y, x
     points = np.arange((n + 1) ** 3, dtype=np.int64).reshape(n + 1, n + 1, n + 1)
     loops, owners, neighbours = [], [], []
-    # both quads of every cell across each axis; arrays run z, y, x
+    # The lower and the upper face of every cell across each axis. Arrays are indexed z, y, x.
     for axis in range(3):
         u, v = [(1, 2), (2, 0), (0, 1)][axis]
         for high in (0, 1):
@@ -69,7 +69,7 @@ def box_faces(n: int):
 
 
 def write_box(directory: pathlib.Path, n: int = 12, steps: int = 4, holes: bool = False) -> pathlib.Path:
-    """holes: also `m`, which is `x` without a value where that is above zero."""
+    """`holes`: also writes `m`, which equals `x` but has no value where x > 0."""
     loop, owner, neighbour = box_faces(n)
     axis = np.linspace(-1, 1, n + 1, dtype=np.float32)
     z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")

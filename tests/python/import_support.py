@@ -1,4 +1,4 @@
-"""What the import tests share: running `ciel import`, and reading a dataset with plain JSON and Zarr."""
+"""Helpers of the import tests: run `ciel import`, and read a dataset with plain JSON and Zarr."""
 
 import json
 import pathlib
@@ -20,7 +20,7 @@ def ciel_info(dataset, *options):
 
 
 class Dataset:
-    """A dataset as other software sees it."""
+    """A dataset, read with Zarr and JSON instead of CIEL's store."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -74,9 +74,10 @@ class Dataset:
         return np.unique(np.concatenate([vertex[offset[f] : offset[f + 1]] for f in faces]))
 
     def volume(self, mesh=0):
-        """By the divergence theorem over the boundary: right only when every face is matched and wound outwards."""
+        """Volume by the divergence theorem over boundary faces. Correct only when all faces are matched and wound outwards."""
         m = self.mesh(mesh)
-        position = np.asarray(m["positions"][0], float)  # from the origin: nothing cancels
+        # Without the mesh's origin, so that large coordinates do not cancel.
+        position = np.asarray(m["positions"][0], float)
         offset, vertex, neighbour = m["face_offset"][:], m["face_vertex"][:], m["neighbour"][:]
         total = 0.0
         for face in np.flatnonzero(neighbour == NO_NEIGHBOUR):
@@ -87,7 +88,7 @@ class Dataset:
 
 
 def imported(tmp_path, *arguments, code=0):
-    """Imports into tmp_path and opens the result; fails with what the program said."""
+    """Imports into tmp_path and returns the dataset. Fails with the program's output on another exit code."""
     output = tmp_path / "out.ciel"
     done = run_import(*arguments, "-o", output)
     assert done.returncode == code, done.stdout + done.stderr

@@ -1,15 +1,15 @@
-"""A block of hexahedra as an OpenFOAM case: any number of cells along each axis, sides that are patches of any type."""
+"""A block of hexahedra as an OpenFOAM case, with any number of cells along each axis and any patch type on each side."""
 
 import itertools
 
 import numpy as np
 from openfoam_files import field, side_of, write_control, write_mesh
 
-SIDES = ("left", "right", "front", "back", "bottom", "top")  # x, y, z; low, high
+SIDES = ("left", "right", "front", "back", "bottom", "top")  # low and high side along x, y, z
 
 
 class Block:
-    """`types`: the type of the patch on each side, `wall` where none is given. `place`: moves the points, [n, 3] -> [n, 3]."""
+    """`types`: patch type of each side; `wall` by default. `place`: maps the points, [n, 3] -> [n, 3]."""
 
     def __init__(self, cells, types=None, place=lambda points: points):
         self.cells = cells
@@ -36,7 +36,7 @@ class Block:
                 self.inner.append((cell(*here), cell(*other), loop))
 
     def centres(self):
-        """Mean of the corners: the centroid where cells are parallelepipeds."""
+        """Means of the cells' corners, which are the centroids for parallelepipeds."""
         corners = [set() for _ in range(np.prod(self.cells))]
         for owner, neighbour, loop in self.inner:
             corners[owner].update(loop)
@@ -49,7 +49,7 @@ class Block:
         return np.array([self.points[loop].mean(axis=0) for _, loop in self.outer[side]])
 
     def write(self, case, fields):
-        """`fields`: name -> (values in the cells, {side: entry})."""
+        """`fields`: name -> (values in the cells, {side: boundary entry})."""
         write_control(case)
         write_mesh(case / "constant/polyMesh", self.points, self.inner, self.outer, {s: f"type {t};" for s, t in self.types.items()})
         (case / "1").mkdir()
@@ -60,7 +60,7 @@ class Block:
 
 
 def listed(values):
-    """The `value` entry of a condition that varies over a patch."""
+    """The `value` entry of a boundary condition with one value for each face."""
     text = lambda v: "(" + " ".join(map(repr, map(float, v))) + ")" if np.ndim(v) else repr(float(v))
     kind = "vector" if np.ndim(values) == 2 else "scalar"
     return f"value nonuniform List<{kind}> {len(values)}({' '.join(map(text, values))});"

@@ -1,4 +1,4 @@
-"""OpenFOAM cases written as text: a cube of hexahedra and two polyhedra, whole or decomposed, with patches and zones."""
+"""Writes OpenFOAM cases as text: a cube of hexahedra and two polyhedra, whole or decomposed, with patches and zones."""
 
 import itertools
 
@@ -19,7 +19,7 @@ def listing(rows):
 
 
 def side_of(here, axis, side, point):
-    """The loop of one side of the cube at `here`, wound outwards; point(i, j, k) is the id of a corner."""
+    """Loop of one side of the cube at `here`, wound outwards. point(i, j, k) returns the id of a corner."""
     u, v = (axis + 1) % 3, (axis + 2) % 3
     loop = []
     for du, dv in [(0, 0), (1, 0), (1, 1), (0, 1)]:
@@ -32,7 +32,7 @@ def side_of(here, axis, side, point):
 
 
 def mesh():
-    """Faces as (owner, neighbour or patch, loop). One inner face is split in two, which makes two polyhedra."""
+    """Faces as (owner, neighbor or patch, loop). One inner face is split in two, so its two cells are polyhedra."""
     point = lambda i, j, k: i + (N + 1) * (j + (N + 1) * k)
     cell = lambda i, j, k: i + N * (j + N * k)
     inner, outer = [], {"inlet": [], "outlet": [], "walls": []}
@@ -67,7 +67,7 @@ def field(kind, name, dimensions, internal, patches):
 
 
 def write_mesh(poly, points, inner, outer, kinds):
-    """`kinds`: the entries of a patch in `boundary` that are not its faces."""
+    """`kinds`: for each patch, its entries in the file `boundary` except those that number its faces."""
     poly.mkdir(parents=True)
     (poly / "points").write_text(header("vectorField", "points") + listing([f"({x} {y} {z})" for x, y, z in points]))
     loops = [loop for *_, loop in inner] + [loop for faces in outer.values() for _, loop in faces]
@@ -83,7 +83,7 @@ def write_mesh(poly, points, inner, outer, kinds):
 
 
 def write_fields(case, centres, more_patches=()):
-    """U and p at times 1 and 2, on the cells with these centres."""
+    """Writes U and p at the times 1 and 2 for cells with these centers."""
     processor = {name: "type processor; value uniform 0;" for name in more_patches}
     for time in (1, 2):
         folder = case / str(time)
@@ -128,7 +128,7 @@ def write_cell_zones(poly, zones):
 
 
 def write_regions(case, regions):
-    """Cubes side by side, each a region with a zone of two cells; regions: name -> where it begins along x."""
+    """Writes cubes side by side, each a region with a zone of two cells. `regions`: name -> start of the cube along x."""
     write_control(case)
     (case / "constant").mkdir()
     names = " ".join(regions)
@@ -157,7 +157,7 @@ def write_face_zones(poly, zones):
 
 
 def write_processor(case, rank, ranks, processor_of_cell, zones, baffle):
-    """One piece as decomposePar leaves it: its cells, their points, and a processor patch towards each neighbour."""
+    """Writes one processor's mesh as decomposePar does: its cells, their points, and a patch for each neighboring processor."""
     inner, outer = mesh()
     between = [f for f in inner if processor_of_cell[f[0]] != processor_of_cell[f[1]]]
     for face in (between[i] for i in baffle):
@@ -170,7 +170,8 @@ def write_processor(case, rank, ranks, processor_of_cell, zones, baffle):
     own_outer = {name: [f for f in faces if f[0] in local] for name, faces in outer.items()}
     kinds = dict(KINDS)
     for other in range(ranks):
-        # Both pieces list the shared faces in one order; the piece that owns the face winds it as it is.
+        # Both processors list shared faces in the same order. The owner's processor keeps the winding; the other
+        # reverses it.
         shared = [(a, loop) for a, b, loop in inner if a in local and processor_of_cell[b] == other != rank]
         shared += [(b, loop[:1] + loop[:0:-1]) for a, b, loop in inner if b in local and processor_of_cell[a] == other != rank]
         if shared:
@@ -193,7 +194,7 @@ def write_processor(case, rank, ranks, processor_of_cell, zones, baffle):
 
 
 def write_decomposed(case, processor_of_cell, zones, baffle=()):
-    """Returns the number of points of all pieces together. `baffle`: which faces between pieces are walls instead."""
+    """Returns the number of points of all processors. `baffle`: indices of faces between processors that become walls."""
     write_control(case)
     ranks = max(processor_of_cell) + 1
     return sum(write_processor(case, rank, ranks, processor_of_cell, zones, baffle) for rank in range(ranks))

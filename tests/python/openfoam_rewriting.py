@@ -1,4 +1,4 @@
-"""OpenFOAM cases of openfoam_files written anew: moved, as binary, compressed."""
+"""Rewrites OpenFOAM cases of openfoam_files: moved, in binary, compressed."""
 
 import gzip
 import re
@@ -10,7 +10,7 @@ LIST = re.compile(rb"(\d+)\n\(\n(.*?)\n\)\n", re.S)
 
 
 def moved(case, offset):
-    """The points of every mesh of the case, moved; all digits of a double are written."""
+    """Moves the points of every mesh of the case by `offset`, with all digits of a double."""
     for points in case.rglob("points"):
         data = points.read_bytes()
         begin = re.search(rb"\n(\d+)\s*\(", data)
@@ -30,7 +30,7 @@ def numbers(rows):
 
 
 def as_binary(case, label=32, scalar=64):
-    """Meshes and fields as OpenFOAM writes them with `writeFormat binary`; `boundary` stays text."""
+    """Rewrites meshes and fields as OpenFOAM does with `writeFormat binary`. The file `boundary` stays text."""
     labels, scalars = np.dtype(f"i{label // 8}"), np.dtype(f"f{scalar // 8}")
     for file in case.rglob("*"):
         if not file.is_file() or "polyMesh" not in file.parts and file.name not in ("U", "p"):

@@ -1,4 +1,4 @@
-"""The `ciel` program, as every test runs it."""
+"""Runs the `ciel` program for the tests."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""A real `ciel serve` on a free port, and clients of it."""
+"""Starts a real `ciel serve` on a free port, and clients for it."""
 
 import contextlib
 import itertools
@@ -18,21 +18,21 @@ import websockets
 
 from program import CIEL
 
-PATIENCE = 60  # seconds after which something is taken to hang
+PATIENCE = 60  # seconds after which an operation counts as hanging
 UPGRADE = (b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
            b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
            b"Sec-WebSocket-Protocol: ciel.v1\r\n\r\n")
 
 
 def until(holds: Callable[[], bool]) -> None:
-    """Waits for what the server does on its own."""
+    """Polls `holds` until it is true. Fails after PATIENCE seconds."""
     deadline = time.monotonic() + PATIENCE
     while not holds():
         assert time.monotonic() < deadline, "it does not come"
 
 
 def iso(value: float) -> dict:
-    """A patch for the box."""
+    """A patch with one iso-surface of the box dataset's `r`."""
     return {"layers": {"iso": {"type": "iso", "array": "r", "values": [value]}}}
 
 
@@ -77,7 +77,7 @@ class Server:
         return requests.get(self.base + path, timeout=PATIENCE, allow_redirects=False, **options)
 
     def call(self, method: str, **params):
-        """The result of one method over HTTP."""
+        """Calls one method over HTTP and returns its result."""
         answer = requests.post(self.base + "/rpc", timeout=PATIENCE,
                                json={"jsonrpc": "2.0", "id": 1, "method": method, "params": params}).json()
         assert "error" not in answer, answer
@@ -87,12 +87,12 @@ class Server:
         is_new = int(websockets.__version__.split(".")[0]) >= 14
         name = "additional_headers" if is_new else "extra_headers"
         if is_new:
-            options.pop("read_limit", None)  # its buffers are those of the transport
+            options.pop("read_limit", None)  # its buffers are the transport's
         options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, name: headers, **options}
         return websockets.connect(f"ws://127.0.0.1:{self.port}{path}", **options)
 
     def metrics(self) -> dict[str, float]:
-        """Samples by name with labels, as in the text."""
+        """Parses the metrics: a value for each name with labels."""
         samples = {}
         for line in self.get("/metrics").text.splitlines():
             if line and not line.startswith("#"):
@@ -109,7 +109,7 @@ class Server:
 
 
 class Frame:
-    """The header of protocol/frame.md and what follows it: of one message, or of the pieces that make a whole."""
+    """A frame: the header of protocol/frame.md and its payload, of one message or of all its pieces."""
 
     def __init__(self, message: bytes):
         assert len(message) <= 512 << 10
@@ -126,14 +126,14 @@ class Frame:
 
 
 class Client:
-    """JSON-RPC on a WebSocket: answers by id; frames and notifications are kept in the order they came."""
+    """JSON-RPC on a WebSocket. Keeps answers by id, and frames and notifications in order of arrival."""
 
     def __init__(self, socket):
         self.socket = socket
         self.ids = itertools.count(1)
         self.frames: list[Frame] = []
-        self.begun: dict[int, Frame] = {}  # by view: of a frame of which pieces are missing
-        self.looked_at = 0  # of the frames
+        self.begun: dict[int, Frame] = {}  # by view: frames with missing pieces
+        self.looked_at = 0  # number of frames that next_frame has returned
         self.notifications: list[dict] = []
 
     async def send(self, method: str, **params) -> int:
@@ -176,14 +176,14 @@ class Client:
         await self.socket.send(json.dumps(notification))
 
     async def next_frame(self) -> Frame:
-        """The oldest that nobody has looked at: it may have come before an answer that was waited for."""
+        """Returns the oldest frame not returned yet. It may have arrived while an answer was awaited."""
         while self.looked_at == len(self.frames):
             await self.receive()
         self.looked_at += 1
         return self.frames[self.looked_at - 1]
 
     async def frame(self, revision: int = 0, still: bool = False) -> Frame:
-        """Acknowledges frames until one shows this revision (and is a still)."""
+        """Acknowledges frames until one shows at least this revision (and is a still if asked for). Returns that frame."""
         while True:
             frame = await self.next_frame()
             await self.acknowledge(frame)

@@ -1,4 +1,4 @@
-"""Steps that a script pushes to a running server, and what becomes of them when something dies."""
+"""Scripts upload steps to a running server, and the server or the script dies at different moments."""
 
 import asyncio
 import base64
@@ -73,7 +73,7 @@ def test_a_pushed_step_is_seen_by_info_and_by_the_page(server, box):
 
 
 def test_a_socket_pushes_binary_pieces(server, box):
-    """More than one piece each: 512 KiB are 131,072 values."""
+    """Each array needs more than one piece: 512 KiB are 131,072 values."""
     async def attempt():
         async with Stream(f"ws://127.0.0.1:{server.port}/ws", TOKEN) as stream:
             vectors = np.ones((points(box), 64), "f4")
@@ -100,7 +100,7 @@ def test_our_own_user_needs_the_token_to_append(box):
     with Server(box, "--allow-append") as running:
         own = Client(running.base)
         assert own.call("dataset.list")[0]["name"] == "box", "let in without a token"
-        with pytest.raises(RpcError, match="only who has the server's token") as refused:
+        with pytest.raises(RpcError, match="appending needs the token of the server") as refused:
             own.append("box", 50, {"r": [0.0] * points(box)})
         assert refused.value.code == ERROR_CODES["NotAllowed"]
         assert Client(running.base, running.token).append("box", 50, {"r": [0.0] * points(box)})["time"] == 50
@@ -111,7 +111,8 @@ def test_a_client_that_dies_half_way_leaves_nothing(server, box):
     upload = calls.call("append.begin", dataset="box", time=50, arrays=[{"name": "r"}])
     header = struct.Struct("<4sBBH16sIIQ")
     piece = header.pack(b"CIEL", 1, 16, 0, bytes.fromhex(upload["upload"]), 0, 400, 0) + bytes(400)
-    half = b"\x82\xfe" + struct.pack(">H", len(piece)) + b"\0\0\0\0" + piece[:100]  # masked with zeros, and cut
+    # A truncated message. Its masking key is zero.
+    half = b"\x82\xfe" + struct.pack(">H", len(piece)) + b"\0\0\0\0" + piece[:100]
     raw = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE)
     raw.sendall(b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
                 b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
@@ -127,7 +128,7 @@ def test_a_client_that_dies_half_way_leaves_nothing(server, box):
 
 
 def test_a_server_killed_in_a_commit_leaves_a_whole_dataset(box):
-    """At several moments, whatever the server does just then."""
+    """The server is killed at several moments during commits."""
     size = points(box)
     time = 100.0
     for delay in (0.0, 0.002, 0.005, 0.01, 0.02, 0.05):
@@ -206,7 +207,7 @@ def test_nothing_is_appended_to_a_copy_that_serve_made(tmp_path):
         "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\n"
         "SPACING 1 1 1\nPOINT_DATA 8\nSCALARS p float 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n")
     with Server(tmp_path / "cube.vtk", "--data-dir", tmp_path / "kept", *OPTIONS) as running:
-        with pytest.raises(RpcError, match="a copy that `ciel serve` made .* `ciel import`") as refused:
+        with pytest.raises(RpcError, match="a copy that `ciel serve` makes again .* `ciel import`") as refused:
             Client(running.base, TOKEN).append("cube", 50, {"p": [0.0] * 8})
         assert str(tmp_path) not in str(refused.value)
     copy = next((tmp_path / "kept").glob("*/cube.ciel"))

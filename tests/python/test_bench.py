@@ -1,4 +1,4 @@
-"""ciel bench: every table is there and its figures belong together. No time is judged."""
+"""ciel bench prints every table with consistent figures. No time is checked."""
 
 import json
 
@@ -49,7 +49,7 @@ def test_what_pictures_cost(box, tmp_path):
     figures = {figure["what"]: figure["value"] for figure in tables["volume"]["figures"]}
     for of in ("box-aligned", "screen-aligned", "preview"):
         assert 5 < figures[f"{of}: picture covered"] < 95
-    # A ray through the middle of the box meets most of the slices, and one in five in a preview.
+    # A ray through the box's center meets most of the slices; in a preview, every fifth of them.
     assert 20 < figures["box-aligned: samples a covered pixel"] < 100
     assert 4 < figures["preview: samples a covered pixel"] < 20
     assert figures["preview: samples"] < figures["box-aligned: samples"] / 15

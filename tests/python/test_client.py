@@ -1,4 +1,4 @@
-"""protocol/python as a script uses it, against a real server."""
+"""The Python client (protocol/python) against a real server."""
 
 import asyncio
 
@@ -43,7 +43,7 @@ def test_the_printed_address_is_enough(server):
 
     for address in (printed, server.base.replace("http", "ws") + "/ws?token=" + TOKEN):
         asyncio.run(asyncio.wait_for(attempt(address), PATIENCE))
-    with pytest.raises(ValueError, match="no address of a server"):
+    with pytest.raises(ValueError, match="not the address of a server"):
         Client("127.0.0.1:8080")
 
 
@@ -60,7 +60,7 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
             view = (await viewer.call("view.open", session=session, width=64, height=48, stream=stream))["view"]
             frames = viewer.frames()
             batches, batch = Batches(), None
-            for i in range(20):  # more than a server sends that are not acknowledged
+            for i in range(20):  # more frames than a server sends without acknowledgements
                 revision = (await viewer.call("scene.patch", session=session, patch=iso(0.6 + 0.01 * i)))["revision"]
                 async for frame in frames:
                     assert frame.kind == kind and frame.view == view
@@ -96,7 +96,7 @@ def test_damaged_frames_are_refused():
         (whole[:5] + b"\3" + whole[6:], "is of kind 3"),
         (whole[:7] + b"\x80" + whole[8:], "unknown flags 32775"),
         (whole[:-1], "announces 3 bytes after its header and has 2"),
-        (whole[:68] + b"\1" + whole[69:], "brings 3 bytes from 1 on, and the whole has 3"),
+        (whole[:68] + b"\1" + whole[69:], "has 3 bytes at offset 1, but the whole frame has only 3"),
     ]:
         with pytest.raises(ValueError, match=words):
             read_frame(damaged)
@@ -141,7 +141,7 @@ def test_polygons_that_stay_are_named_not_sent(server):
                     layers[batch.description.get("layer")] = batch
                     size += len(frame.payload)
                     if frame.revision >= revision and frame.is_last:
-                        await viewer.acknowledge(frame)  # before the next change
+                        await viewer.acknowledge(frame)  # acknowledges before the next change
                         return layers, size
                 raise AssertionError("no frame")
 

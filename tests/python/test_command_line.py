@@ -1,4 +1,4 @@
-"""The command line's own words: what is missing, unknown or too much, in one line that says what to do."""
+"""Errors of the command line: missing, unknown or excess arguments give one line that says what to do."""
 
 import re
 
@@ -51,7 +51,7 @@ def test_help_is_everywhere_and_names_the_exit_codes():
 
 def test_the_help_of_serve_lists_each_limit_with_its_variable_and_default():
     text = " ".join(ciel("serve", "--help").stdout.split())
-    # Releases of CLI11 write a default as =64 or as [64].
+    # Depending on the release, CLI11 prints a default as =64 or [64].
     assert re.search(r"--limit-sessions COUNT(=64| \[64\]) \(Env:CIEL_LIMIT_SESSIONS\) sessions kept", text)
     assert re.search(r"--limit-message-bytes BYTES(=1 MiB| \[1 MiB\]) \(Env:CIEL_LIMIT_MESSAGE_BYTES\)", text)
     assert re.search(r"--limit-dataset-memory-bytes BYTES\|N%(=| \[)\d+ [MG]iB", text)

@@ -1,4 +1,4 @@
-"""ciel extract and ciel render, as a user sees them: files read by VTK, pictures measured."""
+"""ciel extract and ciel render: files read by VTK, pictures measured."""
 
 import json
 import os
@@ -83,7 +83,7 @@ FAR = (500_000.25, 4_000_000.25, 100.0)
 
 @pytest.fixture(scope="module")
 def far_box(box, tmp_path_factory):
-    """The box as a survey's coordinates have it."""
+    """The box dataset with large coordinates, as from a survey."""
     far = shutil.copytree(box, tmp_path_factory.mktemp("far") / "far.ciel")
     attributes = far / "meshes/0/.zattrs"
     mesh = json.loads(attributes.read_text())
@@ -94,7 +94,7 @@ def far_box(box, tmp_path_factory):
 
 
 def test_stl_far_from_the_origin_has_the_area_of_ply_and_says_where_it_is(far_box, tmp_path):
-    """Floats are 0.25 apart at 4,000,000: on a sphere of radius 0.75 that leaves nothing of its shape."""
+    """float32 values near 4,000,000 are 0.25 apart, too coarse for a sphere of radius 0.75."""
     works("extract", far_box, "--iso", "r=0.75", "-o", tmp_path / "s.ply")
     said = works("extract", far_box, "--iso", "r=0.75", "-o", tmp_path / "s.stl")
     ply, stl = read(tmp_path / "s.ply"), read(tmp_path / "s.stl")
@@ -151,7 +151,7 @@ def pixels(path):
 
 
 def test_picture_shows_the_colored_sphere(box, tmp_path):
-    """Colored by x, seen along z: violet at the left, green in the middle, yellow at the right. r is the same everywhere."""
+    """The sphere is colored by x and seen along z: violet at the left, green in the middle, yellow at the right."""
     works("render", box, "--iso", "r=0.75", "--color", "x", "--range", "-0.75,0.75", "--camera", "0,0,6,0,0,0", "--size", "320x200",
           "-o", "p.png", cwd=tmp_path)
     picture = pixels(tmp_path / "p.png")
@@ -177,7 +177,7 @@ def test_the_default_view_takes_colors_and_a_background(box, tmp_path):
 
 
 def test_slices_have_the_colors_that_the_options_ask_for(box, tmp_path):
-    """The scalar r on the box's middle plane: what is in the corners and in the middle lies outside the range."""
+    """Colors the box's middle plane by r. Its corners and its center are outside the color range."""
     common = ["--slice", "y=0", "--color", "r", "--range", "0.3,0.8", "--below-color", "#ff0000", "--above-color", "#0000ff", "--size", "200x160"]
     shown = {}
     for name, options in {"smooth": [], "reverse": ["--reverse"], "steps": ["--steps", "3", "--map", "grayscale"], "log": ["--log"],
@@ -212,7 +212,7 @@ def test_options_about_looks_are_the_document_s(box, tmp_path):
 
 
 def test_the_perspective_is_as_strong_as_asked_for(box, tmp_path):
-    """From straight ahead, the box's front face is larger than its back face by the ratio of their distances to the eye."""
+    """Seen from the front, the ratio of the widths of the box's front and back faces is that of their distances to the eye."""
     look = ["--surface", "--camera", "0,-5,0,0,0,0", "--annotations", "none", "--size", "200x200"]
 
     def width(*options):
@@ -222,7 +222,7 @@ def test_the_perspective_is_as_strong_as_asked_for(box, tmp_path):
 
     for degrees in (30, 50, 80):
         wanted = 200 * 2 / (2 * 4 * np.tan(np.radians(degrees) / 2))
-        assert abs(width("--field-of-view", str(degrees)) - wanted) <= 4, degrees  # with the line around it
+        assert abs(width("--field-of-view", str(degrees)) - wanted) <= 4, degrees  # the outline adds to the width
     assert abs(width("--parallel", "--field-of-view", "50") - 200 * 2 / (2 * 5 * np.tan(np.radians(25)))) <= 4
 
 
@@ -257,7 +257,7 @@ def test_default_view_scene_file_and_every_back_end_agree(box, tmp_path):
 
 
 def test_layers_by_options_change_the_picture_each_in_its_way(box, tmp_path):
-    """Each option shows something of its own; a scene with the same layers is the same picture."""
+    """Each option changes the picture. A scene with the same layers gives the same picture."""
     shown = {}
     options = {
         "surface": ["--surface"],
@@ -304,18 +304,18 @@ def test_points_that_are_too_many_are_thinned_and_it_is_said(box, tmp_path):
 
 REFUSED = [
     ("no layers", ["extract", "-o", "s.ply"], "nothing to extract", 2),
-    ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl and .vtp", 2),
+    ("unknown format", ["extract", "--iso", "r=1", "-o", "s.obj"], ".ply, .stl or .vtp", 2),
     ("unknown array", ["extract", "--iso", "q=1", "-o", "s.ply"], "q", 1),
     ("no value", ["extract", "--iso", "r", "-o", "s.ply"], "ARRAY=VALUE", 2),
-    ("not a number", ["extract", "--iso", "r=1,two", "-o", "s.ply"], "not a number", 2),
-    ("infinite", ["extract", "--iso", "r=inf", "-o", "s.ply"], "not a number", 2),
-    ("comma at the end", ["extract", "--iso", "r=1,", "-o", "s.ply"], "not a number", 2),
+    ("not a number", ["extract", "--iso", "r=1,two", "-o", "s.ply"], "not a finite number", 2),
+    ("infinite", ["extract", "--iso", "r=inf", "-o", "s.ply"], "not a finite number", 2),
+    ("comma at the end", ["extract", "--iso", "r=1,", "-o", "s.ply"], "not a finite number", 2),
     ("unknown axis", ["extract", "--slice", "w=1", "-o", "s.ply"], "x=VALUE", 2),
     ("short plane", ["extract", "--plane", "0,0,0,1", "-o", "s.ply"], "six numbers", 2),
     ("no normal", ["extract", "--plane", "0,0,0,0,0,0", "-o", "s.ply"], "normal", 2),
     ("unknown color", ["extract", "--iso", "r=0.5", "--color", "q", "-o", "s.ply"], "q", 1),
     ("no folder", ["extract", "--iso", "r=0.5", "-o", "nowhere/s.ply"], "nowhere/s.ply: cannot be written: there is no folder", 1),
-    ("a folder", ["extract", "--iso", "r=0.5", "-o", "."], "-o .: '' is no surface format", 2),
+    ("a folder", ["extract", "--iso", "r=0.5", "-o", "."], "-o .: '' is not a surface format", 2),
     ("no output", ["extract", "--iso", "r=0.5"], "--output", 2),
     ("unknown map", ["render", "--iso", "r=0.5", "--map", "jet", "-o", "p.png"], "viridis", 2),
     ("unknown back end", ["render", "--gl", "glx", "-o", "p.png"], "osmesa", 2),
@@ -327,18 +327,18 @@ REFUSED = [
     ("not a picture", ["render", "-o", "p.jpg"], ".png", 2),
     ("no scene file", ["render", "--scene", "none.json", "-o", "p.png"], "none.json", 1),
     ("bad scene file", ["render", "--scene", "bad.json", "-o", "p.png"], "bad.json is not JSON: parse error at line 1", 1),
-    ("layer twice", ["render", "--scene", "twice.json", "-o", "p.png"], 'twice.json: "a" stands twice in the same object', 1),
+    ("layer twice", ["render", "--scene", "twice.json", "-o", "p.png"], 'twice.json: "a" occurs twice in the same object', 1),
     ("scene of another dataset", ["render", "--scene", "other.json", "-o", "p.png"], 'of the dataset "post", not of "box"', 1),
     ("bad scene", ["render", "--scene", "wrong.json", "-o", "p.png"], "/layers", 1),
     ("scene file and edges", ["render", "--scene", "wrong.json", "--edges", "-o", "p.png"], "leave out", 2),
     ("edges of nothing", ["render", "--points", "all", "--edges", "-o", "p.png"], "give --iso, --slice or --surface", 2),
     ("contours of nothing", ["render", "--surface", "--contours", "r", "-o", "p.png"], "give --slice or --plane", 2),
-    ("contours of no numbers", ["render", "--slice", "x=0", "--contours", "r=a", "-o", "p.png"], "not a number", 2),
+    ("contours of no numbers", ["render", "--slice", "x=0", "--contours", "r=a", "-o", "p.png"], "not a finite number", 2),
     ("contours of an unknown array", ["render", "--slice", "x=0", "--contours", "q", "-o", "p.png"], "q", 1),
     ("threshold of nothing", ["render", "--iso", "r=0.5", "--threshold", "r=0,1", "-o", "p.png"], "give --surface", 2),
     ("short threshold", ["render", "--surface", "--threshold", "r=0", "-o", "p.png"], "ARRAY=MIN,MAX", 2),
     ("clip across nothing", ["render", "--surface", "--clip", "w=0", "-o", "p.png"], "x=VALUE", 2),
-    ("clip nowhere", ["render", "--surface", "--clip", "x=", "-o", "p.png"], "--clip lacks a number", 2),
+    ("clip nowhere", ["render", "--surface", "--clip", "x=", "-o", "p.png"], "--clip needs a number", 2),
     ("short clip plane", ["render", "--surface", "--clip", "0,0,0", "-o", "p.png"], "ox,oy,oz,nx,ny,nz", 2),
     ("seven clips", ["render", "--surface", *["--clip=x=0"] * 7, "-o", "p.png"], "at most 6 clip planes", 1),
     ("scene file and colors", ["render", "--scene", "wrong.json", "--color", "x", "-o", "p.png"], "leave out", 2),
@@ -366,7 +366,7 @@ REFUSED = [
     ("time of the default view", ["render", "--time", "nan", "-o", "p.png"], "--time must be a finite number", 2),
     ("bad range", ["render", "--iso", "r=0.5", "--range", "1", "-o", "p.png"], "range", 2),
     ("unknown annotation", ["render", "--annotations", "legends", "-o", "p.png"], "legends", 2),
-    ("all and one", ["render", "--annotations", "all,time", "-o", "p.png"], "stands alone", 2),
+    ("all and one", ["render", "--annotations", "all,time", "-o", "p.png"], "cannot be combined with other names", 2),
     ("occlusion of none", ["render", "--occlusion-radius", "0.2", "-o", "p.png"], "--ambient-occlusion", 2),
     ("light too strong", ["render", "--key-light", "9", "-o", "p.png"], "/lighting/key_light/strength", 1),
     ("text too small", ["render", "--text-scale", "0.01", "-o", "p.png"], "/annotations/scale", 1),
@@ -427,7 +427,7 @@ def test_annotations_are_switched_one_by_one(box, tmp_path):
 
 
 def test_lights_by_options_and_by_the_scene(box, tmp_path):
-    """Two spheres, one in the other, cut open: the space between them is where occlusion darkens."""
+    """Two nested spheres, cut open. Occlusion darkens the space between them."""
     shown = {}
     options = {
         "default": [],

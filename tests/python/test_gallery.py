@@ -1,4 +1,4 @@
-"""The gallery: its commands are those that made its pictures, and its scenes are drawn as they are shown."""
+"""The gallery: its commands reproduce its pictures, and its scene documents are those that it shows."""
 
 import os
 import pathlib
@@ -41,7 +41,7 @@ def test_every_scene_has_a_picture_and_a_command():
 
 
 def input_of(word, folder):
-    """Where a file that a command reads is here."""
+    """Returns the local path of a file that a command of the gallery reads."""
     if word.endswith(".foam"):
         with tarfile.open(SPHERE) as files:
             files.extractall(folder)
@@ -60,7 +60,7 @@ def test_its_command_draws_the_picture(name, tmp_path):
         done = ciel(*words, cwd=tmp_path)
         assert done.returncode == 0, done.stderr
     kept, drawn = pixels(GALLERY / f"{name}.png"), pixels(tmp_path / render[-1])
-    # Means of 8 x 8 pixels: another driver's edges may differ, a color or a camera may not.
+    # Compares means of 8 x 8 pixels. Edges may differ between drivers; colors and cameras may not.
     height, width = kept.shape[0] // 8 * 8, kept.shape[1] // 8 * 8
     blocks = [image[:height, :width].reshape(height // 8, 8, width // 8, 8, 3).mean((1, 3)) for image in (kept, drawn)]
     differing = (np.abs(blocks[0] - blocks[1]).max(2) > 12).mean()

@@ -1,4 +1,4 @@
-"""Where arrays come from: the solver's own ids, names of tensor components, derived and interpolated values, types, files."""
+"""Imported arrays: the solver's ids, names of tensor components, derived and interpolated values, types, files."""
 
 import json
 
@@ -32,7 +32,7 @@ def arrays_of(dataset):
     return {array["name"]: array for array in json.loads(ciel_info(dataset.path, "--json"))["arrays"]}
 
 
-# ids
+# Ids of points and cells.
 
 
 def test_global_ids_are_the_solvers_and_no_array(tmp_path):
@@ -80,7 +80,7 @@ def test_appending_keeps_the_order_of_the_file_whatever_the_ids(tmp_path):
     np.testing.assert_array_equal(after.values("f", 1), after.mesh()["original_vertex"][:])
 
 
-# tensors
+# Tensor components.
 
 SYMMETRIC = ["XX", "XY", "XZ", "YY", "YZ", "ZZ"]
 
@@ -136,13 +136,13 @@ def test_ensights_tensors_keep_the_order_of_the_file(tmp_path):
     names = dataset.array("s").attrs["ciel"].get("component_names", [])
     own = dataset.values("s")[np.argsort(dataset.mesh()["original_vertex"][:])][0]
     by_name = dict(zip(names, own))
-    # EnSight Gold: 11, 22, 33, 12, 13, 23
+    # Order in EnSight Gold: 11, 22, 33, 12, 13, 23.
     assert {name: by_name[name] for name in ("xx", "yy", "zz", "xy", "xz", "yz")} == {
         "xx": 0, "yy": 10, "zz": 20, "xy": 30, "xz": 40, "yz": 50
     }
 
 
-# where they come from
+# Files and readers that arrays come from.
 
 
 def test_what_plot3ds_reader_computes_is_derived(tmp_path):
@@ -170,7 +170,7 @@ def test_a_field_of_a_decomposed_case_names_the_files_of_all_processors(tmp_path
     assert arrays["cell:p"]["file"].startswith("processor*/") and arrays["cell:p"]["file"].endswith("/p")
 
 
-# patches
+# Values on patches.
 
 
 def test_the_values_of_patches_are_stored_face_by_face(tmp_path):
@@ -199,7 +199,7 @@ def test_patches_that_are_empty_have_no_values(tmp_path):
     assert np.count_nonzero(values == 0x7FC0CE1E) == 8, "the no-value of store/no_value.hpp"
 
 
-# bad values and steps
+# Invalid values, and arrays that differ between steps.
 
 
 def series(folder, steps):
@@ -225,11 +225,11 @@ def test_components_that_differ_at_one_step_cost_that_array_there(tmp_path, bad)
     assert dataset.times == [0, 1, 2] and dataset.array("p").attrs["ciel"]["components"] == 1
     assert [step["arrays"].keys() >= {"q"} for step in dataset.steps] == [True] * 3
     assert [("p" in step["arrays"]) for step in dataset.steps] == [time != bad for time in range(3)]
-    assert f"The array p has 3 components at time {bad} where it has 1 component at other times: it was left out there." in dataset.notes
+    assert f"The array p has 3 components at time {bad} and 1 component at other times: it was left out at that time." in dataset.notes
 
 
 def blown_up(folder, value, writer, name):
-    """27 cubes, of which the middle one has that value; and how many polygons a slice and a surface have."""
+    """Imports 27 cubes whose middle one has `value`. Returns the dataset and a function that counts extracted polygons."""
     grid = cubes(3)
     cells = np.array([grid.GetCell(i).GetBounds()[0] for i in range(27)])
     cells[13] = value
@@ -276,7 +276,7 @@ def test_words_for_no_number_are_values_in_xml_files(tmp_path):
     np.testing.assert_array_equal(cells, [0.5, 1.5, 2.5, np.nan, np.inf, 5.5, 6.5, 7.5])
 
 
-# extremes
+# Extremes of cell values.
 
 
 def test_the_extremes_of_cells_are_told(tmp_path):

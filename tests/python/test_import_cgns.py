@@ -1,4 +1,4 @@
-"""CGNS as the CGNS library writes it (through ctypes): structured zones, mixed elements, polyhedra, boundary conditions."""
+"""CGNS files of the CGNS library (through ctypes): structured zones, mixed elements, polyhedra, boundary conditions."""
 
 import ctypes
 import ctypes.util
@@ -9,9 +9,9 @@ from import_support import imported
 from vtk_files import CUBE_FACES, hexahedra, linear, mixed
 
 N = 3
-SIZE = ctypes.c_int32  # cgsize_t, as Debian builds the library
+SIZE = ctypes.c_int32  # size of cgsize_t in Debian's build of the library
 
-# From cgnslib.h.
+# Constants of cgnslib.h.
 MODE_WRITE, FILE_HDF5 = 1, 2
 STRUCTURED, UNSTRUCTURED = 2, 3
 REAL_DOUBLE, CHARACTER, VERTEX, CELL_CENTER, FACE_CENTER = 4, 5, 2, 3, 4
@@ -20,7 +20,7 @@ QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8, MIXED, NGON_N, NFACE_N = 7, 10, 12, 14
 
 
 class Library:
-    """cg_NAME(...) as NAME(...), which fails loudly."""
+    """Calls cg_NAME(...) as NAME(...), and raises on errors."""
 
     def __init__(self):
         name = next((n for n in ("libcgns.so.3.4", ctypes.util.find_library("cgns")) if n), None)
@@ -62,7 +62,7 @@ class Writer:
         self.cells = 0
 
     def section(self, name, kind, rows):
-        """Elements from 1, numbered through the sections; returns the first one's number."""
+        """Writes elements, numbered from 1 through all sections. Returns the number of the first one."""
         flat = np.ascontiguousarray(np.concatenate([np.ravel(row) for row in rows]), dtype="i4")
         first, self.cells = self.cells + 1, self.cells + len(rows)
         head = (self.file, self.base, self.zones, name, kind, SIZE(first), SIZE(self.cells), 0, flat.ctypes.data_as(ctypes.c_void_p))
@@ -156,7 +156,7 @@ def test_standard_elements_and_a_boundary_of_quadrilaterals(tmp_path, one_sectio
 
 
 def faces_of(points, cells):
-    """NGON loops and NFACE rows (signed: the sign says which way the loop is wound), from 1; and faces at x = 0."""
+    """Returns NGON loops, NFACE rows and the faces at x = 0, numbered from 1. Negative numbers in a row mark reversed loops."""
     number, loops, rows = {}, [], []
     for nodes in cells:
         rows.append([])

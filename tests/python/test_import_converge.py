@@ -1,4 +1,4 @@
-"""CONVERGE's post files by h5py: polyhedra by their polygons, boundaries, vectors in three arrays, one file a time."""
+"""CONVERGE post files written by h5py: polyhedra given by polygons, boundaries, vectors in three arrays, one file per time."""
 
 import numpy as np
 import pytest
@@ -8,11 +8,11 @@ from vtk_files import CUBE_FACES, hexahedra, linear
 h5py = pytest.importorskip("h5py", reason="python3-h5py is not installed")
 
 N = 3
-WALL, INLET = 30, 7  # ids of boundaries are any
+WALL, INLET = 30, 7  # ids of boundaries are arbitrary
 
 
 def polygons(cells, centres_of):
-    """Each polygon once: nodes, and its two cells; outside cells are -(boundary id + 1), given first."""
+    """Each polygon once: its nodes and its two cells. An outside cell is -(boundary id + 1) and comes first."""
     seen = {}
     for cell, nodes in enumerate(cells):
         for face in CUBE_FACES:

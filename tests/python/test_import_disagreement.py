@@ -1,4 +1,4 @@
-"""Where steps, blocks and files disagree about an array, and where values are absent: what is taken, what is lost, what is said."""
+"""Steps, blocks or files that disagree about an array, and missing values: which data is imported, and the notes on losses."""
 
 import json
 
@@ -61,7 +61,7 @@ def test_a_step_without_the_names_of_the_others_is_lost(tmp_path):
     add_array(bare.GetCellData(), "T", np.ones((8, 6)))
     dataset = imported(tmp_path, pvd(tmp_path, [bare, with_tensor(ORDERS[0]), with_tensor(ORDERS[0])]), code=3)
     assert ["cell:T" in step["arrays"] for step in dataset.steps] == [False, True, True]
-    assert "The array cell:T has 6 components at time 0 where it has 6 components (xx, xy, xz, yy, yz, zz) at other times" in dataset.notes
+    assert "The array cell:T has 6 components at time 0 and 6 components (xx, xy, xz, yy, yz, zz) at other times" in dataset.notes
 
 
 def test_a_name_that_is_of_points_at_one_step_and_of_cells_at_others(tmp_path):
@@ -182,7 +182,8 @@ def test_a_bad_addressing_costs_the_ids_alone(tmp_path):
 def test_units_are_those_of_the_files_that_are_taken(tmp_path):
     block = Block((2, 1, 1))
     entries = {side: "type zeroGradient;" for side in block.types}
-    case = block.write(tmp_path / "case", {"p": (np.zeros((2, 3)), entries)})  # a velocity by mistake
+    # p is written with vectors at the first time, by mistake.
+    case = block.write(tmp_path / "case", {"p": (np.zeros((2, 3)), entries)})
     for time in ("2", "3"):
         (case / time).mkdir()
         (case / time / "p").write_text(field("volScalarField", "p", "[1 -1 -2 0 0 0 0]", np.zeros(2), entries))

@@ -1,4 +1,4 @@
-"""Exodus II as the netCDF library writes it: element blocks, side sets, element sets, values over time."""
+"""Exodus II files of the netCDF library: element blocks, side sets, element sets, values over time."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from vtk_files import hexahedra, linear
 netCDF4 = pytest.importorskip("netCDF4", reason="python3-netcdf4 is not installed")
 
 N = 3
-SIDES = {"y0": 1, "x1": 2, "y1": 3, "x0": 4, "z0": 5, "z1": 6}  # of a HEX8 that stands along the axes
+SIDES = {"y0": 1, "x1": 2, "y1": 3, "x0": 4, "z0": 5, "z1": 6}  # side numbers of an axis-aligned HEX8
 QUADRATIC_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 5), (2, 6), (3, 7), (4, 5), (5, 6), (6, 7), (7, 4)]
 
 
@@ -17,7 +17,7 @@ def text(file, name, rows, dimension):
 
 
 def write_sets(file, kind, sets):
-    """kind: side or elem; sets: name -> (elements, sides or None), counted from 1."""
+    """`kind`: side or elem. `sets`: name -> (elements, sides or None), counted from 1."""
     if not sets:
         return
     short = {"side": "ss", "elem": "els"}[kind]
@@ -36,7 +36,7 @@ def write_sets(file, kind, sets):
 
 
 def write_exodus(path, blocks, points, cell_kind, side_sets, element_sets, nodal=None, element=None, times=(), kind="NETCDF3_64BIT_OFFSET"):
-    """blocks: name -> rows of nodes from 0; nodal and element: values(step)."""
+    """`blocks`: name -> rows of nodes, from 0. `nodal` and `element`: functions that return the values of a step."""
     with netCDF4.Dataset(path, "w", format=kind) as file:
         file.setncatts({"api_version": np.float32(8.03), "version": np.float32(8.03), "floating_point_word_size": 8,
                         "file_size": 1, "maximum_name_length": 32, "title": "a cube"})
@@ -78,7 +78,7 @@ def write_exodus(path, blocks, points, cell_kind, side_sets, element_sets, nodal
 
 
 def on_side(centres, axis, side):
-    """Elements (from 1) of the unit cube's cells that touch a side, and which of their sides that is."""
+    """Returns the elements (from 1) that touch a side of the unit cube, and the number of the touching side of each."""
     at = (0 if side == 0 else N - 1) + 0.5
     elements = np.flatnonzero(np.isclose(centres[:, axis] * N, at)) + 1
     return elements, np.full(len(elements), SIDES["xyz"[axis] + str(side)])
@@ -88,7 +88,7 @@ def on_side(centres, axis, side):
 def test_blocks_side_sets_element_sets_and_times(tmp_path, kind):
     points, cells = hexahedra(N)
     centres = points[cells].mean(axis=1)
-    order = np.argsort(centres[:, 0] > 0.5, kind="stable")  # elements are numbered through the blocks
+    order = np.argsort(centres[:, 0] > 0.5, kind="stable")  # elements are numbered through all blocks
     cells, centres = cells[order], centres[order]
     left = int((centres[:, 0] < 0.5).sum())
     inlet, bottom = on_side(centres, 0, 0), on_side(centres, 2, 0)
@@ -148,7 +148,7 @@ def test_a_file_that_was_cut_off_costs_the_steps_that_are_not_whole(tmp_path, by
     path.write_bytes(content[: len(content) - bytes_lost])
     dataset = imported(tmp_path, path, code=0 if steps == 3 else 3)
     assert dataset.times == [0, 1, 2][:steps]
-    assert ("are not whole and were left out" in dataset.notes) == (steps < 3)
+    assert ("are incomplete and were left out" in dataset.notes) == (steps < 3)
     assert all(dataset.values("f", step).min() > 0 for step in range(steps)), "nothing is zero that is not"
 
 
@@ -156,7 +156,7 @@ def test_a_file_without_its_whole_mesh_is_refused(tmp_path):
     path, content = steps_of_a_cube(tmp_path)
     path.write_bytes(content[: len(content) // 2])
     refused = run_import(path, "-o", tmp_path / "out.ciel")
-    assert refused.returncode == 1 and "bytes that its mesh needs; copy it again" in refused.stderr
+    assert refused.returncode == 1 and "bytes that its mesh needs; copy the file again" in refused.stderr
     path.write_bytes(content[:100])
     refused = run_import(path, "-o", tmp_path / "out.ciel")
     assert refused.returncode == 1 and "its netCDF header is cut off" in refused.stderr

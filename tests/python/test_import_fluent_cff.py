@@ -1,4 +1,4 @@
-"""Fluent's HDF5 case and data, written by h5py: read where VTK can, refused in words where it cannot."""
+"""Fluent's HDF5 case and data files, written by h5py: what VTK can read is imported, the rest is refused with a message."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def attributes(group, **values):
 
 
 def zones(group, rows, **more):
-    """One row a zone: id, first and last number."""
+    """One row per zone: id, first and last number."""
     ids, first, last = zip(*rows)
     attributes(group, nZones=len(rows))
     group["id"] = np.array(ids, "i4")
@@ -39,7 +39,7 @@ def section(group, name, first, last, data):
 def write_case(path, cell_type):
     points, cells = hexahedra(N)
     rows = polygons(cells, lambda loop: points[loop].mean(axis=0))
-    # Inner faces first; a face's loop turns about the way from its first cell to the other, here into the first.
+    # Inner faces first. A face's loop is counter-clockwise around the direction from its first to its second cell.
     rows = sorted(([loop[::-1], [owner for owner in owners if owner >= 0]] for loop, owners in rows), key=lambda row: -len(row[1]))
     inner = sum(len(owners) == 2 for _, owners in rows)
     with h5py.File(path, "w") as file:

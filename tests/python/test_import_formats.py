@@ -1,4 +1,4 @@
-"""Every volume format that VTK can write: what is read back has the counts, the fields and the volume it must have."""
+"""Every volume format that VTK can write: the imported dataset has the right counts, fields and volume."""
 
 import json
 
@@ -24,7 +24,7 @@ from vtk_files import (
 
 ASCII, BINARY, APPENDED = 0, 1, 2
 
-# name, file, data, writer, settings of the writer
+# Name, file, data, writer, settings of the writer.
 WRITTEN = [
     ("vtu ascii", "a.vtu", mixed, vtk.vtkXMLUnstructuredGridWriter, {"SetDataMode": ASCII}),
     ("vtu binary", "a.vtu", mixed, vtk.vtkXMLUnstructuredGridWriter, {"SetDataMode": BINARY}),
@@ -69,7 +69,7 @@ def test_written_by_vtk(tmp_path, file, data, writer, settings):
     sizes.Update()
     volume = sum(sizes.GetOutput().GetCellData().GetArray("Volume").GetTuple1(i) for i in range(source.GetNumberOfCells()))
     assert dataset.volume() == pytest.approx(volume, rel=1e-5)
-    # Cell data stays as it is, in the order of the stored cells.
+    # Cell data is unchanged, in the order of the stored cells.
     original = dataset.mesh()["original_cell"][:]
     values = [source.GetCellData().GetArray("c").GetTuple1(int(i)) for i in original]
     np.testing.assert_allclose(dataset.values("cell:c"), values, rtol=1e-6)
@@ -77,7 +77,7 @@ def test_written_by_vtk(tmp_path, file, data, writer, settings):
 
 def test_kinds_of_cells_are_recognised(tmp_path):
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", mixed()))
-    # One of the hexahedra is a polyhedron in the file.
+    # One of the hexahedra is stored as a polyhedron in the file.
     assert dataset.cells() == {"hexahedron": 2, "pyramid": 1, "tetrahedron": 1, "wedge": 1}
     assert dataset.counts()["components"] == 1
 
@@ -89,7 +89,8 @@ def test_point_data_made_from_cells_is_linear_inside_and_bounded_everywhere(tmp_
     exact = linear(position)
     inside = np.all((position > 0.15) & (position < 0.85), axis=1)
     assert inside.sum() > 50
-    np.testing.assert_allclose(made[inside], exact[inside], atol=5e-3)  # centroids are not quite means of corners
+    # Cell centroids differ slightly from the means of corners.
+    np.testing.assert_allclose(made[inside], exact[inside], atol=5e-3)
     assert made.min() >= cells.min() and made.max() <= cells.max()
 
 
@@ -202,7 +203,7 @@ def test_the_seam_of_an_o_grid_is_welded_only_when_the_fields_agree(tmp_path):
 
 
 def write_ring_series(folder, angles, moved=lambda step, data: data):
-    """Steps of an O-grid with a field; angles(step) are its values around, n + 1 of them."""
+    """Writes the steps of an O-grid with a field. angles(step) returns its n + 1 values around the axis."""
     names = []
     for step in range(4):
         grid = moved(step, with_fields(ring()))
@@ -241,7 +242,7 @@ def test_a_seam_that_moves_apart_is_open_from_then_on(tmp_path):
 
 
 def test_the_wake_cut_of_a_c_grid_is_welded(tmp_path):
-    # i runs in along the cut (y = 0, x from 4 to 1), around a nose, and out again.
+    # i runs along the cut (y = 0, x from 4 to 1), around a nose, and back along the cut.
     n, grid, points = 13, vtk.vtkStructuredGrid(), vtk.vtkPoints()
     angles = np.linspace(0, 2 * np.pi, 7)
     path = [(4 - i, 0.0) for i in range(3)] + [(np.cos(a), np.sin(a)) for a in angles] + [(2 + i, 0.0) for i in range(3)]
@@ -261,7 +262,7 @@ def test_the_wake_cut_of_a_c_grid_is_welded(tmp_path):
 
 def test_a_face_that_looks_inwards_is_named_in_the_notes(tmp_path):
     points = [*CUBE, *((x + 5, y, z) for x, y, z in CUBE)]
-    points[14] = (5.05, 0.05, 0.45)  # a corner pushed to the other side of its cell
+    points[14] = (5.05, 0.05, 0.45)  # a corner moved to the opposite side of its cell
     grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], points)
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
     (note,) = dataset.facts["notes"]
@@ -277,12 +278,12 @@ def test_a_face_of_three_cells_stays_boundary_and_is_told(tmp_path):
     cells = [list(range(8)), [4, 5, 6, 7, 8, 9, 10, 11], [4, 5, 6, 7, 12, 13, 14, 15]]
     grid = unstructured([(vtk.VTK_HEXAHEDRON, cell) for cell in cells], CUBE + above + askew)
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
-    assert "1 face is claimed by three or more cells and stays internal boundary" in dataset.notes
+    assert "1 face belongs to three or more cells and stays internal boundary" in dataset.notes
     assert dataset.counts()["cells"] == 3 and dataset.counts()["boundary_faces"] == 18
 
 
 def test_a_folded_cell_is_kept_and_named(tmp_path):
-    """A row of cells whose second one is turned inside out by its neighbour's position."""
+    """A row of cells whose second one is inverted by the position of its neighbor."""
     grid, points = vtk.vtkStructuredGrid(), vtk.vtkPoints()
     grid.SetDimensions(5, 2, 2)
     for k in range(2):
@@ -300,7 +301,7 @@ def test_blanked_cells_are_left_out(tmp_path):
     ghosts = vtk.vtkUnsignedCharArray()
     ghosts.SetName("vtkGhostType")
     for i in range(8):
-        ghosts.InsertNextValue(32 if i == 0 else 0)  # HIDDENCELL
+        ghosts.InsertNextValue(32 if i == 0 else 0)  # 32 is VTK's HIDDENCELL
     grid.GetCellData().AddArray(ghosts)
     dataset = imported(tmp_path, write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", grid))
     assert dataset.counts()["cells"] == 7 and "1 cell is blanked" in dataset.notes
@@ -354,7 +355,7 @@ def test_pvd_parts_of_one_time_are_joined(tmp_path):
 
 
 def test_a_cell_that_two_parts_have_is_there_once(tmp_path):
-    """A ghost that nothing marks as one."""
+    """The second part contains a copy of a cell without a ghost marker."""
     names = series_of(tmp_path, [with_fields(unstructured([(vtk.VTK_HEXAHEDRON, list(range(8)))], CUBE)), with_fields(mixed())])
     dataset = imported(tmp_path, write_pvd(tmp_path / "a.pvd", [(3, 0, names[0]), (3, 1, names[1])]))
     assert dataset.counts()["cells"] == 5 and "the same faces as an earlier cell" in dataset.notes
@@ -396,7 +397,7 @@ def test_exodus(tmp_path):
 
 
 def write_ensight(folder, polyhedra):
-    """Two steps of a cube, as a hexahedron or as a polyhedron of six faces, in EnSight Gold's text form."""
+    """Writes two steps of a cube, as a hexahedron or a polyhedron of six faces, in EnSight Gold's text form."""
     (folder / "a.case").write_text(
         "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\nVARIABLE\nscalar per node: 1 f a.f*\n"
         "TIME\ntime set: 1\nnumber of steps: 2\nfilename start number: 0\nfilename increment: 1\ntime values: 0.5 1.5\n"
@@ -455,7 +456,7 @@ def test_tecplot(tmp_path):
 
 
 def test_fluent(tmp_path):
-    """A cube of one hexahedron with a wall around it, in Fluent's text form."""
+    """A cube of one hexahedron with walls around it, in Fluent's text form."""
     nodes = "\n".join(" ".join(str(float(c)) for c in p) for p in CUBE)
     loops = [[1, 2, 3, 4], [5, 8, 7, 6], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 8, 4], [4, 8, 5, 1]]
     faces = "\n".join("4 " + " ".join(format(n, "x") for n in loop) + " 1 0" for loop in loops)

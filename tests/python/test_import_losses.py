@@ -1,4 +1,4 @@
-"""What of an input is not in its dataset is said: faces, arrays, digits."""
+"""Data that a dataset does not keep is reported: faces, arrays, digits."""
 
 import numpy as np
 import pytest
@@ -47,13 +47,13 @@ def test_the_second_array_of_one_name_is_named(tmp_path):
         add_array(grid.GetPointData(), name, np.arange(8.0))
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
     assert dataset.array_names() == ["a_b"]
-    assert "Two arrays are both called a_b here; the first was kept." in dataset.notes
+    assert "Two arrays have the name a_b; the first was kept." in dataset.notes
 
 
 def test_convex_point_sets_are_cells_that_are_lost(tmp_path):
     grid = unstructured([*HEXAHEDRON, (vtk.VTK_CONVEX_POINT_SET, list(range(8, 16)))], CUBE + [(x + 2, y, z) for x, y, z in CUBE])
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid), code=3)
-    assert "1 convex point set was left out: such cells have no faces" in dataset.notes and dataset.input["cells"] == 2
+    assert "1 convex point set was left out, because convex point sets have no faces" in dataset.notes and dataset.input["cells"] == 2
 
 
 def test_a_face_of_one_or_two_corners_goes_and_its_cell_stays_where_the_others_close_it(tmp_path):
@@ -69,7 +69,7 @@ def test_a_face_of_one_or_two_corners_goes_and_its_cell_stays_where_the_others_c
 
 
 def test_what_floats_lose_is_said(tmp_path):
-    """Two hexahedra 10,000 km apart, one of which is 0.1 mm thick, and values that floats cannot tell apart."""
+    """Two hexahedra 10,000 km apart, one of which is 0.1 mm thick, and values that are equal in float32."""
     thin = [(x, y, z * 1e-4) for x, y, z in CUBE]
     far = [(x + 1e7, y, z) for x, y, z in CUBE]
     grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], thin + far)
@@ -82,25 +82,25 @@ def test_what_floats_lose_is_said(tmp_path):
     grid.GetCellData().AddArray(ids)
     path = write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)
     notes = imported(tmp_path, path).notes
-    assert "15 of 16 values of \"p\" differ from the one before in the input and are equal to it here" in notes
+    assert "15 of 16 values of \"p\" differ from the value before in the input and are equal to it in the dataset" in notes
     assert "1 of 2 values of \"cell:id\" are integers beyond 16,777,216" in notes
     assert "\"q\"" not in notes and "The volume of" not in notes
 
 
 def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):
-    """The corners of the small cube are 0.1 apart, 5,000 km from the middle of the mesh, where floats are 0.5 apart."""
+    """The small cube's corners are 0.1 apart and 5,000 km from the middle of the mesh, where float32 values are 0.5 apart."""
     small = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in CUBE]
     far = [(x + 1e7, y, z) for x, y, z in CUBE]
     grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], small + far)
     notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
-    assert "1 cell has corners that are apart in the input and one point here" in notes
+    assert "1 cell has corners that differ in the input and coincide in the dataset" in notes
     assert "The volume of 1 cell changes by more than 1 %" in notes
 
 
 @pytest.mark.parametrize("corners, sentence", [
-    ([0, 0, 0, 0, 4, 5, 6, 7], "1 cell has corners that are one point, and was kept (first ids: 1)."),
-    ([0, 1, 2, 3, 0, 1, 2, 3], "1 cell has corners that are one point, and was kept (first ids: 1)."),
-    ([3] * 8, "1 cell has fewer than four different corners, so no volume, and was kept (first ids: 1)."),
+    ([0, 0, 0, 0, 4, 5, 6, 7], "1 cell has coincident corners and was kept (first ids: 1)."),
+    ([0, 1, 2, 3, 0, 1, 2, 3], "1 cell has coincident corners and was kept (first ids: 1)."),
+    ([3] * 8, "1 cell has fewer than four different corners and no volume, and was kept (first ids: 1)."),
 ])
 def test_cells_with_repeated_corners_are_told(tmp_path, corners, sentence):
     grid = unstructured([*HEXAHEDRON, (vtk.VTK_HEXAHEDRON, corners)], CUBE)

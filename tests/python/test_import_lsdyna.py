@@ -1,4 +1,4 @@
-"""LS-DYNA: a d3plot database written word by word, as its manual (LS-DYNA Database Binary Output Files) lays it out."""
+"""LS-DYNA: a d3plot database written word by word after its manual (LS-DYNA Database Binary Output Files)."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ N = 2
 END_OF_FILE = -999999.0
 TIMES = (0.0, 0.5, 1.0)
 
-# Places in the control words.
+# Indices of the control words.
 NDIM, NUMNP, ICODE, NGLBV, IT, IU, IV = 15, 16, 17, 18, 19, 20, 21
 NEL8, NUMMAT8, NV3D, MAXINT = 23, 24, 27, 36
 
@@ -19,7 +19,7 @@ def control_words(nodes, solids, parts, kind, deletion):
     title = "a cube".ljust(10 * words.itemsize).encode()
     words.view("u1")[: len(title)] = np.frombuffer(title, dtype="u1")
     whole = words.view(f"{kind[0]}i{words.itemsize}")
-    whole[11] = 1  # d3plot
+    whole[11] = 1  # file type d3plot
     words[14] = 971.0
     for place, value in {NDIM: 4, NUMNP: nodes, ICODE: 6, NGLBV: 6 + 7 * parts, IT: 1, IU: 1, IV: 1,
                          NEL8: solids, NUMMAT8: parts, NV3D: 7, MAXINT: -10003 if deletion else 3}.items():
@@ -32,7 +32,7 @@ def moved(points, time):
 
 
 def solids():
-    """A cube of hexahedra (part 1) and, on its top, a pyramid, a wedge and a tetrahedron with repeated nodes (part 2)."""
+    """A cube of hexahedra (part 1). On its top: a pyramid, a wedge and a tetrahedron with repeated nodes (part 2)."""
     points, cells = hexahedra(N)
     first = len(points)
     points = np.vstack([points, [(0.25, 0.25, 1.5), (0.5, 0.25, 1.5), (1, 0.25, 1.5), (0.25, 0.75, 1.5)]])
@@ -45,13 +45,13 @@ def solids():
 
 
 def alive(time, cells):
-    """1, or 0 for an element that has been deleted: the first ones, half of a part at the end."""
+    """Returns 1, or 0 for deleted elements: the first four per unit of time."""
     return (np.arange(cells) >= 4 * time).astype(float)
 
 
 def states(points, rows, deletion):
     for time in TIMES:
-        solid = np.zeros((len(rows), 7))  # six stresses, the effective plastic strain
+        solid = np.zeros((len(rows), 7))  # six stresses and the effective plastic strain
         solid[:, 0] = linear(points[rows].mean(axis=1)) + time
         solid[:, 6] = time
         here = moved(points, time)

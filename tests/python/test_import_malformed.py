@@ -1,5 +1,4 @@
-"""Malformed inputs: each ends in one line that names the file and says what is wrong, with a plain exit code, and leaves
-nothing beside the target."""
+"""Malformed inputs give one line that names the file and the defect, exit code 1, and no files beside the target."""
 
 import os
 import pathlib
@@ -61,7 +60,7 @@ def folder(parent, name, document):
 
 
 def open_box(folder):
-    faces = CUBE_FACES[:-1]  # the sixth face is missing
+    faces = CUBE_FACES[:-1]  # without the sixth face
     return write(GOOD(), folder / "a.vtu", unstructured([(vtk.VTK_POLYHEDRON, faces)], CUBE))
 
 
@@ -106,12 +105,12 @@ def huge_dimensions(folder):
 
 
 def numbers(tag, value):
-    """An attribute of a VTK XML file, made a lie."""
+    """Pattern and replacement that set an attribute of a VTK XML file to a wrong value."""
     return rf'{tag}="[^"]*"', f'{tag}="{value}"'
 
 
 def edit_bytes(file, pattern, replacement):
-    """As edit(), of a file that holds binary data too."""
+    """Like edit(), for files that contain binary data."""
     data = file.read_bytes()
     changed = re.sub(pattern.encode(), replacement.encode(), data, count=1)
     assert changed != data, f"{pattern} is not in {file}"
@@ -130,16 +129,16 @@ def ensight(folder, nodes):
 
 HUGE = 5_000_000_000
 
-# name, what makes the input, words of the error
+# Name, function that makes the input, text of the error.
 MALFORMED = [
     ("missing", lambda f: f / "not there.vtu", "no such file"),
     ("empty", lambda f: text(f, "a.vtu", ""), "is empty"),
     ("a directory", directory, "is a directory"),
-    ("a zip", zipped, "content is not one"),
-    ("text called vtu", lambda f: text(f, "a.vtu", "hello\n"), "content is not one"),
-    ("unknown format", lambda f: text(f, "a.doc", "hello, world\n"), "no format that can be imported"),
-    ("binary garbage", lambda f: binary(f, "a.vtk", bytes(range(256)) * 64), "content is not one"),
-    ("garbage without extension", lambda f: binary(f, "a", np.random.default_rng(1).bytes(5000)), "no format"),
+    ("a zip", zipped, "content of another format"),
+    ("text called vtu", lambda f: text(f, "a.vtu", "hello\n"), "content of another format"),
+    ("unknown format", lambda f: text(f, "a.doc", "hello, world\n"), "has an unknown format"),
+    ("binary garbage", lambda f: binary(f, "a.vtk", bytes(range(256)) * 64), "content of another format"),
+    ("garbage without extension", lambda f: binary(f, "a", np.random.default_rng(1).bytes(5000)), "has an unknown format"),
     ("truncated vtu", lambda f: cut(vtu(f)), ""),
     ("truncated appended vtu", lambda f: cut(vtu(f, mode=2), 0.8), ""),
     ("vtu of surfaces", lambda f: surface_only(f), "surface"),
@@ -175,13 +174,13 @@ MALFORMED = [
     ("pvd not XML", lambda f: text(f, "a.pvd", '<VTKFile type="Collection"><Coll'), "not well-formed"),
     ("pvd naming nothing", lambda f: pvd(f), "names no files"),
     ("pvd naming a missing file", lambda f: pvd(f, "gone.vtu"), "does not exist"),
-    ("pvd naming itself", lambda f: pvd(f, "a.pvd"), "index itself"),
+    ("pvd naming itself", lambda f: pvd(f, "a.pvd"), "itself an index file"),
     ("pvd whose steps are all damaged", lambda f: (cut(vtu(f)), pvd(f, "a.vtu", "gone.vtu"))[-1], "a.vtu"),
     ("pvd with a bad time", lambda f: (vtu(f), edit(pvd(f, "a.vtu"), 'timestep="0"', 'timestep="soon"'))[-1], "not a finite number"),
     ("series not JSON", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ['), "not well-formed JSON"),
     ("series without files", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": {}}'), "file series"),
     ("series nested deeply", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ' + "[" * 100000), ""),
-    ("series naming itself", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": [{"name": "a.series"}]}'), "index itself"),
+    ("series naming itself", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": [{"name": "a.series"}]}'), "itself an index file"),
     ("pvtu naming a missing piece", lambda f: text(f, "a.pvtu", '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints><Piece Source="gone.vtu"/></PUnstructuredGrid></VTKFile>'), ""),
     ("vtm naming a missing block", lambda f: text(f, "a.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet><DataSet index="0" file="gone.vtu"/></vtkMultiBlockDataSet></VTKFile>'), ""),
     ("vts whose extent is a lie", lambda f: edit(write(vtk.vtkXMLStructuredGridWriter(), f / "a.vts", structured(), SetDataMode=0), r'WholeExtent="0 3 0 3 0 3"', 'WholeExtent="0 900 0 900 0 900"'), ""),
@@ -192,8 +191,8 @@ MALFORMED = [
     ("CGNS signature and nothing else", lambda f: binary(f, "a.cgns", b"\x89HDF\r\n\x1a\n" + bytes(100)), ""),
     ("Exodus signature and nothing else", lambda f: binary(f, "a.ex2", b"CDF\x01" + bytes(50)), ""),
     ("EnSight without geometry", lambda f: text(f, "a.case", "FORMAT\ntype: ensight gold\nVARIABLE\n"), "has no section GEOMETRY"),
-    ("an ADIOS2 folder", lambda f: folder(f, "a.bp", "md.0"), "is of ADIOS2"),
-    ("an ADIOS2 file", lambda f: binary(f, "a.bp", b"ADIOS-BP v2"), "is of ADIOS2"),
+    ("an ADIOS2 folder", lambda f: folder(f, "a.bp", "md.0"), "is an ADIOS2"),
+    ("an ADIOS2 file", lambda f: binary(f, "a.bp", b"ADIOS-BP v2"), "is an ADIOS2"),
     ("a Zarr folder", lambda f: folder(f, "a.zarr", ".zgroup"), "is a Zarr folder of another program"),
     ("convex point sets", lambda f: vtu(f, unstructured([(vtk.VTK_CONVEX_POINT_SET, list(range(8)))], CUBE)), "only convex point sets"),
     ("EnSight naming a missing model", lambda f: text(f, "a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: gone.geo\n"), ""),
@@ -201,11 +200,11 @@ MALFORMED = [
     ("Fluent garbage", lambda f: text(f, "a.cas", "(10 (1 1 ffffffff 1 3)(\n"), ""),
     ("CONVERGE garbage", lambda f: binary(f, "a.h5", b"\x89HDF\r\n\x1a\n" + bytes(64)), ""),
     ("Tecplot cut short", lambda f: text(f, "a.tec", 'VARIABLES = "X", "Y", "Z"\nZONE N=8, E=1, F=FEPOINT, ET=BRICK\n0 0 0\n'), ""),
-    ("foam file without a case", lambda f: text(f, "a.foam", ""), "content is not one"),
+    ("foam file without a case", lambda f: text(f, "a.foam", ""), "content of another format"),
 ]
 
 
-# VTK 9.3 reads beyond the end of the array: where it ends then is luck. 9.1 does not.
+# VTK 9.3 reads beyond the end of the array, with unpredictable results. VTK 9.1 does not.
 BY_LUCK = ["face list out of range"] if vtk.vtkVersion().GetVTKMinorVersion() >= 2 else []
 
 
@@ -218,12 +217,13 @@ def test_one_clear_error(tmp_path, name, make, words):
     made = make(source)
     inputs = made if isinstance(made, tuple) else (made,)
     done = run_import(*inputs, "-o", target / "out.ciel", "--memory-limit", "8", "--time-limit", "60")
-    assert done.returncode == 1, done.stdout + done.stderr  # a signal would be negative
+    assert done.returncode == 1, done.stdout + done.stderr  # a process killed by a signal has a negative code
     (line,) = done.stderr.splitlines()
     assert line.startswith("ciel: ") and str(source) in line, line
     assert words in line, line
     assert not any(target.iterdir())
-    listed = run_import(*inputs, "--list", "--memory-limit", "8", "--time-limit", "60")  # may not see the damage
+    # Listing may not notice the damage.
+    listed = run_import(*inputs, "--list", "--memory-limit", "8", "--time-limit", "60")
     if listed.returncode != 0:
         (line,) = listed.stderr.splitlines()
         assert listed.returncode == 1 and line.startswith("ciel: ") and str(source) in line, line
@@ -231,7 +231,7 @@ def test_one_clear_error(tmp_path, name, make, words):
 
 
 def test_the_good_neighbours_of_the_table_are_imported(tmp_path):
-    """What the rows start from is sound: it is the damage that is refused."""
+    """The undamaged inputs of the table are imported, so the damage causes the refusals."""
     for inputs in [(vtu(tmp_path),), (pvd(tmp_path, "a.vtu"),), write_pair(tmp_path)]:
         assert run_import(*inputs, "-o", tmp_path / "out.ciel", "--force").returncode == 0
 
@@ -253,14 +253,14 @@ def test_an_existing_dataset_is_not_touched_without_force(tmp_path):
     done = run_import(file, "-o", target)
     assert done.returncode == 1 and "exists already" in done.stderr
     assert (target / ".zattrs").read_bytes() == before
-    # A failing --force leaves the old dataset too.
+    # A failing import with --force keeps the old dataset.
     assert run_import(cut(file), "-o", target, "--force").returncode == 1
     assert (target / ".zattrs").read_bytes() == before
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.vtu", "out.ciel"]
 
 
 def boxes(bad, good):
-    """`good` cubes and `bad` ones that lack a face, each with points of its own."""
+    """`good` cubes, and `bad` ones without one face. Each has its own points."""
     points, cells = [], []
     for i in range(good + bad):
         faces = CUBE_FACES if i < good else CUBE_FACES[:-1]
@@ -305,7 +305,7 @@ def test_a_bad_step_costs_that_step(tmp_path, damage, place):
     assert done.returncode == 3, done.stdout + done.stderr
     (line,) = done.stderr.splitlines()
     sentence = f"The step at time {place} could not be read and was left out: "
-    assert str(file) in line and sentence in line and "--allow-bad accepts that" in line
+    assert str(file) in line and sentence in line and "--allow-bad accepts the loss" in line
     dataset = Dataset(tmp_path / "out.ciel")
     assert dataset.times == [time for time in (0, 1, 2) if time != place] and sentence in dataset.notes
     assert run_import(file, "-o", tmp_path / "out.ciel", "--force", "--allow-bad").returncode == 0
@@ -375,13 +375,13 @@ def test_a_pipe_is_refused_and_not_waited_for(tmp_path, make):
     assert done.returncode == 1 and "is not a regular file but a pipe, a socket or a device" in line, line
 
 
-MEMORY_WORDS = "GB was reached; raise it with --memory-limit"
+MEMORY_WORDS = "GB was reached; raise the limit with --memory-limit"
 
 
 def test_limits_end_in_a_sentence(tmp_path):
     file = write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", big_image())
     for option, words in [
-        (("--memory-limit", "0.05"), MEMORY_WORDS),  # not even the libraries of the reader find room
+        (("--memory-limit", "0.05"), MEMORY_WORDS),  # too little even for the reader's libraries
         (("--memory-limit", "0.2"), MEMORY_WORDS),
         (("--memory-limit", "0.3"), MEMORY_WORDS),
         (("--memory-limit", "0.45"), MEMORY_WORDS),
@@ -405,10 +405,10 @@ def test_limits_of_zero_are_none_and_the_defaults_are_told(tmp_path):
 
 
 def test_who_is_killed_does_not_blame_the_file(tmp_path):
-    """As the kernel does when memory runs out."""
+    """SIGKILL to the importer, as from the kernel when memory runs out."""
     file = write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", big_image())
     with subprocess.Popen([CIEL, "import", str(file), "-o", str(tmp_path / "a.ciel")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        process.stdout.readline()  # it has begun
+        process.stdout.readline()  # waits until the import has started
         children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
         for child in children:
             os.kill(int(child), signal.SIGKILL)
@@ -427,7 +427,7 @@ def test_who_is_killed_does_not_blame_the_file(tmp_path):
         ("file.ciel", "out/file.ciel: exists and is not a CIEL dataset"),
         ("nowhere/b.ciel", "out/nowhere/b.ciel: cannot be written: there is no folder"),
         ("file.ciel/b.ciel", "out/file.ciel/b.ciel: cannot be written: there is no folder"),
-        ("/proc/b.ciel", "/proc/b.ciel: cannot be written: nothing can be made in /proc"),
+        ("/proc/b.ciel", "/proc/b.ciel: cannot be written: no file can be made in /proc"),
     ],
 )
 def test_an_output_that_cannot_be_written_is_refused_before_reading(tmp_path, output, words):
@@ -438,7 +438,8 @@ def test_an_output_that_cannot_be_written_is_refused_before_reading(tmp_path, ou
     (out / "photos.ciel" / "dear.jpg").write_text("x")
     (out / "file.ciel").write_text("x")
     before = sorted(str(p) for p in tmp_path.rglob("*"))
-    damaged = text(tmp_path, "damaged.vtu", "<VTKFile")  # what would be said of it is not
+    # The output path is checked first, so the damage is not reported.
+    damaged = text(tmp_path, "damaged.vtu", "<VTKFile")
     force = () if output == "a.ciel" else ("--force",)
     done = run_import(damaged, "-o", out / output, *force)
     damaged.unlink()
@@ -457,7 +458,7 @@ def test_an_unknown_array_is_told_before_reading(tmp_path):
         done = run_import(file, "-o", tmp_path / "a.ciel", "--array", "f", "--array", "nope")
         assert done.returncode == 1 and 'no array "nope"; there are: c, cell:c, f, v' in done.stderr
         assert "building" not in done.stdout and "making" not in done.stdout
-        if file is not legacy_file:  # its reader lists nothing before it reads
+        if file is not legacy_file:  # the reader of legacy files lists nothing before it reads the whole file
             assert "%" not in done.stdout
 
 

@@ -1,4 +1,4 @@
-"""OpenFOAM cases: polyhedra, patches and the values at walls; zones; decomposed cases."""
+"""OpenFOAM cases: polyhedra, patches, values at walls, zones, decomposed cases."""
 
 import re
 
@@ -30,16 +30,16 @@ def test_polyhedra_patches_units_and_times(tmp_path):
 
 
 def test_points_on_patches_take_the_patches_values(tmp_path):
-    dataset = imported(tmp_path, write_case(tmp_path / "case"))  # the directory itself
+    dataset = imported(tmp_path, write_case(tmp_path / "case"))  # imports by the path of the case directory
     groups = {name: dataset.points_of(faces) for name, faces in dataset.groups().items()}
     for step in (0, 1):
         u, p = dataset.values("U", step), dataset.values("p", step)
-        assert np.all(u[groups["walls"]] == 0)  # where the inlet meets the wall, too
+        assert np.all(u[groups["walls"]] == 0)  # also where the inlet meets the wall
         only_inlet = np.setdiff1d(groups["inlet"], groups["walls"])
         np.testing.assert_array_equal(u[only_inlet], np.tile(np.float32([5, 0, 0]), (len(only_inlet), 1)))
         only_outlet = np.setdiff1d(groups["outlet"], groups["walls"])
         np.testing.assert_array_equal(p[only_outlet], 7)
-        # Inside: linear, so exact.
+        # Inside, the field is linear, so interpolation is exact.
         inside = np.setdiff1d(np.arange(len(p)), np.concatenate(list(groups.values())))
         np.testing.assert_allclose(p[inside], step + 1 + dataset.positions()[inside, 0], atol=1e-5)
 
@@ -110,19 +110,19 @@ def test_cell_zones_become_groups_of_cells(tmp_path):
 
 def test_face_zones_on_the_boundary_become_groups_and_leave_the_patches_their_values(tmp_path):
     case = write_case(tmp_path / "case")
-    first = len(mesh()[0])  # the faces of the inlet come first among those of the boundary
+    first = len(mesh()[0])  # in the list of boundary faces, those of the inlet come first
     write_face_zones(case / "constant/polyMesh", {"half": range(first, first + 8), "one": [first + 5], "inside": [0, 1, 2]})
     dataset = imported(tmp_path, case)
     groups = dataset.groups()
     assert {name: len(faces) for name, faces in groups.items()} == {"inlet": 16, "outlet": 16, "walls": 64, "half": 8, "one": 1}
     assert set(groups["half"]) < set(groups["inlet"])
-    assert '3 faces of surface "inside" are no boundary faces' in dataset.notes
+    assert '3 faces of surface "inside" are not boundary faces' in dataset.notes
     only_inlet = np.setdiff1d(dataset.points_of(groups["inlet"]), dataset.points_of(groups["walls"]))
     np.testing.assert_array_equal(dataset.values("U")[only_inlet, 0], 5)
 
 
 def in_order_of_place(dataset, name, step):
-    """Values at points, by where the points are."""
+    """Point values, sorted by the points' positions."""
     position = np.round(dataset.positions() * N).astype(int)
     return dataset.values(name, step)[np.lexsort(position.T)]
 
@@ -153,7 +153,7 @@ def test_a_decomposed_case_is_the_whole_again(tmp_path):
 
 
 def test_baffles_of_a_decomposed_case_stay_open(tmp_path):
-    """A wall inside, of faces that two processors share: both its sides are patch faces, no processor faces."""
+    """A wall inside the mesh, of faces between two processors. Both of its sides are patch faces, not processor faces."""
     write_decomposed(tmp_path / "case", [c % N >= N // 2 for c in range(N**3)], {}, baffle=(0, 1))
     dataset = imported(tmp_path, tmp_path / "case")
     assert "joined along 14 faces" in dataset.notes
@@ -181,7 +181,7 @@ def test_regions_name_what_they_hold(tmp_path):
 
 
 def test_pieces_are_read_where_they_have_the_results(tmp_path):
-    """decomposePar leaves the whole mesh in place; a solver in parallel writes its times into the pieces alone."""
+    """decomposePar keeps the whole mesh. A parallel solver writes its times into the processor folders only."""
     case = write_case(tmp_path / "case")
     processor = [c % N >= N // 2 for c in range(N**3)]
     write_decomposed(case, processor, {})

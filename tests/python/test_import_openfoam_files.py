@@ -1,4 +1,4 @@
-"""What an OpenFOAM case may be written as, and what one bad file of it costs."""
+"""Variants of OpenFOAM files, and the data that one bad file costs."""
 
 import os
 import pathlib
@@ -18,7 +18,7 @@ HALVES = [int(c % N >= N // 2) for c in range(N**3)]
 
 
 def test_a_case_far_from_the_origin_loses_nothing(tmp_path):
-    """Half a metre is the distance of two floats there; the cells are a quarter of a metre wide."""
+    """At these coordinates float32 values are half a meter apart. The cells are a quarter of a meter wide."""
     dataset = imported(tmp_path, moved(write_case(tmp_path / "case"), UTM))
     assert dataset.volume() == pytest.approx(1, rel=1e-6)
     assert {name: len(faces) for name, faces in dataset.groups().items()} == {"inlet": 16, "outlet": 16, "walls": 64}
@@ -97,10 +97,10 @@ def test_macros_includes_and_patterns(tmp_path):
 
 
 @pytest.mark.parametrize(("line", "says"), [
-    ("internalField uniform $nowhere;", "$nowhere is not known where it is used"),
-    ("internalField #calc \"1 + 1\";", "#calc is for OpenFOAM alone to evaluate"),
+    ("internalField uniform $nowhere;", "$nowhere is used before it is defined"),
+    ("internalField #calc \"1 + 1\";", "#calc cannot be evaluated outside OpenFOAM"),
     ('#include "gone"\ninternalField uniform 1;', "includes gone, which does not exist"),
-    ('#include "p"\ninternalField uniform 1;', "includes are nested too deep"),
+    ('#include "p"\ninternalField uniform 1;', "#include directives are nested too deep"),
     ("internalField uniform (1 2);", "has a uniform value of 2 numbers where 1 are needed"),
     ("", "has no internalField"),
 ])
@@ -112,13 +112,13 @@ def test_what_cannot_be_evaluated_costs_the_field(tmp_path, line, says):
 
 
 def test_other_components_at_one_time_cost_that_time(tmp_path):
-    """The first one is the odd one out: the others are more."""
+    """The first time has other components than all later ones, so only the first time is left out."""
     case = write_case(tmp_path / "case")
     shutil.copytree(case / "2", case / "3")
     shutil.copy(case / "1/U", case / "1/p")
     dataset = imported(tmp_path, case, code=3)
     assert dataset.times == [1, 2, 3] and "p" not in dataset.steps[0]["arrays"] and "p" in dataset.steps[1]["arrays"]
-    assert "has 3 components where other times or processors have 1" in dataset.notes
+    assert "has 3 components, but other times or processors have 1" in dataset.notes
 
 
 def decomposed(tmp_path):
@@ -138,7 +138,7 @@ def test_a_missing_processor_is_told(tmp_path):
 
 
 def test_every_missing_processor_is_told(tmp_path):
-    """Also those that no processor which is there lies beside."""
+    """A missing processor is reported even when no present processor is its neighbor."""
     write_decomposed(tmp_path / "case", [(0, 1, 3, 4)[c % N] for c in range(N**3)], {})
     for number in (1, 2, 3):
         shutil.rmtree(tmp_path / f"case/processor{number}")
@@ -159,7 +159,7 @@ def test_a_time_that_one_processor_lacks_is_told(tmp_path):
     shutil.rmtree(case / "processor1/2")
     dataset = imported(tmp_path, case, code=3)
     assert dataset.times == [1, 2] and dataset.counts()["cells"] == N**3
-    assert "There is no directory of processor1 at time 2: its cells have no values there." in dataset.notes
+    assert "There is no directory of processor1 at time 2: its cells have no values at that time." in dataset.notes
     assert np.isnan(dataset.values("cell:p", 1)).sum() == N**3 / 2 and np.isfinite(dataset.values("cell:p", 0)).all()
 
 
@@ -182,7 +182,7 @@ def test_a_mesh_that_one_processor_cannot_give_is_told(tmp_path):
 
 
 def test_processors_are_joined_by_their_patches(tmp_path):
-    """Coordinates that were written with other digits do not keep them apart."""
+    """Processors are joined by their patches, although the coordinates have different digits."""
     case = moved(decomposed(tmp_path), (0, 0, 0))
     moved(case / "processor1", (1e-6, 0, 0))
     dataset = imported(tmp_path, case)
@@ -197,17 +197,17 @@ def test_a_truncated_compressed_file_costs_itself(tmp_path):
     packed = case / "1/p.gz"
     packed.write_bytes(packed.read_bytes()[:-40])
     dataset = imported(tmp_path, case, code=3)
-    assert "1/p.gz: is damaged: its compressed data cannot be read to its end" in dataset.notes
+    assert "1/p.gz: is damaged: its compressed data ends too early or is wrong" in dataset.notes
     assert "p" in dataset.steps[1]["arrays"]
 
 
 @pytest.mark.parametrize(("file", "damage", "says"), [
     ("points", lambda text: text[:400], "ends too early"),
-    ("faces", lambda text: re.sub(r"\n4\(", "\n7(", text, count=1), "has no whole number where one is needed"),
+    ("faces", lambda text: re.sub(r"\n4\(", "\n7(", text, count=1), "has no whole number where a whole number is needed"),
     ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n-7\n"), "names cell -7"),
-    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n99999\n"), "names cells that have no faces"),
+    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n99999\n"), "names more cells than its faces can close"),
     ("boundary", lambda text: text.replace("nFaces 64", "nFaces 640"), "patch walls has faces that are not on the boundary"),
-    ("neighbour", lambda text: text.replace("FoamFile", "FoamFil"), "has no whole number where one is needed"),
+    ("neighbour", lambda text: text.replace("FoamFile", "FoamFil"), "has no whole number where a whole number is needed"),
 ])
 def test_a_damaged_mesh_is_a_sentence(tmp_path, file, damage, says):
     case = write_case(tmp_path / "case")
@@ -219,7 +219,7 @@ def test_a_damaged_mesh_is_a_sentence(tmp_path, file, damage, says):
 
 
 def test_fields_within_cells_alone_are_read(tmp_path):
-    """volScalarField::Internal has no boundary; a symmetric tensor keeps the order of its components."""
+    """volScalarField::Internal has no boundary values. A symmetric tensor keeps the order of its components."""
     case = write_case(tmp_path / "case")
     rows = "\n".join(f"({i} 1 2 3 4 5)" for i in range(N**3))
     (case / "1/G").write_text(header("volScalarField::Internal", "G") + "dimensions [0 2 -3 0 0 0 0];\nvalue uniform 3;\n")

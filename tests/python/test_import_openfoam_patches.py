@@ -1,4 +1,4 @@
-"""What the types and conditions of OpenFOAM's patches do to the values of points, and where they are shown."""
+"""Effects of OpenFOAM's patch types and boundary conditions on point values, and on the places where they are shown."""
 
 import json
 
@@ -10,7 +10,7 @@ EMPTY = {"bottom": "empty", "top": "empty"}
 
 
 def stretched(points):
-    """Uneven along x and y, so that a plain average is wrong."""
+    """Stretches along x and y, so that a plain average of neighbors would be wrong."""
     return points**np.array([1.4, 0.7, 1]) * np.array([1, 1, 0.01])
 
 
@@ -61,7 +61,7 @@ def test_vectors_lie_in_slip_walls_and_planes_of_symmetry(tmp_path):
 
 
 def test_a_slip_wall_at_rest_is_no_wall(tmp_path):
-    """A field that happens to be zero beside a slip wall does not make it one that all other fields obey."""
+    """One field that is zero at a slip wall must not make it a no-slip wall for other fields."""
     block = Block((4, 4, 4))
     u = np.where(block.centres()[:, 2:] > 0.5, [1.0, 0, 0], 0)
     entries = {side: "type slip;" for side in block.types}
@@ -82,7 +82,7 @@ def test_types_and_conditions_are_stored_and_shown(tmp_path):
     assert "left              4 faces, wall: T fixedValue" in text and "16 faces, empty" in text
     told = {group["name"]: group for group in json.loads(ciel_info(dataset.path, "--json"))["groups"]}
     assert told["right"]["type"] == "wall" and told["right"]["conditions"] == {"T": "zeroGradient"}
-    assert "The files of T name no boundary condition on front, back: the values of the cells behind were taken." in dataset.notes
+    assert "The files of T name no boundary condition on front, back: the faces have the values of their cells." in dataset.notes
 
 
 def test_a_wedge_is_no_wall_with_values(tmp_path):

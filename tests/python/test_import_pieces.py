@@ -1,4 +1,4 @@
-"""Meshes in pieces (PVTU, the parts of one PVD time): joined where two pieces meet, left apart at cracks."""
+"""Meshes in pieces (PVTU, or parts of one time in a PVD): joined where pieces meet, separate at cracks."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from vtk_files import add_array, hexahedra, unstructured, write
 N = 6
 POINTS, CELLS = hexahedra(N)
 CENTRES = POINTS[CELLS].mean(axis=1)
-PIECE = (CENTRES[:, 0] > 0.5).astype(int) + 2 * (CENTRES[:, 1] > 0.4)  # four, which meet along an edge
+PIECE = (CENTRES[:, 0] > 0.5).astype(int) + 2 * (CENTRES[:, 1] > 0.4)  # four pieces that meet along an edge
 
 
 def field(points):
@@ -25,7 +25,7 @@ def add_ids(grid, ids):
 
 
 def piece(cells, ghosts=None, ids=False, shift=0.0):
-    """With points of its own; ghosts: by cell."""
+    """A piece with its own points. `ghosts`: one flag for each cell."""
     used, local = np.unique(CELLS[cells], return_inverse=True)
     grid = unstructured([(vtk.VTK_HEXAHEDRON, row.tolist()) for row in local.reshape(-1, 8)], POINTS[used])
     add_array(grid.GetPointData(), "r", field(POINTS[used]) + shift)
@@ -44,7 +44,7 @@ def pieces_of(of_cell=PIECE, **options):
 
 
 def pieces_with_ghosts():
-    """Each with a layer of its neighbours' cells."""
+    """Four pieces, each with a layer of ghost cells of its neighbors."""
     pieces = []
     for i in range(4):
         own = PIECE == i
@@ -108,7 +108,7 @@ def test_pieces_are_one_mesh(whole, tmp_path, form, make):
     assert dataset.counts()["components"] == 1
     cut = sum(len(set(PIECE[list(pair)])) > 1 for pair in neighbours())
     assert f"The pieces of the mesh were joined along {cut} faces." in dataset.notes
-    assert "left apart" not in dataset.notes, "points that were joined"
+    assert "not welded" not in dataset.notes, "points that were joined"
     expected, _ = area(whole)
     found, open_edges = area(dataset)
     assert open_edges == 0 and found == pytest.approx(expected, rel=1e-6)
@@ -135,7 +135,7 @@ def test_point_values_are_those_of_the_whole(whole, tmp_path):
 
 
 def test_a_crack_inside_one_piece_stays_open(tmp_path):
-    """The two halves of a piece lie on each other with points of their own."""
+    """Two halves of one piece have their own points at the same positions."""
     halves = [piece(np.flatnonzero(CENTRES[:, 2] < 0.5)), piece(np.flatnonzero(CENTRES[:, 2] > 0.5))]
     append = vtk.vtkAppendFilter()
     for half in halves:
@@ -144,7 +144,7 @@ def test_a_crack_inside_one_piece_stays_open(tmp_path):
     beside = piece(np.arange(1))
     places = np.array([beside.GetPoint(i) for i in range(beside.GetNumberOfPoints())]) + [1, 0, 0]
     for i, place in enumerate(places):
-        beside.GetPoints().SetPoint(i, *place)  # shares a face with the other piece
+        beside.GetPoints().SetPoint(i, *place)  # `beside` shares a face with the other piece
     add_array(beside.GetPointData(), "r", field(places))
     dataset = imported(tmp_path, pvtu(tmp_path / "in", [append.GetOutput(), beside]))
     assert dataset.counts()["components"] == 2
@@ -152,11 +152,11 @@ def test_a_crack_inside_one_piece_stays_open(tmp_path):
 
 
 def test_a_crack_along_a_cut_stays_open(tmp_path):
-    """Where the values differ on both sides: a fault."""
+    """The values differ on both sides of the cut, as at a geological fault."""
     left, right = CENTRES[:, 0] < 0.5, CENTRES[:, 0] > 0.5
     dataset = imported(tmp_path, pvtu(tmp_path / "in", [piece(np.flatnonzero(left)), piece(np.flatnonzero(right), shift=0.125)]))
     assert dataset.counts()["components"] == 2 and dataset.counts()["boundary_faces"] == 8 * N * N
-    assert f"{2 * N * N} faces of pieces lie on those of another piece, where ids or values differ" in dataset.notes
+    assert f"{2 * N * N} faces of pieces coincide with faces of another piece but differ in ids or values" in dataset.notes
 
 
 def test_node_ids_tell_a_crack_where_values_are_equal(tmp_path):
@@ -173,7 +173,7 @@ def test_the_listing_has_one_line_for_all_pieces(tmp_path):
 
 def test_no_weld_leaves_pieces_apart_and_says_so(tmp_path):
     dataset = imported(tmp_path, pvtu(tmp_path / "in", pieces_of()), "--no-weld")
-    assert dataset.counts()["components"] == 4 and "left apart (--no-weld)" in dataset.notes
+    assert dataset.counts()["components"] == 4 and "not welded (--no-weld)" in dataset.notes
 
 
 @pytest.mark.parametrize("damage", [lambda file: file.unlink(), lambda file: file.write_bytes(file.read_bytes()[:700])],
@@ -196,4 +196,4 @@ def test_pieces_that_part_at_a_later_time_are_another_mesh_from_there(tmp_path):
     (tmp_path / "a.pvd").write_text(f'<VTKFile type="Collection"><Collection>{rows}</Collection></VTKFile>')
     dataset = imported(tmp_path, tmp_path / "a.pvd")
     assert [dataset.counts(i)["components"] for i in (0, 1)] == [1, 2]
-    assert "points of two pieces differ that were one until then" in dataset.notes
+    assert "points of two pieces differ that were welded at earlier times" in dataset.notes

@@ -1,4 +1,4 @@
-"""PLOT3D in every way that it can be laid out: the layout is found, and the values come out in their places."""
+"""PLOT3D in every layout: the layout is detected, and the values are at the right points."""
 
 import itertools
 import struct
@@ -22,7 +22,7 @@ def solution_of(grid):
 
 
 class Plot3dFile:
-    """Writes with or without Fortran records, in either byte order and precision."""
+    """Writes with or without Fortran records, in both byte orders and precisions."""
 
     def __init__(self, path, order, records, real):
         self.file, self.order, self.records, self.real = open(path, "wb"), order, records, real
@@ -59,7 +59,7 @@ LAYOUTS = list(itertools.product("<>", (False, True), (False, True), ("f4", "f8"
 def test_every_layout_is_found(tmp_path, order, records, multi, real, iblank):
     grids = 2 if multi else 1
     files = write_pair(tmp_path, order, records, multi, real, np.ones(60) if iblank else None, grids)
-    dataset = imported(tmp_path, *reversed(files))  # in any order
+    dataset = imported(tmp_path, *reversed(files))  # the order of the files has no effect
     assert dataset.input == {"vertices": 60 * grids, "cells": 24 * grids, "edges": 133 * grids}
     position = dataset.positions()
     solution = solution_of(position.T)
@@ -116,7 +116,7 @@ def test_a_grid_takes_the_solution_of_its_name_along(tmp_path):
     (tmp_path / "grid.Q").unlink()
     q.write_bytes(q.read_bytes()[:-4])
     dataset = imported(tmp_path, grid, "--force")
-    assert dataset.array_names() == [] and "grid.q lies beside the grid but does not belong" in dataset.notes
+    assert dataset.array_names() == [] and "grid.q lies beside the grid but was not read" in dataset.notes
 
 
 def test_a_solution_finds_its_grid_and_nasa_names_belong_together(tmp_path):

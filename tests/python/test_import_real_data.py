@@ -1,4 +1,4 @@
-"""The NASA grids and the sphere in a channel: the counts that the literature and the files give, and physics at the walls."""
+"""NASA's grids, and a sphere in a channel: published counts, and physical values at walls."""
 
 import os
 import pathlib
@@ -21,14 +21,14 @@ def nasa(name):
 def test_blunt_fin(tmp_path):
     dataset = imported(tmp_path, *nasa("bluntfin"))
     assert dataset.input == {"vertices": 40960, "edges": 119296, "cells": 37479}
-    assert dataset.counts()["half_edges"] == 899496  # 24 per hexahedron
+    assert dataset.counts()["half_edges"] == 899496  # 24 half-edges per hexahedron
     assert dataset.cells() == {"hexahedron": 37479}
     density = dataset.values("Density")
     assert 0.19 < density.min() < 0.2 and 4.9 < density.max() < 5
     welded = imported(tmp_path, *nasa("bluntfin"), "--weld", "--force")
     assert welded.input == dataset.input
     assert welded.counts()["vertices"] == 40921 and welded.counts()["edges"] == 119219
-    assert welded.counts()["cells"] == 37479  # the 39 collapsed ones too
+    assert welded.counts()["cells"] == 37479  # includes the 39 collapsed cells
 
 
 @needs_data
@@ -89,7 +89,7 @@ def test_sphere_point_data_stays_within_cells_and_patches(sphere):
 
 
 def test_sphere_interior_follows_the_cells(sphere):
-    """Away from walls the field is smooth: the value at a point is near that of the cells around it."""
+    """Away from walls the field is smooth, so point values are close to those of the surrounding cells."""
     position = sphere.positions()
     calm = (position[:, 0] < -1.2) & (np.abs(position[:, 1]) < 1) & (np.abs(position[:, 2]) < 1)
     assert calm.sum() > 1000

@@ -1,4 +1,4 @@
-"""The closing line of tests/run: what it counts as failed."""
+"""The closing line of tests/run: the cases that it counts as failed."""
 
 import pathlib
 import subprocess

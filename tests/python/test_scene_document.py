@@ -1,5 +1,5 @@
-"""One scene document of a clip, a volume, an iso-surface and a slice, by the command line and by JSON-RPC, against what
-each pixel's ray meets. The box is [-1, 1]^3, r the distance from its middle; the view is parallel along y."""
+"""One scene with a clip, a volume, an iso-surface and a slice, by command line and by JSON-RPC. Compared with the analytic color
+of each pixel's ray. The box is [-1, 1]^3, r the distance from its center; the view is parallel along y."""
 
 import base64
 import copy
@@ -15,9 +15,9 @@ from program import ciel
 from serve_process import PATIENCE, Server
 from vtk.util.numpy_support import vtk_to_numpy
 
-SIZE, VIEW = 240, 3.0  # pixels and scene units, both ways
-SLICE_Y, BALL = 0.5, 0.6  # the slice's place, the iso-surface's value
-LEFT = 0.5  # of the light after one unit of fog
+SIZE, VIEW = 240, 3.0  # pixels and scene units along both sides of the picture
+SLICE_Y, BALL = 0.5, 0.6  # y of the slice, and the iso-value of r
+LEFT = 0.5  # share of the light that one unit of fog lets through
 SCENE = {
     "dataset": "box", "background": "#003000",
     "camera": {"position": [0, -8, 0], "target": [0, 0, 0], "up": [0, 0, 1], "parallel": True, "parallel_height": VIEW},
@@ -88,7 +88,7 @@ def rays():
 
 
 def expected(x, z, clip=0.25):
-    """What is left of the color that a ray ends on, after the fog before it."""
+    """Expected color of each ray: that of the first surface, dimmed by the fog in front of it."""
     hit = np.hypot(x, z) < BALL
     ball = -np.sqrt(np.maximum(BALL**2 - x**2 - z**2, 0))
     left = LEFT ** np.where(hit, ball + 1, SLICE_Y + 1)
@@ -101,7 +101,7 @@ def expected(x, z, clip=0.25):
 
 
 def away_from_outlines(x, z, clip=0.25):
-    """Pixels of one thing only: the surface of a mesh of 24 cells is off the ball by some thousandths."""
+    """True for pixels away from outlines. The iso-surface of 24 cells differs from the sphere by some thousandths."""
     near = 2.5 * VIEW / SIZE
     return ((np.abs(np.hypot(x, z) - BALL) > near) & (np.abs(np.abs(x) - 1) > near) & (np.abs(np.abs(z) - 1) > near)
             & (np.abs(x - clip) > near))
@@ -168,7 +168,7 @@ def test_a_session_patched_to_the_scene_gives_the_same_picture(by_command_line, 
 
 @pytest.mark.parametrize("outside", [("below", "above"), ("above",), ("below",), ()], ids=lambda names: "and".join(names) or "none")
 def test_a_volume_has_the_colors_of_values_outside_the_range(by_command_line, outside):
-    """Fog by x, which the rays do not change: as opaque all over, in the colors of a third of the box each."""
+    """The fog is colored by x, which is constant along a ray. Each third of the box has one color; the opacity is uniform."""
     scene = copy.deepcopy(SCENE)
     scene["layers"] = {"fog": {**SCENE["layers"]["fog"], "slices": 50, "color": {
         "points": [{"at": 0, "color": "#00ff00"}, {"at": 1, "color": "#00ffff"}], "steps": 2, "range": [-0.4, 0.4],
@@ -188,7 +188,7 @@ def test_a_volume_has_the_colors_of_values_outside_the_range(by_command_line, ou
 
 @pytest.mark.parametrize("normal", [(0, -1, 0), (0.3, 1, 0.2), (-0.3, -1, -0.2)], ids=str)
 def test_of_a_cap_and_a_slice_in_one_place_the_last_is_seen(by_command_line, normal):
-    """From another point of the plane and, as a slice has no sides, from either: all is cut the same way."""
+    """The slice's origin is another point of the clip plane, and its normal may be reversed. Both must be cut identically."""
     clip = {"type": "clip", "origin": [0, 0.13, 0], "normal": [-component for component in normal]}
     along = np.cross(normal, (0.2, 0.1, 0.7))
     of_slice = {"type": "slice", "order": 5, "origin": list(np.array([0, 0.13, 0]) + along),
@@ -205,7 +205,7 @@ def test_of_a_cap_and_a_slice_in_one_place_the_last_is_seen(by_command_line, nor
 
 
 def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
-    """17 shells in each other are 34 layers along a ray through their middle; 99 is outside of r."""
+    """17 nested shells give 34 layers along a ray through their middle. The value 99 is outside of r."""
     shells = {"type": "iso", "array": "r", "values": list(np.linspace(0.1, 0.9, 17)), "opacity": 0.05}
     outside = {"type": "iso", "array": "r", "values": [99]}
     scene = {**SCENE, "layers": {"shells": shells, "outside": outside}}
@@ -221,7 +221,7 @@ def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
 
 
 def test_what_was_not_written_at_a_time_is_left_out_and_said(box, tmp_path):
-    """At time 9 there is no x: the surface by it is grey, the iso-surface of it is not there, that of r is."""
+    """At time 9 there is no x. The surface colored by x is gray, the iso-surface of x is missing, the one of r is there."""
     copy = shutil.copytree(box, tmp_path / "box.ciel")
     np.save(tmp_path / "r.npy", np.linspace(0, 1, 25**3, dtype="f4"))
     assert ciel("append", copy, "--time", 9, "--array", f"r={tmp_path}/r.npy").returncode == 0
@@ -237,7 +237,7 @@ def test_what_was_not_written_at_a_time_is_left_out_and_said(box, tmp_path):
         assert result.returncode == 0, result.stderr
         return (tmp_path / "p.png").read_bytes(), result.stderr.splitlines()
 
-    missing = "'x' was not written at time 9; it was at 0, 0.5, 1, 1.5"
+    missing = "'x' has no values at time 9; it has values at 0, 0.5, 1, 1.5"
     picture, told = drawn(a=by_r, b=half, c=iso)
     assert told == [f"ciel: layer b has no colors: {missing}", f"ciel: layer c is not shown: {missing}"]
     assert (picture, []) == drawn(a=by_r, b=grey)
@@ -248,14 +248,14 @@ def test_what_was_not_written_at_a_time_is_left_out_and_said(box, tmp_path):
 
 
 def contoured(**contours):
-    """The middle plane across y, white, with lines of r; the view is along y."""
+    """The middle plane across y, white with contour lines of r. The view is along y."""
     values = {"array": "r", "values": [0.3, 0.8], "width": 5, **contours}
     layer = {"type": "slice", "axis": "y", "value": 0, "color": {"solid": "#ffffff"}, "contours": values}
     return {**SCENE, "layers": {"s": layer}}
 
 
 def radii_of(picture, color):
-    """How far from the middle the pixels of exactly this color are: the least and the greatest."""
+    """Smallest and largest distance from the center of the pixels with exactly this color, or None for few pixels."""
     x, z = rays()
     found = np.hypot(x, z)[(picture == color).all(axis=2)]
     return (found.min(), found.max()) if len(found) > 20 else None
@@ -313,10 +313,10 @@ def test_colors_of_contour_lines_that_make_no_sense_are_refused(server, coloring
 
 @pytest.mark.parametrize("flags, reason", [
     (["--surface", "--threshold", "x=5,6"], "layer surface shows nothing. Its threshold from 5 to 6 keeps no cell: x goes from −1 to 1"),
-    (["--surface", "--clip", "x=-5"], "layer surface shows nothing. All of it is clipped away."),
-    (["--slice", "x=3"], "layer slice1 shows nothing. Its plane lies beside the data."),
+    (["--surface", "--clip", "x=-5"], "layer surface shows nothing. The clip planes cut away the whole layer."),
+    (["--slice", "x=3"], "layer slice1 shows nothing. The plane does not cut the data."),
     (["--iso", "r=99"], "layer iso1 shows nothing. 99 is outside the range: r goes from"),
-    (["--slice", "x=0", "--opacity", "0"], "layer slice1 shows nothing. Its opacity is 0."),
+    (["--slice", "x=0", "--opacity", "0"], "layer slice1 shows nothing. The opacity is 0."),
 ])
 def test_what_shows_nothing_is_said_on_stderr(box, tmp_path, flags, reason):
     result = ciel("render", box, *flags, "--size", "64x64", "-o", tmp_path / "p.png")
@@ -326,7 +326,7 @@ def test_what_shows_nothing_is_said_on_stderr(box, tmp_path, flags, reason):
 
 
 def test_a_picture_without_a_camera_frames_what_clips_and_thresholds_leave(box, tmp_path):
-    """The part of the picture that is not background, of a corner as of the whole box."""
+    """A clipped corner fills as much of the picture as the whole box."""
     def covered(*flags):
         path = tmp_path / "p.png"
         result = ciel("render", box, "--surface", *flags, "--background", "#003000", "--annotations", "none",
@@ -346,7 +346,7 @@ def test_a_picture_without_a_camera_frames_what_clips_and_thresholds_leave(box, 
 
 def test_a_legend_shows_the_color_of_missing_values_where_some_are_shown(tmp_path):
     box = box_dataset.write_box(tmp_path / "box.ciel", 8, holes=True)
-    looking_away = ["--camera", "0,-9,0,0,-20,0"]  # all that is colored then is the legend
+    looking_away = ["--camera", "0,-9,0,0,-20,0"]  # the camera looks away, so only the legend is colored
 
     def magenta(*flags):
         path = tmp_path / "p.png"
@@ -363,12 +363,12 @@ def test_a_legend_shows_the_color_of_missing_values_where_some_are_shown(tmp_pat
 
 
 @pytest.mark.parametrize("flags, sentence", [
-    (["--slice", "y=0", "--color", "x", "--map", "rainbow"], "--map rainbow: there is no such color map; there are viridis, inferno"),
-    (["--slice", "y=0", "--contours", "x", "--contour-map", "jet"], "--contour-map jet: there is no such color map; there are"),
-    (["--surface", "--volume-direction", "x"], "--volume-direction is about volumes; give --volume"),
-    (["--surface", "--volume-unshaded"], "--volume-unshaded is about volumes; give --volume"),
-    (["--volume", "x", "--volume-unit-length", "0"], "--volume-unit-length is a length of more than 0"),
-    (["--volume", "x", "--volume-unit-length", "nan"], "--volume-unit-length is a length of more than 0"),
+    (["--slice", "y=0", "--color", "x", "--map", "rainbow"], "--map rainbow is not a color map; choose one of viridis, inferno"),
+    (["--slice", "y=0", "--contours", "x", "--contour-map", "jet"], "--contour-map jet is not a color map; choose one of"),
+    (["--surface", "--volume-direction", "x"], "--volume-direction applies to volumes only; give --volume"),
+    (["--surface", "--volume-unshaded"], "--volume-unshaded applies to volumes only; give --volume"),
+    (["--volume", "x", "--volume-unit-length", "0"], "--volume-unit-length must be a length of more than 0"),
+    (["--volume", "x", "--volume-unit-length", "nan"], "--volume-unit-length must be a length of more than 0"),
     (["--volume", "x", "--volume-direction", "up"], "--volume-direction"),
 ])
 def test_wrong_usage_exits_with_2_and_says_what_there_is(box, tmp_path, flags, sentence):
@@ -378,7 +378,7 @@ def test_wrong_usage_exits_with_2_and_says_what_there_is(box, tmp_path, flags, s
 
 
 def test_options_of_volumes_are_those_of_the_scene(box, tmp_path):
-    """Unshaded, in one color: Beer-Lambert, whatever the slices go across; half of the light per unit length."""
+    """An unshaded volume of one color follows Beer-Lambert for every direction of slices: half of the light per unit length."""
     def middle(*flags):
         result = ciel("render", box, "--volume", "x=0:0.5", "--color-points", "0=#000000,1=#000000", "--volume-unshaded",
                       "--background", "#ffffff", "--annotations", "none", "--camera", "0,-9,0,0,0,0", "--parallel",
@@ -386,7 +386,7 @@ def test_options_of_volumes_are_those_of_the_scene(box, tmp_path):
         assert result.returncode == 0, result.stderr
         reader = vtk.vtkPNGReader()
         reader.SetFileName(str(tmp_path / "p.png"))
-        return pixels_of(reader)[36, 36, 0] / 255  # beside the middle, through which no outline goes
+        return pixels_of(reader)[36, 36, 0] / 255  # beside the center, which the outline crosses
 
     for direction in ("auto", "x", "y", "z", "screen"):
         found = middle("--volume-unit-length", "2", "--volume-direction", direction)

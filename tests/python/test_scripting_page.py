@@ -1,4 +1,4 @@
-"""The programs of protocol/python/README.md do what the page says."""
+"""Runs the programs in protocol/python/README.md."""
 
 import pathlib
 import re

@@ -1,4 +1,4 @@
-"""Who is let in: on loopback the server's own user, everywhere those who have the token. Needs root to be other users."""
+"""Access control: the server's own user on loopback, and everyone with the token. Needs root to run clients as other users."""
 
 import os
 import pathlib
@@ -19,7 +19,7 @@ import box_dataset
 from program import CIEL, ciel
 from serve_process import PATIENCE, UPGRADE, Server, until
 
-OTHER, ANOTHER = 23456, 23457  # users without a name
+OTHER, ANOTHER = 23456, 23457  # user ids without a name
 TOKEN = "0123456789abcdef0123"
 needs_users = pytest.mark.skipif(os.geteuid() != 0, reason="only root can be other users")
 
@@ -27,7 +27,7 @@ CALL = b'{"jsonrpc":"2.0","id":1,"method":"dataset.list"}'
 REQUEST = (b"POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: "
            + str(len(CALL)).encode() + b"\r\n%s\r\n" + CALL)
 
-# What another user runs: connects from a port (0: any), sends what stands in stdin, and says the status.
+# Program of the other user: connects from the given port (0: any), sends stdin, and prints the status of the answer.
 CLIENT = """
 import socket, struct, sys
 host, port, own_port, times = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4])
@@ -47,7 +47,7 @@ for _ in range(times):
 
 @pytest.fixture(scope="module")
 def box():
-    """Where other users can read it; pytest's own folders are closed to them."""
+    """A dataset that other users can read; they have no access to pytest's folders."""
     with tempfile.TemporaryDirectory() as folder:
         os.chmod(folder, 0o755)
         yield box_dataset.write_box(pathlib.Path(folder) / "box.ciel", n=3)
@@ -61,7 +61,7 @@ def server(box):
 
 def status(server: Server, headers: bytes = b"", host: str = "127.0.0.1", user: int | None = None, port: int = 0,
            times: int = 1) -> int:
-    """Of a method call by a process of this user, or our own."""
+    """HTTP status of a method call by a process of `user`, or of our own user."""
     result = subprocess.run([sys.executable, "-c", CLIENT, host, str(server.port), str(port), str(times)],
                             input=REQUEST % headers, capture_output=True, user=user, timeout=PATIENCE, cwd="/")
     assert result.returncode == 0, result.stderr
@@ -95,7 +95,7 @@ def test_another_user_needs_it(server, host):
 
 @needs_users
 def test_a_client_that_closes_at_once_is_nobody(server):
-    """Its socket then belongs to user 0, as this server does."""
+    """After the close, its socket belongs to user 0, like the server of this test."""
     before = server.metrics().get('ciel_rpc_requests_total{method="dataset.list"}', 0)
     accepted = server.metrics()["ciel_gateway_connections_total"]
     status(server, user=OTHER, times=100)
@@ -168,7 +168,7 @@ def test_token_files_that_cannot_be(tmp_path):
 
 
 def test_only_the_answers_to_wrong_tokens_wait_and_few_of_them(box):
-    """Two wait for the rest of the test; were it any other answer, it would not come."""
+    """Only answers to wrong tokens are delayed, at most two at once. Any other delayed answer would make this test hang."""
     limits = ["--limit-wrong-token-seconds", "3600", "--limit-wrong-tokens-waiting", "2"]
     with Server(box, "--token", TOKEN, *limits) as running:
         wrong = REQUEST % b"Authorization: Bearer wrong-one\r\n"
@@ -231,11 +231,11 @@ def test_session_ids_that_can_be_guessed_are_refused(server):
 
 
 def test_the_limit_of_one_address_counts_what_a_trusted_proxy_says(box):
-    """Loopback itself is not counted."""
+    """Connections from loopback itself are not limited."""
     arguments = ["--trusted-proxy", "127.0.0.1", "--limit-connections-of-address", "2"]
     with Server(box, *arguments) as running:
         def begin(client: str) -> socket.socket:
-            """A call without its body: the connection stays in its request."""
+            """Starts a call without sending its body, so the connection stays busy."""
             one = socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE)
             head = REQUEST % (f"X-Forwarded-For: 203.0.113.9, {client}\r\nExpect: 100-continue\r\n".encode() + bearer(running))
             one.sendall(head[:-len(CALL)])
@@ -252,7 +252,7 @@ def test_the_limit_of_one_address_counts_what_a_trusted_proxy_says(box):
         held[0].sendall(CALL)
         assert b"result" in held[0].recv(4096)
 
-        def has_room() -> bool:  # once the server has seen the end of the request
+        def has_room() -> bool:  # true once the server has noticed the end of the request
             held.append(begin("192.0.2.1"))
             return held[-1].recv(4096).startswith(b"HTTP/1.1 100")
 
@@ -274,7 +274,7 @@ def test_what_is_no_proxy_is_not_believed(box):
 
 
 def test_dripping_connections_keep_nobody_out(box):
-    """More than the server takes, each with a head that goes on for ever."""
+    """More connections than the limit, each with a header that never ends."""
     with Server(box) as running:
         most = int(running.call("server.info")["limits"]["connections"])
         dripping = []

@@ -1,4 +1,4 @@
-"""`ciel serve` as browsers, scripts, proxies and probes see it over HTTP."""
+"""`ciel serve` over HTTP, for browsers, scripts, proxies and health checks."""
 
 import re
 
@@ -67,7 +67,7 @@ def test_links_do_not_lead_out_of_the_client(server):
     for path in ("/out.txt", "/../secret.txt", "/%2e%2e/secret.txt", "/assets/..%2f..%2fsecret.txt"):
         session = requests.Session()
         request = requests.Request("GET", server.base + path).prepare()
-        request.url = server.base + path  # as it stands: requests would resolve the dots
+        request.url = server.base + path  # restores the path, because requests resolves its dots
         answer = session.send(request, timeout=PATIENCE)
         assert answer.status_code == 404 and "secret" not in answer.text.replace("secret.txt", ""), path
 

@@ -1,4 +1,4 @@
-"""What a long or slow line gets: messages that proxies let through, and texts before frames."""
+"""Slow connections, and proxies with a limit on messages: frames in small messages, and texts before frames."""
 
 import asyncio
 import itertools
@@ -32,14 +32,14 @@ def test_no_message_is_longer_than_512_kib_and_a_picture_by_post_has_any_length(
             assert frame.kind == 1 and frame.whole_bytes > LONGEST
             size = {"width": 2000, "height": 2000}
             refused = await caller.answer(await caller.send("picture.render", session=session, **size))
-            assert "ask by POST /rpc" in refused["error"]["data"]["reason"]
+            assert "send the call with POST /rpc" in refused["error"]["data"]["reason"]
             assert len(server.call("picture.render", session=session, **size)["data"]) > LONGEST
 
     asyncio.run(asyncio.wait_for(attempt(), PATIENCE))
 
 
 class SlowReader:
-    """A WebSocket by hand: nothing is taken from the line but what is asked for."""
+    """A WebSocket client without a library, which reads single messages only on demand."""
 
     def __init__(self, server: Server):
         self.socket = socket.socket()
@@ -73,7 +73,7 @@ class SlowReader:
         return number
 
     def answer(self, number: int) -> tuple[dict, int]:
-        """And the bytes of frames that came before it."""
+        """Returns the result, and the bytes of frames that arrived before it."""
         frames = 0
         while not (isinstance(message := self.message(), dict) and message.get("id") == number):
             frames += len(message) if isinstance(message, bytes) else 0
@@ -81,18 +81,18 @@ class SlowReader:
 
 
 def test_an_answer_overtakes_the_polygons_that_a_slow_line_has_not_taken(server):
-    """On 10 Mbit/s the bytes before the answer are what a person waits for."""
+    """On a slow connection, the bytes before an answer decide how long the user waits."""
     reader = SlowReader(server)
     session = reader.answer(reader.send("session.open", dataset="box"))[0]["session"]
     reader.answer(reader.send("scene.patch", session=session, patch={"layers": SURFACES}))
     frames, asked = "ciel_frames_total{kind=\"interactive\"}", "ciel_rpc_requests_total{method=\"server.info\"}"
     made = server.metrics()[frames]
     reader.send("view.open", session=session, width=640, height=360, stream="geometry")
-    until(lambda: server.metrics()[frames] > made)  # in the outbox, and nobody reads
+    until(lambda: server.metrics()[frames] > made)  # a frame is in the outbox, and the client does not read
     before = server.metrics().get(asked, 0)
     number = reader.send("server.info")
     until(lambda: server.metrics().get(asked, 0) > before)
-    server.metrics()  # the answer follows the count at once
+    server.metrics()  # the server answers directly after it has counted the request
     bytes_before = reader.answer(number)[1]
     whole = []
     while not whole or not whole[-1].flags & 2:

@@ -1,4 +1,4 @@
-"""A server that may take little more memory: it refuses pictures in words, lives, and draws again what fits."""
+"""A server with little memory refuses pictures with a message, keeps running, and draws later ones that fit."""
 
 import pathlib
 import re
@@ -26,13 +26,13 @@ def address_space(running: Server) -> int:
 
 
 def limit(running: Server, megabytes: int | None) -> None:
-    """So much more than it has; None: as much as it likes."""
+    """Limits the address space to this many megabytes above the current size; None removes the limit."""
     soft = resource.RLIM_INFINITY if megabytes is None else address_space(running) + (megabytes << 20)
     resource.prlimit(running.process.pid, resource.RLIMIT_AS, (soft, resource.RLIM_INFINITY))
 
 
 def picture(running: Server, scene: dict, width: int, height: int) -> str:
-    """Empty, or why it was refused."""
+    """Draws a picture. Returns the reason of a refusal, or an empty string."""
     answer = requests.post(running.base + "/rpc", timeout=4 * PATIENCE, json={
         "jsonrpc": "2.0", "id": 1, "method": "picture.render",
         "params": {"scene": {"dataset": "box", **scene}, "width": width, "height": height}}).json()
@@ -71,7 +71,7 @@ def test_a_server_without_room_for_a_picture_is_not_ready(box):
     with Server(box) as running:
         assert running.get("/readyz").status_code == 200
         limit(running, 20)
-        until(lambda: running.get("/readyz").status_code == 503)  # the answer before stands for a second
+        until(lambda: running.get("/readyz").status_code == 503)  # a result stays valid for one second
         answer = running.get("/readyz")
         assert "memory" in answer.json()["problem"], answer.text
         limit(running, None)
@@ -79,18 +79,18 @@ def test_a_server_without_room_for_a_picture_is_not_ready(box):
 
 @pytest.mark.parametrize("megabytes", [1300, 1500, 1700, 1900, 2100, 2400])
 def test_a_server_that_starts_with_little_tells_the_truth(box, megabytes):
-    """Frames and pictures are drawn by threads with a context each; there must be room for both."""
+    """Frames and pictures are drawn by different threads, each with its own OpenGL context. Both need room."""
     with Server(box, limits={resource.RLIMIT_AS: megabytes << 20}) as running:
         refused = [picture(running, SURFACE, 640, 360) for _ in range(3)]
         if refused[-1]:
-            until(lambda: running.get("/readyz").status_code == 503)  # the answer before stands for a second
+            until(lambda: running.get("/readyz").status_code == 503)  # a result stays valid for one second
         for why in filter(None, refused):
             assert "memory" in why or "address space" in why, why
         assert running.process.poll() is None
 
 
 def test_a_large_picture_leaves_little_behind(box):
-    """What drawing took goes back to the system once nobody draws: the server looks every ten seconds."""
+    """The server returns unused drawing memory to the system; it checks every ten seconds."""
     with Server(box) as running:
         assert picture(running, SURFACE, 640, 360) == ""
         before = running.resident_kilobytes()

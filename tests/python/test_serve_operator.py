@@ -1,4 +1,4 @@
-"""What the operator sees of a real server: its log, and the memory that its clients make it hold."""
+"""The operator's view of a real server: its log, and the memory that clients make it hold."""
 
 import asyncio
 import json
@@ -28,7 +28,7 @@ def test_each_line_is_json_with_utc_and_links_the_clients_error(box, tmp_path):
         opened = running.call("session.open", dataset="box")
         running.call("session.close", session=opened["session"])
     whole = (tmp_path / "log").read_text()
-    lines = [json.loads(line) for line in whole.splitlines() if line.startswith("{")]  # others are of Mesa
+    lines = [json.loads(line) for line in whole.splitlines() if line.startswith("{")]  # other lines are Mesa's
     assert all(UTC.fullmatch(line["time"]) and line["level"] and line["event"] for line in lines)
     failed, = [line for line in lines if line["event"] == "call failed"]
     assert failed["request"] == answer.json()["error"]["data"]["request"] == answer.headers["X-Request-Id"]
@@ -89,7 +89,7 @@ def test_readiness_is_answered_while_the_worker_is_busy(box):
 
 
 def test_names_and_histories_are_bounded_in_bytes(box):
-    """20 layer names of 0.9 MB and 200 patches of 40 bytes held 3.7 GiB."""
+    """Without limits, 20 layer names of 0.9 MB and 200 patches of 40 bytes held 3.7 GiB."""
     with Server(box) as running:
         session = running.call("session.open", dataset="box")["session"]
         for letter in "abcdefghijklmnopqrst":
@@ -105,8 +105,8 @@ def test_names_and_histories_are_bounded_in_bytes(box):
 
 
 def test_eight_unread_views_hold_what_one_connection_may(tmp_path):
-    """8 unread geometry views held 1.6 GiB, each its whole frame."""
-    large = box_dataset.write_box(tmp_path / "box.ciel", n=64, steps=1)  # frames of 1.3 MB
+    """Without a limit for the connection, 8 unread geometry views held 1.6 GiB, a whole frame each."""
+    large = box_dataset.write_box(tmp_path / "box.ciel", n=64, steps=1)  # its geometry frames have 1.3 MB
     unsent = 'ciel_memory_bytes{kind="unsent"}'
 
     async def attempt(running: Server) -> None:

@@ -1,4 +1,4 @@
-"""`ciel serve` as a process: starting, failing to start, stopping, staying small."""
+"""`ciel serve` as a process: start, failed starts, shutdown, constant memory and open files."""
 
 import asyncio
 import base64
@@ -81,14 +81,14 @@ def test_it_comes_back_on_the_same_port(box):
 def test_a_signal_ends_it_cleanly(box, number, tmp_path):
     with Server(box, log=tmp_path / "log") as running:
         idle = requests.Session()
-        idle.get(running.base + "/healthz", timeout=PATIENCE)  # a kept connection must not hold it up
+        idle.get(running.base + "/healthz", timeout=PATIENCE)  # this kept-alive connection must not delay the shutdown
         running.process.send_signal(number)
         assert running.process.wait(PATIENCE) == 0
         assert "stopping" in (tmp_path / "log").read_text()
 
 
 def catches(process: subprocess.Popen, number: int) -> bool:
-    """Whether the process has a handler for this signal, or has ended."""
+    """True when the process has a handler for this signal, or has ended."""
     if process.poll() is not None:
         return True
     status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
@@ -101,7 +101,7 @@ def test_the_first_handler_of_a_signal_ends_it(box, number):
     until(lambda: catches(process, number))
     process.send_signal(number)
     try:
-        process.communicate(timeout=PATIENCE)  # raises where the signal was swallowed
+        process.communicate(timeout=PATIENCE)  # raises when the process ignores the signal
     finally:
         process.kill()
 
@@ -141,13 +141,13 @@ def is_refused(port: int) -> bool:
         socket.create_connection(("127.0.0.1", port)).close()
     except ConnectionRefusedError:
         return True
-    except ConnectionResetError:  # it was waiting to be accepted when the listener closed
+    except ConnectionResetError:  # the connection was waiting to be accepted when the listener closed
         return False
     return False
 
 
 async def picture_under_way(running: Server, caller: Client) -> tuple[int, int]:
-    """The number of a request for a picture that is being drawn, and the picture's side: the first that takes long enough."""
+    """Starts a picture that is slow enough to still be drawn. Returns the request's id and the picture's side."""
     for side in (16, 1024, 2048, 4096):
         done = running.metrics()["ciel_pictures_total"]
         number = await caller.send("picture.render", scene={"dataset": "box", **iso(0.7)}, width=side, height=side)
@@ -183,7 +183,7 @@ def test_a_dead_client_does_not_hold_up_the_end(box):
         async with client(running, close_timeout=1) as caller:
             session = (await caller.call("session.open", dataset="box"))["session"]
             await caller.call("view.open", session=session, width=640, height=480)
-            caller.socket.transport.pause_reading()  # no close will be answered
+            caller.socket.transport.pause_reading()  # the client will not answer the close frame
             running.process.send_signal(signal.SIGTERM)
             status = await asyncio.get_running_loop().run_in_executor(None, running.process.wait, PATIENCE)
             assert status == 0
@@ -195,7 +195,7 @@ def test_a_dead_client_does_not_hold_up_the_end(box):
 def test_a_second_signal_ends_it_at_once(box):
     with Server(box) as running:
         held = socket.create_connection(("127.0.0.1", running.port))
-        # half a body: the connection is busy, so draining waits for it
+        # Half a request body: the connection is busy, so the server waits for it.
         held.sendall(b"POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{")
         until(lambda: running.metrics()["ciel_gateway_connections_open"] >= 2)
         running.process.send_signal(signal.SIGTERM)
@@ -221,7 +221,8 @@ def test_a_dataset_truncated_while_it_is_shown_is_named_and_comes_back(tmp_path)
             refused = await caller.answer(await caller.send("scene.patch", session=opened["session"], patch=iso(0.6)))
             while "error" not in refused and not any(n["method"] == "view.failed" for n in caller.notifications):
                 await caller.receive()
-            told = json.dumps([refused, caller.notifications])  # by the frame, or by the next look at the directory
+            # Reported by the frame, or by the next check of the directory.
+            told = json.dumps([refused, caller.notifications])
             assert "meshes/0" in told and ("shrunk while it was open" in told or "has 0 bytes where" in told)
             assert running.get("/healthz").status_code == 200
             shutil.copytree(kept, dataset, dirs_exist_ok=True)
@@ -260,11 +261,11 @@ def test_two_hundred_visitors_leave_nothing_behind(box):
 
     with Server(box) as running:
         def files() -> int:
-            """The least of several looks, for each look is a connection that takes a moment to end."""
+            """Returns the minimum of 100 counts, because each check opens a connection that takes a moment to close."""
             until(lambda: running.metrics()["ciel_gateway_websockets_open"] == 0)
             return min(running.open_files() for _ in range(100) if running.get("/healthz"))
 
-        asyncio.run(visits(running, 50))  # caches and arenas have their size after some
+        asyncio.run(visits(running, 50))  # lets caches and allocator arenas reach their final size
         before, memory = files(), running.resident_kilobytes()
         asyncio.run(visits(running, 200))
         assert any(files() <= before for _ in range(20)), "what the visits opened stays open"

@@ -1,4 +1,4 @@
-"""Pictures that take long beside somebody who looks at something else."""
+"""Slow pictures, while another client is active."""
 
 import asyncio
 import json
@@ -10,7 +10,7 @@ import pytest
 import box_dataset
 from serve_process import PATIENCE, Server, client, iso, until
 
-SIDE = 3000  # pixels: long enough that the next request comes before the picture is drawn
+SIDE = 3000  # Pixels. The next request must arrive before this picture is drawn.
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +25,7 @@ def picture(number: int = 1) -> dict:
 
 
 def post(server: Server, body: object) -> socket.socket:
-    """A request whose answer nobody reads yet."""
+    """Sends a request and returns the connection without reading the answer."""
     text = json.dumps(body).encode()
     connection = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE)
     connection.sendall(b"POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
@@ -38,7 +38,7 @@ def waiting(server: Server) -> float:
 
 
 def begun(server: Server) -> float:
-    """Pictures that are drawn or being drawn: one that has its turn may not be that far yet."""
+    """Number of pictures drawn or being drawn. A picture that has its turn may not be counted yet."""
     samples = server.metrics()
     return samples["ciel_pictures_total"] + samples["ciel_frame_workers_busy"]
 

@@ -1,4 +1,4 @@
-"""Frames: newest wins, and slow, dead or rude clients cost the others nothing."""
+"""Frames: only the newest is sent. Slow, dead or misbehaving clients do not delay others."""
 
 import asyncio
 import base64
@@ -91,7 +91,7 @@ def test_moving_pictures_are_jpeg_where_the_view_asks_for_it_and_stills_never(se
 
 
 def width_of_lines(picture: numpy.ndarray) -> float:
-    """Of two upright ones, each before another whose soft edges add to its own, from a row through the middle."""
+    """Width of two vertical lines, measured in the picture's middle row. Soft edges count in proportion."""
     return picture[picture.shape[0] // 2, :, 0].sum() / 255 / 2
 
 
@@ -109,7 +109,7 @@ def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server
                 await caller.call("view.resize", view=view, width=width, height=height, **ratio)
                 frame = moving = None
                 while frame is None or not (frame.still and frame.width == width):
-                    moving = frame  # of no more than 1280 x 720 pixels
+                    moving = frame  # of at most 1280 x 720 pixels
                     frame = await caller.next_frame()
                     await caller.acknowledge(frame)
                 for frame in (moving, frame):
@@ -132,7 +132,7 @@ def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server
 
 
 def colors_of_stills(running: Server) -> list[int]:
-    """Of a white box before black, in a view's still and in a picture of its own: with soft edges there are greys."""
+    """Numbers of colors in a view's still and in a separate picture of a white box on black. Soft edges add grays."""
     scene = {"dataset": "box", "background": "#000000", "annotations": {"legend": False, "triad": False},
              "lighting": {"on": False}, "layers": {"all": {"type": "surface", "color": {"solid": "#ffffff"}}},
              "camera": {"position": [3, -8, 5], "target": [0.5, 0.5, 0.5], "up": [0, 0, 1]}}
@@ -169,10 +169,10 @@ def test_a_burst_of_a_hundred_patches_draws_what_the_line_has_room_for_and_the_l
         async with client(server) as caller:
             session, _ = await open_view(caller)
             revision = (await caller.call("scene.get", session=session))["revision"]
-            await caller.frame(revision, still=True)  # at rest
+            await caller.frame(revision, still=True)  # the view is at rest
             held = await caller.call("scene.patch", session=session, patch=iso(0.3))
             while not isinstance(await caller.receive(), Frame):
-                pass  # its frame is not acknowledged: there is room for a few more
+                pass  # the frame is not acknowledged, so the window has room for only a few more
             drawn, last = len(caller.frames), held["revision"] + 100
             for i in range(100):
                 await caller.send("scene.patch", session=session, patch=iso(0.4 + i / 200))
@@ -228,7 +228,7 @@ def test_geometry_comes_in_batches(server):
 
 
 def stuck_client(server: Server) -> socket.socket:
-    """A WebSocket with room for little, which nobody reads."""
+    """A WebSocket client with a small buffer that never reads."""
     stuck = socket.socket()
     stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     stuck.connect(("127.0.0.1", server.port))
@@ -249,7 +249,7 @@ def test_a_client_that_does_not_read_blocks_nobody(server):
     ended = False
     stuck.settimeout(5)
     try:
-        for _ in range(2000):  # each answer is some tens of kilobytes: far more than may wait
+        for _ in range(2000):  # each answer has some tens of kilobytes, far more in total than the limit
             stuck.sendall(discover)
     except (ConnectionError, TimeoutError):
         ended = True
@@ -276,7 +276,8 @@ def test_clients_that_vanish_are_forgotten(server):
                 await caller.send("scene.patch", session=session, patch=iso(0.4 + i / 100))
             await caller.send("picture.render", session=session, width=1024, height=1024)
             sock = caller.socket.transport.get_extra_info("socket")
-            sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")  # a reset, not a close
+            # Linger of zero makes the close a reset.
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
             caller.socket.transport.abort()
 
     before = state()

@@ -1,4 +1,4 @@
-"""The WebSocket: who may open it, what may be sent, what is refused and how."""
+"""The WebSocket: who may connect, allowed messages, and refusals."""
 
 import asyncio
 import json
@@ -23,13 +23,13 @@ def server(tmp_path_factory):
 
 
 def refusal(server: Server, path="/ws", **options) -> int:
-    """The status with which the opening handshake is refused."""
+    """HTTP status with which the server refuses the handshake."""
 
     async def attempt():
         with pytest.raises(websockets.InvalidHandshake) as refused:
             async with server.socket(path, **options):
                 pass
-        return getattr(refused.value, "response", refused.value).status_code  # websockets 14 has a response
+        return getattr(refused.value, "response", refused.value).status_code  # websockets 14 and later has `response`
 
     return asyncio.run(attempt())
 
@@ -109,7 +109,7 @@ def test_messages_over_the_limit_are_refused(server):
 
 
 class Raw:
-    """A WebSocket by hand, for what a library refuses to send."""
+    """A WebSocket client without a library, for messages that libraries refuse to send."""
 
     def __init__(self, server: Server):
         self.socket = socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE)
@@ -125,7 +125,7 @@ class Raw:
         return self
 
     def close_code(self) -> int | None:
-        """The code of the close frame that comes; None when the connection ends without one."""
+        """Code of the next close frame, or None when the connection ends without one."""
         try:
             while chunk := self.socket.recv(4096):
                 self.received += chunk
@@ -249,7 +249,7 @@ def test_only_so_many_sessions(tmp_path):
 
 
 def test_only_so_many_connections(tmp_path):
-    """WebSockets stay; what only waits for a next request goes for a new one."""
+    """WebSockets stay open. A connection that waits for its next request is closed for a new one."""
     with Server(tmp_path) as running:
         limit = int(running.call("server.info")["limits"]["connections"])
         idle = socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE)
@@ -269,7 +269,7 @@ def test_only_so_many_connections(tmp_path):
 
 
 def handshake(server: Server, old: bytes, new: bytes) -> bytes:
-    """The answer's first line to a handshake that is changed a little."""
+    """First line of the answer to a handshake in which `old` is replaced by `new`."""
     with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as opened:
         opened.sendall(UPGRADE.replace(old, new))
         return opened.recv(4096).split(b"\r\n")[0]

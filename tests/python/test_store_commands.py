@@ -1,4 +1,4 @@
-"""ciel demo, info and append, as a user and as another process sees them."""
+"""ciel demo, info and append, run by a user and observed by another process."""
 
 import json
 import os
@@ -33,7 +33,7 @@ def demo(tmp_path_factory):
 
 @pytest.fixture
 def copy(demo, tmp_path):
-    """A dataset of its own to change. Files are links: the store's are replaced, never rewritten."""
+    """A separate copy of the demo dataset. Its files are hard links, since the store replaces files and never rewrites them."""
     return pathlib.Path(shutil.copytree(demo, tmp_path / "copy.ciel", copy_function=os.link))
 
 
@@ -44,7 +44,7 @@ def test_a_vector_is_colored_by_its_magnitude_and_called_so(demo, tmp_path):
 
 def test_a_demo_has_the_name_of_a_dataset(tmp_path):
     result = ciel("demo", "-o", tmp_path / "demo.foo")
-    assert result.returncode == 2 and "ends in .ciel" in result.stderr and not any(tmp_path.iterdir())
+    assert result.returncode == 2 and "must end in .ciel" in result.stderr and not any(tmp_path.iterdir())
 
 
 def test_a_coarse_demo_is_a_small_dataset_of_the_same_kind(demo, tmp_path):
@@ -153,7 +153,7 @@ def test_append_other_dataset(demo, copy, tmp_path):
 
 
 def write_moving_box(directory, steps, moved_from):
-    """A box that lies elsewhere from step `moved_from` on."""
+    """Writes a box whose positions change at step `moved_from`."""
     box_dataset.write_box(directory, n=3, steps=steps)
     mesh = directory / "meshes/0"
     positions = (numpy.fromfile(mesh / "positions/0.0.0", "<f4") + 1).tobytes()
@@ -205,7 +205,7 @@ def test_appended_cell_values_have_point_values_as_imported_ones_do(tmp_path):
         (["--time", 5, "--array", "../x={good}"], "holds a '/'"),
         (["--time", 5, "--array", "cell:a/b={good}"], "holds a '/'"),
         (["--time", 5, "--array", "a:b={good}"], "':'"),
-        (["--time", 5, "--array", "..={good}"], "stands for a folder"),
+        (["--time", 5, "--array", "..={good}"], "is . or .."),
         (["--time", 5, "--array", "cell:={good}"], "is empty"),
         (["--time", 5, "--array", " p={good}"], "begins or ends with a space"),
         (["--time", 5, "--array", "a\nb={good}"], "control character"),

@@ -1,4 +1,4 @@
-"""A volume of the blunt fin against VTK's ray caster: the same camera, map and opacity, without light."""
+"""A volume of the blunt fin against VTK's ray caster, with the same camera, color map and opacity, unshaded."""
 
 import json
 import os
@@ -23,7 +23,7 @@ def works(*arguments):
     assert result.returncode == 0, result.stderr
 
 
-# VTK ends the program where it has no display, so it draws in one of its own.
+# VTK ends the program when there is no display, so it runs in a separate process.
 VTK = f"""
 import sys
 import numpy as np

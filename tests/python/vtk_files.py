@@ -1,4 +1,4 @@
-"""Small meshes written by VTK's own writers, in every volume format it can write."""
+"""Small meshes written by VTK's writers, in every volume format that they support."""
 
 import numpy as np
 import vtk
@@ -6,7 +6,7 @@ from vtk.util.numpy_support import numpy_to_vtk
 
 
 def linear(points):
-    """A field that every import must carry over exactly."""
+    """A linear field, which every import must keep exactly."""
     p = np.asarray(points, dtype=float)
     return 2 * p[:, 0] - 3 * p[:, 1] + 0.5 * p[:, 2] + 1
 
@@ -68,7 +68,7 @@ def structured(n=4, bend=0.2):
 
 
 def ring(n_around=12, n_radial=4, n_axial=3):
-    """An O-grid: the first and the last plane around coincide."""
+    """An O-grid whose first and last planes around the axis coincide."""
     data = vtk.vtkStructuredGrid()
     data.SetDimensions(n_radial, n_around + 1, n_axial)
     points = vtk.vtkPoints()
@@ -82,7 +82,7 @@ def ring(n_around=12, n_radial=4, n_axial=3):
 
 
 def unstructured(cells, points):
-    """cells: (VTK type, node ids), or (VTK_POLYHEDRON, [faces])."""
+    """`cells`: (VTK type, node ids), or (VTK_POLYHEDRON, [faces])."""
     grid = vtk.vtkUnstructuredGrid()
     p = vtk.vtkPoints()
     p.SetDataTypeToDouble()
@@ -108,10 +108,10 @@ CUBE_FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 
 
 
 def mixed():
-    """A hexahedron, a wedge, a pyramid, a tetrahedron and a polyhedron (a cube), conforming where they touch."""
+    """A hexahedron, a wedge, a pyramid, a tetrahedron and a polyhedron (a cube), with matching faces."""
     points = CUBE + [(2, 0.5, 0), (2, 0.5, 1), (0.5, 0.5, 2), (0.5, -1, 1.5)]
     points += [(x, y, z - 1) for x, y, z in CUBE[:4]]
-    cube = [12, 13, 14, 15, 0, 1, 2, 3]  # under the hexahedron
+    cube = [12, 13, 14, 15, 0, 1, 2, 3]  # below the hexahedron
     return unstructured(
         [
             (vtk.VTK_HEXAHEDRON, list(range(8))),
@@ -142,7 +142,7 @@ def multi_block(*blocks):
 
 
 def hexahedra(n):
-    """Points and cells (rows of 8 in VTK's order) of a unit cube of n x n x n hexahedra, x fastest."""
+    """Points and cells (rows of 8 in VTK's order) of the unit cube as n x n x n hexahedra, x fastest."""
     axis = np.arange(n + 1) / n
     points = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).transpose(2, 1, 0, 3).reshape(-1, 3)
     k, j, i = np.meshgrid(*[np.arange(n)] * 3, indexing="ij")

@@ -1,7 +1,7 @@
-"""Writes groups of the sources of server/ that clang-tidy has to read and prints their names, without an extension.
+"""Groups the sources of server/ that clang-tidy has to check, and prints the names of the groups, without an extension.
 
-NAME.cpp includes the sources, so that the headers they share, most of what there is to read, are read once. NAME.list says
-of each source its path and the key under which a pass is remembered.
+NAME.cpp includes all sources of a group, so that clang-tidy reads their shared headers once. NAME.list has the path of each
+source, and the key under which a pass is remembered.
 """
 
 import collections
@@ -15,7 +15,7 @@ import sys
 
 
 def includes() -> dict[str, list[str]]:
-    """What each object was made from, as the compiler told ninja."""
+    """Maps each object file to the files that it was compiled from, by ninja's dependency log."""
     found, files = {}, []
     for line in subprocess.run(["ninja", "-C", "build", "-t", "deps"], capture_output=True, text=True).stdout.splitlines():
         if line.startswith("    "):
@@ -26,7 +26,7 @@ def includes() -> dict[str, list[str]]:
 
 
 def state(file: str, known: dict[str, str]) -> str:
-    """Of a file of ours its content, of the system's its size and time."""
+    """State of a file: the content of a project file, or the size and time of a system file."""
     if file not in known:
         path = pathlib.Path("build", file)
         ours = path.resolve().is_relative_to(pathlib.Path.cwd())
@@ -36,7 +36,7 @@ def state(file: str, known: dict[str, str]) -> str:
 
 
 def flags(entry: dict[str, str]) -> str:
-    """All that sources of one group must have in common."""
+    """The compiler flags of a source, which all sources of one group must share."""
     return re.sub(r" -(MT|MF|o|c) \S+", "", entry["command"])
 
 
@@ -50,7 +50,7 @@ def write_group(name: str, due: list[tuple[dict[str, str], str]]) -> dict[str, s
 
 def main(cache: pathlib.Path, group_size: int) -> None:
     entries = json.load(open("build/compile_commands.json"))
-    for entry in entries:  # clang cannot read what g++ precompiled; the sources include all they need themselves
+    for entry in entries:  # clang cannot read g++'s precompiled header. The sources include everything that they need.
         entry["command"] = re.sub(r" -Winvalid-pch -include \S+/cmake_pch\.hxx", "", entry["command"])
     made_from, known = includes(), {}
     release = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout

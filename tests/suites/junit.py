@@ -1,6 +1,6 @@
 """Runs one command as one test case and appends the outcome to a JUnit file: junit.py FILE SUITE NAME COMMAND...
 
-A command that exits 77 was skipped; the last line it printed says why."""
+Exit code 77 means that the command was skipped; its last line of output is the reason."""
 
 import pathlib
 import subprocess

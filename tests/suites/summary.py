@@ -1,7 +1,7 @@
-"""Adds up the JUnit files that the suites left and prints the closing line: summary.py RESULTS SUITE... [--broken SUITE...]
+"""Adds up the JUnit files of the suites and prints the closing line: summary.py RESULTS SUITE... [--broken SUITE...]
 
-A suite without a result is a failure, and so is a broken one (it ended with an error) whose tests have all passed: what
-fails outside of them, as a hook that cleans up, leaves no test case."""
+A suite without a result counts as one failure. So does a broken suite, which ended with an error, if all its tests passed:
+an error outside of tests, for example in a cleanup hook, leaves no test case."""
 
 import argparse
 import pathlib
@@ -10,7 +10,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 
-# A failure's message may hold the colors of a terminal.
+# Failure messages may contain terminal color codes, which are invalid in XML.
 NOT_XML = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]|&#x1b;|&#27;", re.IGNORECASE)
 
 

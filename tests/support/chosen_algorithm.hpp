@@ -1,6 +1,5 @@
-// The algorithm that CIEL_ALGORITHM names, for tests of the service that choose none themselves: the suite
-// `propagation` runs them a second time. (The program reads the variable where it reads its options:
-// server/app/scene_options.cpp.)
+// Algorithm named by the environment variable CIEL_ALGORITHM, for tests that do not select one. The suite `propagation`
+// sets it for a second run. The server reads it in server/app/scene_options.cpp.
 #pragma once
 
 #include "ciel/extract.hpp"

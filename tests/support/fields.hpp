@@ -1,4 +1,4 @@
-// Test fields on vertices, with the values at which to cut them.
+// Test fields on vertices, and values at which to cut them.
 #pragma once
 
 #include "support/polyhedra.hpp"
@@ -15,13 +15,13 @@ struct LinearField {
     }
 };
 
-[[nodiscard]] std::vector<float> random_field(std::size_t vertices, std::uint64_t seed); // in [0, 1)
-// Few distinct integers 0 .. levels - 1: neighbours tie, and every integer value hits vertices exactly.
+[[nodiscard]] std::vector<float> random_field(std::size_t vertices, std::uint64_t seed); // values in [0, 1)
+// Integers from 0 to levels - 1: neighboring values are often equal, and integer iso-values hit vertices.
 [[nodiscard]] std::vector<float> tied_field(std::size_t vertices, int levels, std::uint64_t seed);
 [[nodiscard]] std::vector<float> linear_field(const Polyhedra& mesh, const LinearField& field);
-[[nodiscard]] std::vector<float> bumps_field(const Polyhedra& mesh,
-                                             std::uint64_t seed); // smooth, over the mesh's bounds
-// Bumps cut off at half their height: wide regions of exactly one value.
+// A smooth field.
+[[nodiscard]] std::vector<float> bumps_field(const Polyhedra& mesh, std::uint64_t seed);
+// The bumps field, cut off at half its height: large regions of one value.
 [[nodiscard]] std::vector<float> plateau_field(const Polyhedra& mesh, std::uint64_t seed);
 
 struct NamedField {
@@ -30,7 +30,7 @@ struct NamedField {
 };
 [[nodiscard]] const std::vector<NamedField>& all_fields();
 
-// A walk that steps up, steps down, jumps, leaves the range at both ends, repeats itself and hits vertices exactly.
+// Sequence of values that rises, falls, jumps, leaves the range at both ends, repeats values and hits vertices.
 [[nodiscard]] std::vector<double> walk_through(const std::vector<float>& values, int steps, std::uint64_t seed);
 
 } // namespace ciel::test

@@ -1,4 +1,4 @@
-// A temporary folder that goes away with its owner.
+// A temporary folder that its object removes on destruction.
 #pragma once
 
 #include <cstdlib>

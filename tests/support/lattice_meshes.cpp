@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    // Whether this cube's own filling cuts the side into triangles, along the diagonal from its least to its greatest
+    // True when this cube's filling splits the side into triangles, along the diagonal from its least to its greatest
     // corner.
     bool cuts(Cube cube, int side) const {
         const Fill fill = fill_(cube);
@@ -128,7 +128,8 @@ Polyhedra five_tetrahedra(const Box& box) {
     Polyhedra mesh;
     LatticePoints points(box, mesh);
     for_each_cube(box.cubes, [&](Cube cube) {
-        const int odd = (cube[0] + cube[1] + cube[2]) % 2; // mirrored along x, so that diagonals of neighbours agree
+        // Every second cube is mirrored along x, so that the diagonals of neighbors agree.
+        const int odd = (cube[0] + cube[1] + cube[2]) % 2;
         const auto v = [&](int corner) { return points.corner(cube, corner ^ odd); };
         add_tetrahedron(mesh, {v(0), v(3), v(5), v(6)});
         for (int corner : {1, 2, 4, 7}) add_tetrahedron(mesh, {v(corner), v(corner ^ 1), v(corner ^ 2), v(corner ^ 4)});
@@ -144,7 +145,8 @@ Polyhedra collapsed_edges(const Box& box) {
     for (int k = 0, v = 0; k <= nz; ++k) {
         for (int j = 0; j <= ny; ++j) {
             for (int i = 0; i <= nx; ++i, ++v) {
-                // Every other edge along x at most, in a checkerboard, so that no cell collapses entirely.
+                // Collapses at most every third edge along x, in a diagonal pattern, so that no cell collapses
+                // entirely.
                 const bool collapses = i < nx && (i + j + k) % 3 == 0 && random() % 2 == 0;
                 replacement[static_cast<Id>(v)] = static_cast<Id>(collapses ? v + 1 : v);
             }

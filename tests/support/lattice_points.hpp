@@ -1,4 +1,4 @@
-// The numbering that the lattice generators share. Corner numbers of a cube are bits: 1 for x, 2 for y, 4 for z.
+// Vertex numbering of the lattice generators. The bits of a cube's corner number are 1 for x, 2 for y, 4 for z.
 #pragma once
 
 #include "support/meshes.hpp"
@@ -8,7 +8,7 @@
 
 namespace ciel::test {
 
-// Sides in the order -x +x -y +y -z +z, wound outwards, from the side's least corner; its greatest is the third.
+// Corners of the sides -x +x -y +y -z +z, wound outwards. Each starts at its least corner; the third is the greatest.
 inline constexpr int cube_sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                          {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
@@ -21,7 +21,8 @@ void for_each_cube(std::array<int, 3> cubes, Visit visit) {
     }
 }
 
-// Lattice vertices first, x fastest; centres of cubes after them, as they are asked for.
+// Vertex ids of a lattice: lattice points first, with x fastest. Centers of cubes follow in the order of the first
+// request.
 class LatticePoints {
 public:
     LatticePoints(const Box& box, Polyhedra& mesh) : box_(box), mesh_(mesh), random_(box.seed) {
@@ -46,7 +47,7 @@ private:
         Point p{x, y, z};
         for (std::size_t d = 0; d < 3; ++d) {
             const double moved = p[d] + shift(random_);
-            if (p[d] > 0 && p[d] < box_.cubes[d]) p[d] = moved; // the box keeps its flat sides
+            if (p[d] > 0 && p[d] < box_.cubes[d]) p[d] = moved; // points on the box's sides stay on them
             p[d] *= box_.edge;
         }
         return mesh_.add_vertex(p);
@@ -58,7 +59,7 @@ private:
     std::map<std::array<int, 3>, Id> centres_;
 };
 
-// Corners in any order: the faces are wound outwards by the sign of the volume.
+// Corners may be in any order. The sign of the volume decides the winding, which is outwards.
 void add_tetrahedron(Polyhedra& mesh, std::array<Id, 4> corners);
 
 } // namespace ciel::test

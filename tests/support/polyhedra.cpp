@@ -40,7 +40,7 @@ Polyhedra without_cells(const Polyhedra& mesh) {
 
 using Chance = std::bernoulli_distribution;
 
-// Whether the loops bound a manifold: every directed edge once, its opposite once.
+// True when the loops bound a manifold: each directed edge occurs once, and so does its opposite.
 bool is_closed_manifold(const std::vector<Loop>& loops) {
     std::set<std::pair<Id, Id>> edges;
     for (const Loop& loop : loops) {
@@ -56,7 +56,7 @@ Loop sorted(Loop loop) {
     return loop;
 }
 
-// The loops of both without the faces they share.
+// The loops of two cells, without the faces that they share.
 std::vector<Loop> merged(const std::vector<Loop>& first, const std::vector<Loop>& second) {
     std::map<Loop, int> uses;
     for (const auto* loops : {&first, &second}) {

@@ -1,4 +1,5 @@
-// A mesh as raw polyhedra: vertices, and cells as lists of faces as lists of vertex ids. Independent of the kernel.
+// A mesh as plain polyhedra: vertices, cells as lists of faces, faces as lists of vertex ids. Independent of the
+// kernel.
 #pragma once
 
 #include <array>
@@ -16,13 +17,13 @@ using Point = std::array<double, 3>;
 // VTK's cell type numbers.
 inline constexpr std::uint8_t tetrahedron = 10, hexahedron = 12, wedge = 13, pyramid = 14, polyhedron = 42;
 
-// A face between two cells appears twice, once per cell. The generators wind every face outwards.
+// A face between two cells occurs twice, once for each cell. The generators wind every face outwards.
 struct Polyhedra {
     Point origin{};                            // added to every position
-    std::vector<float> positions;              // 3 per vertex
-    std::vector<std::uint8_t> cell_types;      // per cell
-    std::vector<std::uint64_t> cell_offset{0}; // cells + 1, into faces
-    std::vector<std::uint64_t> face_offset{0}; // faces + 1, into face_vertex
+    std::vector<float> positions;              // x, y, z of each vertex
+    std::vector<std::uint8_t> cell_types;      // VTK type of each cell
+    std::vector<std::uint64_t> cell_offset{0}; // cells + 1 offsets into faces
+    std::vector<std::uint64_t> face_offset{0}; // faces + 1 offsets into face_vertex
     std::vector<Id> face_vertex;
 
     [[nodiscard]] Id vertex_count() const { return static_cast<Id>(positions.size() / 3); }
@@ -40,32 +41,32 @@ struct Polyhedra {
     [[nodiscard]] std::vector<Loop> loops(Id cell) const;
 };
 
-// From its least vertex on, in the direction it has.
+// Rotates the loop to start at its least vertex, keeping its direction.
 [[nodiscard]] Loop canonical(Loop loop);
 
-// Of corners that follow each other, the last and the first too, and are one vertex, only one.
+// Removes consecutive duplicate vertices, cyclically.
 [[nodiscard]] Loop without_repeats(Loop loop);
 
-// Positive when the faces are wound outwards; faces that are not planar count as fans from their first corner.
+// Positive when the faces are wound outwards. A nonplanar face counts as a fan from its first corner.
 [[nodiscard]] double signed_volume(const Polyhedra& mesh, Id cell);
 
 [[nodiscard]] Polyhedra keep_cells(const Polyhedra& mesh, const std::function<bool(Id cell)>& keep);
 
-// `second` beside `first`, moved by `shift`, sharing no vertex.
+// Both meshes as one, without shared vertices. `second` is moved by `shift`.
 [[nodiscard]] Polyhedra joined(const Polyhedra& first, const Polyhedra& second, const Point& shift);
 
-// Merges random neighbouring cells into non-convex polyhedra of up to `size` cells, each a closed manifold.
+// Merges random neighboring cells into nonconvex polyhedra of up to `size` cells, each a closed manifold.
 [[nodiscard]] Polyhedra agglomerated(const Polyhedra& mesh, int size, std::uint64_t seed);
 
-// The same mesh with its cells, the faces of each cell and the starts of the loops in random order. `cell_of[i]` is the
-// cell of `mesh` that became cell i.
+// The same mesh with its cells, each cell's faces and the first corner of each loop in random order. `cell_of[i]` is
+// the cell of the input that became cell i.
 struct Shuffled {
     Polyhedra mesh;
     std::vector<Id> cell_of;
 };
 [[nodiscard]] Shuffled shuffled(const Polyhedra& mesh, std::uint64_t seed);
 
-// Each face, or each cell as a whole, is turned inside out with the given probability.
+// Reverses the winding of each face, or of all faces of each cell, with probability `share`.
 [[nodiscard]] Polyhedra with_turned_faces(const Polyhedra& mesh, double share, std::uint64_t seed);
 [[nodiscard]] Polyhedra with_turned_cells(const Polyhedra& mesh, double share, std::uint64_t seed);
 

@@ -9,9 +9,9 @@ namespace ciel::test {
 namespace {
 
 using Cube = std::array<int, 3>;
-using Node = std::array<int, 3>; // in half cube edges
+using Node = std::array<int, 3>; // lattice coordinates in half cube edges
 
-// Cubes of which some are cut in eight, on the lattice of half edges.
+// Cubes of which some are split into eight, on a lattice of half the edge length.
 class RefinedCubes {
 public:
     RefinedCubes(const Box& box, bool split_faces) : box_(box), split_faces_(split_faces), random_(box.seed) {
@@ -58,7 +58,7 @@ private:
         return loop;
     }
 
-    // Whether a refined cube touches the middle of the edge between two lattice nodes.
+    // True when a refined cube touches the edge whose midpoint is `middle`.
     bool is_split(Node middle) const {
         for (int corner = 0; corner < 8; ++corner) {
             Cube cube;
@@ -194,7 +194,7 @@ Polyhedra giant_cell(int n) {
 Polyhedra hexagonal_prisms(int columns, int rows, int layers) {
     Polyhedra mesh;
     std::map<std::array<long, 3>, Id> vertices;
-    // Corners lie on a lattice of step sqrt(3)/2 x 1/2, so rounding to it names them exactly.
+    // Vertices lie on a lattice of sqrt(3)/2 x 1/2, so rounded coordinates identify them.
     const double step = std::sqrt(3.0) / 2;
     const auto vertex = [&](double x, double y, int layer) {
         const std::array<long, 3> key{std::lround(x / step), std::lround(2 * y), layer};

@@ -1,4 +1,4 @@
-// The number of the kernel's threads as long as this lives; all of the machine's afterwards.
+// Sets the kernel's number of threads during the object's lifetime. Afterwards it is that of the machine.
 #pragma once
 
 #include "ciel/parallel.hpp"

@@ -1,4 +1,4 @@
-// The kernel's view of a test mesh.
+// Converts test meshes to the kernel's input views.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::test {
 
-// Borrows from `mesh`.
+// The view borrows from `mesh`.
 [[nodiscard]] inline PolyhedraView view(const Polyhedra& mesh) {
     return {mesh.origin, mesh.positions, mesh.cell_types, mesh.cell_offset, mesh.face_offset, mesh.face_vertex};
 }

@@ -9,13 +9,13 @@
 namespace ciel::test {
 namespace {
 
-// voro++ computes each cell alone, so a vertex comes out of each of its cells with its own rounding.
+// Merges vertices of neighboring cells. voro++ computes each cell alone, so their rounding differs.
 class Welder {
 public:
     explicit Welder(Polyhedra& mesh) : mesh_(mesh) {}
 
     Id vertex(Point p) {
-        for (double& x : p) { // the box's own sides are exact
+        for (double& x : p) { // the box's sides are exact
             if (std::abs(x - std::round(x)) < tolerance) x = std::round(x);
         }
         std::array<long, 3> home;
@@ -55,7 +55,7 @@ Polyhedra voronoi(int cells, std::uint64_t seed) {
         double x, y, z;
         loop.pos(x, y, z);
         std::vector<double> corners;
-        std::vector<int> faces; // count, corner..., count, corner...
+        std::vector<int> faces; // for each face: its number of corners, then their ids
         cell.vertices(x, y, z, corners);
         cell.face_vertices(faces);
         std::vector<Loop> loops;
@@ -67,7 +67,7 @@ Polyhedra voronoi(int cells, std::uint64_t seed) {
                 if (face.empty() || face.back() != v) face.push_back(v);
             }
             if (face.size() > 1 && face.front() == face.back()) face.pop_back();
-            if (face.size() >= 3) loops.emplace_back(face.rbegin(), face.rend()); // voro++ winds inwards
+            if (face.size() >= 3) loops.emplace_back(face.rbegin(), face.rend()); // voro++ winds faces inwards
         }
         mesh.add_cell(polyhedron, loops);
     } while (loop.inc());

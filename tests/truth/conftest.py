@@ -1,4 +1,4 @@
-"""The writers of small files and the readers of datasets are those of the Python suite."""
+"""Makes the Python suite's file writers and dataset reader available."""
 
 import pathlib
 import sys

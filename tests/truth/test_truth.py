@@ -1,5 +1,5 @@
-"""Every format, value by value: what a dataset holds is what VTK's own reader gives, point for point, cell for cell, step
-for step. Faces are compared through the points of the cells."""
+"""Datasets of every format against VTK's own readers: points, cells and values of all steps. Faces are compared through the
+points of their cells."""
 
 import os
 import pathlib
@@ -20,11 +20,11 @@ from vtk_files import linear, with_fields, write
 from vtk_reading import Truth, reader_of
 
 DATA = pathlib.Path(os.environ.get("CIEL_DATA") or "/nowhere")
-MOST_CELLS = 20_000  # whose corners are compared; values are compared in all
+MOST_CELLS = 20_000  # corners are compared in datasets of at most this many cells; values are always compared
 
 
 def corner_points(dataset, mesh=0):
-    """Stored cell -> ids of its points in the input."""
+    """Maps each stored cell to the ids of its points in the input."""
     m = dataset.mesh(mesh)
     offset, vertex, original = m["face_offset"][:], m["face_vertex"][:], m["original_vertex"][:]
     corners = [set() for _ in range(len(m["cell_types"]))]
@@ -142,7 +142,7 @@ def foam_reader(case, is_decomposed=False):
 
 
 def patches_of(tree):
-    """name -> {array: rows} of the patches that VTK's reader gives."""
+    """Yields (name, {array: rows}) for each patch of VTK's reader."""
     for i in range(tree.GetNumberOfBlocks()):
         block, name = tree.GetBlock(i), tree.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME())
         if name == "boundary":
@@ -155,7 +155,7 @@ def patches_of(tree):
 
 
 def check_patches(dataset, reader, step):
-    """Of each patch the values of its faces, in any order; VTK gives some to empty patches, too."""
+    """Compares the values of each patch's faces, in any order. VTK also has values for empty patches."""
     mesh, groups, compared = dataset.mesh(), dataset.groups(), 0
     number = np.cumsum(mesh["neighbour"][:] == NO_NEIGHBOUR) - 1
     for name, arrays in patches_of(reader.GetOutputDataObject(0)):

@@ -1,10 +1,10 @@
-"""What VTK's own readers give for a file: points, cells and values of everything that has volume, numbered through."""
+"""Points, cells and values that VTK's own readers give for a file: all parts with volume, numbered consecutively."""
 
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-# Flags and ids: bookkeeping, not fields (server/import/values/fields.cpp).
+# Flags and ids, which are no fields (server/import/values/fields.cpp).
 BOOKKEEPING = {
     "vtkGhostType", "vtkOriginalPointIds", "vtkOriginalCellIds", "IBlank", "GlobalNodeId", "GlobalElementId", "PedigreeNodeId",
     "PedigreeElementId", "ObjectId", "vtkBlockColors", "vtkCompositeIndex", "vtkValidPointMask",
@@ -16,7 +16,7 @@ def has_volume(data):
 
 
 def leaves(data):
-    """Of a tree in its order; parts that repeat cells of others under a name are left out."""
+    """The data sets of a tree in order, without parts that repeat cells of other parts under a name."""
     if data is None:
         return
     if data.IsA("vtkDataSet"):
@@ -35,7 +35,7 @@ def leaves(data):
 
 
 class Truth:
-    """`read(time)` updates the reader, None: its only time. Arrays that a leaf lacks are NaN there."""
+    """The merged leaves of a reader at one time (None: its only time). Arrays that a leaf does not have are NaN there."""
 
     def __init__(self, reader, time=None):
         if time is None:
@@ -52,7 +52,7 @@ class Truth:
         return np.array([leaf.GetPoint(i) for i in range(leaf.GetNumberOfPoints())])
 
     def corners(self, cell):
-        """Points of a running cell: those of a quadratic one without its mid-side nodes."""
+        """Point ids of a cell. Cells and points are numbered over all leaves."""
         first = 0
         for leaf in self.leaves:
             if cell < leaf.GetNumberOfCells():
@@ -66,7 +66,7 @@ class Truth:
         return sum(leaf.GetNumberOfCells() for leaf in self.leaves)
 
     def fields(self, of):
-        """name -> values as float32, [n, components]."""
+        """Maps names to values as float32, [n, components]."""
         attributes = [getattr(leaf, f"Get{of}Data")() for leaf in self.leaves]
         counts = [leaf.GetNumberOfPoints() if of == "Point" else leaf.GetNumberOfCells() for leaf in self.leaves]
         found = {}

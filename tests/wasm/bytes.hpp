@@ -1,4 +1,4 @@
-// Values one after the other as the bytes they have in memory: all machines that the kernel runs on are little-endian.
+// Binary serialization in memory layout. All supported machines are little-endian.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace ciel::test {
 
 using Bytes = std::vector<std::byte>;
 
-// Writer and Reader are called the same way, so one function can name the parts of a thing for both. Counts have 64
-// bits, because std::size_t has 32 in WebAssembly.
+// Writer and Reader have the same call operator, so one function can list the parts of a type for both. Counts are
+// stored in 64 bits, because std::size_t has 32 bits in WebAssembly.
 class Writer {
 public:
     explicit Writer(Bytes& bytes) : bytes_(bytes) {}
@@ -45,7 +45,7 @@ private:
     Bytes& bytes_;
 };
 
-// Trusts the bytes: a Writer of the same test wrote them.
+// Does not check the bytes, which a Writer of the same test has made.
 class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -73,7 +73,7 @@ private:
         return static_cast<std::size_t>(size);
     }
     void take(void* data, std::size_t size) {
-        if (size > 0) std::memcpy(data, bytes_.data(), size); // an empty array has no address
+        if (size > 0) std::memcpy(data, bytes_.data(), size); // the data pointer of an empty array may be null
         bytes_ = bytes_.subspan(size);
     }
 

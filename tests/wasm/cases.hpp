@@ -1,5 +1,5 @@
-// What every machine gets to extract. The native build writes it: random numbers, shuffles and exponentials differ from
-// one standard library to the next, so meshes and fields made on the spot would not be the same.
+// Input meshes and fields for all machines. The native build writes them to a file, because random numbers, shuffles
+// and exponentials differ between standard libraries.
 #pragma once
 
 #include "support/polyhedra.hpp"
@@ -10,7 +10,7 @@ namespace ciel::test {
 
 struct CaseField {
     std::string name;
-    std::vector<float> values; // of the input's vertices
+    std::vector<float> values; // one value for each vertex of the input
     std::vector<double> walk;
 
     template <typename Archive>

@@ -3,7 +3,7 @@
 namespace ciel::test {
 namespace {
 
-// By a multiply and an add each, which round the same everywhere.
+// Only one multiplication and one addition each, which round equally on all machines.
 std::vector<float> sheared(std::span<const float> positions) {
     std::vector<float> moved(positions.begin(), positions.end());
     for (std::size_t i = 0; i < moved.size(); i += 3) {

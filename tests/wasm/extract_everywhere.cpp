@@ -6,7 +6,7 @@
 namespace ciel::test {
 namespace {
 
-constexpr Topology::Options small_blocks{16}; // so that small meshes have neighbours in other blocks too
+constexpr Topology::Options small_blocks{16}; // small meshes have neighbors in other blocks, too
 
 void record_mesh(const std::string& where, const Assembled& assembled, Results& results) {
     results.record(where, "positions", assembled.mesh.positions);

@@ -1,4 +1,4 @@
-// extract_everywhere CASES RESULTS, where there are files.
+// extract_everywhere CASES RESULTS: the extraction as a program that reads and writes files.
 #include "wasm/extract_everywhere.hpp"
 
 #include <fstream>

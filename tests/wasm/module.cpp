@@ -1,4 +1,4 @@
-// What the WebAssembly module exports: room for the cases, the work, and where its results lie.
+// Exports of the WebAssembly module: memory for the cases, the extraction, and the address of the results.
 #include "wasm/extract_everywhere.hpp"
 
 namespace {
@@ -10,7 +10,7 @@ ciel::test::Bytes cases, results;
     return cases.data();
 }
 
-// Returns the size of the results.
+// Returns the size of the results in bytes.
 [[clang::export_name("extract")]] std::size_t extract() {
     results = ciel::test::extract_everywhere(cases);
     return results.size();

@@ -1,4 +1,4 @@
-// What the extraction records: a name, "mesh / field / what / array", and the array's raw bytes.
+// Records results of the extraction: a name, "mesh / field / operation / array", and the array's bytes.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -36,7 +36,7 @@ struct Meshes {
 inline constexpr std::array<std::pair<const char*, Algorithm>, 3> algorithms{
     {{"signatures", Algorithm::signatures}, {"propagation", Algorithm::propagation}, {"naive", Algorithm::naive}}};
 
-// A field in stored order, with another one to interpolate, to select by or to go on with.
+// A field in stored vertex order, and a second one for interpolation, selection and changes of the field.
 struct FieldPair {
     std::string where;
     std::span<const float> values, others;
@@ -45,11 +45,11 @@ struct FieldPair {
     Vec3d slice_origin, slice_normal;
 };
 
-// Each algorithm with what a hand may change under it: decider, normals, field, positions; in one history.
+// Runs each algorithm through a sequence of changes: decider, normals, field, positions.
 void record_changes(const Meshes& meshes, const FieldPair& fields, Results& results);
-// Many values in one pass, into each of the sinks.
+// Sweeps over many values in one pass, into each kind of sink.
 void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& results);
-// Thresholds, and what is made of surfaces: clipped ones, contour lines, edges.
+// Thresholds, clipped surfaces, contour lines and edges.
 void record_selections(const Meshes& meshes, const FieldPair& fields, Results& results);
 
 } // namespace ciel::test

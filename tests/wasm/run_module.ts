@@ -1,4 +1,5 @@
-// run_module.ts MODULE CASES RESULTS: what the native program does with the last two, done by the WebAssembly module.
+// run_module.ts MODULE CASES RESULTS: runs the WebAssembly module, as the native program extract_everywhere does
+// natively.
 import { readFileSync, writeFileSync } from "node:fs";
 
 interface Module {
@@ -9,9 +10,9 @@ interface Module {
   results(): number;
 }
 
-const badFile = 8; // WASI's EBADF
+const badFile = 8; // WASI's error EBADF
 
-/** The module opens no file, and writes only the sentence with which the kernel gives up. */
+/** WASI functions for the module, which opens no file. It writes only the kernel's message before an abort. */
 function wasi(memory: () => DataView): WebAssembly.ModuleImports {
   return {
     fd_close: () => badFile,

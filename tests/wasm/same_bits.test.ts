@@ -1,4 +1,4 @@
-// Every array that another machine's build of the kernel made, against the native build's, byte by byte: one test a mesh.
+// Compares every array of another machine's results with the native build's, byte by byte; one test per mesh.
 // CIEL_NATIVE and CIEL_FOUND: the two files of results.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -26,7 +26,7 @@ function read(variable: string): Item[] {
 
 const meshOf = (item: Item): string => item.name.slice(0, item.name.indexOf(" / "));
 
-/** Null when they are the same; otherwise a sentence about the first byte that is not. */
+/** Returns null when both items are equal, otherwise a sentence about the first different byte. */
 function difference(native: Item, found: Item | undefined): string | null {
   if (found?.name !== native.name) return `${native.name}: missing, there is ${found?.name ?? "nothing more"} instead`;
   if (native.bytes.equals(found.bytes)) return null;

@@ -16,7 +16,7 @@ std::vector<HalfSpace> half_spaces(const FaceMeshView& mesh, const FieldPair& fi
     return {half, across};
 }
 
-// The middle of what is there; of no value nothing.
+// The middle half of the field's range; an empty range for a field without values.
 std::array<double, 2> middle_range(const Meshes& meshes, std::span<const float> values) {
     const auto [low, high] = Field(meshes.topology, values, nullptr).range();
     const double quarter = (static_cast<double>(high) - low) / 4;

@@ -1,4 +1,4 @@
-// wasm_cases FILE: the cases that every machine gets to extract.
+// wasm_cases FILE: writes the cases for all machines.
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "wasm/bytes.hpp"
@@ -31,7 +31,7 @@ std::vector<CaseField> fields(const Polyhedra& mesh) {
     return result;
 }
 
-// Slices through the middle: a plane that no face of a lattice is parallel to.
+// Slices through the middle, by a plane that is not parallel to any face of a lattice.
 Case make_case(const std::string& name, const Polyhedra& mesh) {
     Point middle{};
     for (Id v = 0; v < mesh.vertex_count(); ++v) {
@@ -51,7 +51,7 @@ std::vector<Case> all_cases() {
     for (const NamedMesh& mesh : all_meshes()) cases.push_back(make_case(mesh.name, mesh.make()));
     cases.push_back(make_case("turned", with_turned_cells(with_turned_faces(mixed, 0.2, 55), 0.2, 56)));
     cases.push_back(make_case("far_away", moved_to({512000.25, 4649776.5, -1200.125}, mixed)));
-    // Enough cells that the native build's parallel loops really split.
+    // Enough cells for the native build's parallel loops to split.
     cases.push_back(make_case("large", zoo({{12, 12, 12}, 0.1, 57})));
     cases.back().fields.resize(1);
     return cases;

@@ -24,7 +24,12 @@ test("where an array comes from, and what is wrong with it", () => {
     "0/p",
   ]);
   const bad: ArrayInfo = { ...array, association: "boundary_face", origin: "original", invalid: 12 };
-  expect(arrayFacts(bad, 5)).toEqual(["on patches", "original", "missing at 3 of 5 times", "12 values are no numbers"]);
+  expect(arrayFacts(bad, 5)).toEqual([
+    "on patches",
+    "original",
+    "missing at 3 of 5 times",
+    "12 values are not numbers",
+  ]);
 });
 
 test("the extremes of cells, short and whole", () => {

@@ -281,7 +281,7 @@ describe("matrices", () => {
         const pixel = project(camera, corner, size);
         expect(((x / w + 1) / 2) * size.width).toBeCloseTo(pixel?.x ?? NaN, 6);
         expect(((1 - y / w) / 2) * size.height).toBeCloseTo(pixel?.y ?? NaN, 6);
-        expect(Math.abs(z / w)).toBeLessThanOrEqual(1); // nothing of the box is clipped
+        expect(Math.abs(z / w)).toBeLessThanOrEqual(1); // every corner of the box is between the near and far plane
       }
     },
   );

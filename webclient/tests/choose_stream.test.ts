@@ -4,7 +4,7 @@ import { DrawPace } from "../src/server/draw_pace";
 
 const MBIT = 1e6 / 8;
 
-/** The demo's surface on 10 Mbit/s, drawn by a graphics card. */
+/** The demo dataset's surface over a connection of 10 Mbit/s, drawn by a graphics card. */
 const facts: StreamFacts = {
   current: "image",
   gesture: "rest",
@@ -85,11 +85,14 @@ describe("the automatic stream", () => {
   });
 
   test.each([
-    { change: { gesture: "value" as const }, why: "1.5 s of polygons (1.8 MB at 1.3 MB/s) and 0.06 s of pictures" },
-    { change: {}, why: "the polygons (1.8 MB) come in 1.4 s at 1.3 MB/s" },
+    {
+      change: { gesture: "value" as const },
+      why: "a change takes 1.5 s with polygons (1.8 MB at 1.3 MB/s) and 0.06 s with pictures",
+    },
+    { change: {}, why: "the polygons (1.8 MB) arrive in 1.4 s at 1.3 MB/s" },
     { change: { lineRate: null, polygonBytes: 900 }, why: "the polygons are 0.9 kB, a picture is 40 kB" },
     { change: { hardware: false }, why: "without a graphics card" },
-    { change: { drawMs: 400 }, why: "needs 0.40 s to draw the polygons, a picture comes in 0.06 s" },
+    { change: { drawMs: 400 }, why: "needs 0.40 s to draw the polygons, a picture arrives in 0.06 s" },
     { change: { onlyPictures: "a volume" }, why: "a volume is shown in pictures only" },
   ])("says why: $why", ({ change, why }) => {
     expect(chooseStream({ ...facts, ...change }).why).toContain(why);

@@ -140,7 +140,7 @@ describe("reconnection", () => {
     }
     network.newest.onopen?.();
     network.newest.onclose?.();
-    expect(states.at(-1)).toMatchObject({ attempt: 0 }); // success starts the delays anew
+    expect(states.at(-1)).toMatchObject({ attempt: 0 }); // a successful connection resets the retry delay
     expect(opened).toBe(2);
   });
 
@@ -148,7 +148,7 @@ describe("reconnection", () => {
     network.newest.onclose?.();
     connection.retryNow();
     expect(network.sockets.length).toBe(2);
-    connection.retryNow(); // one is under way
+    connection.retryNow(); // does nothing: a socket is already being opened
     expect(network.sockets.length).toBe(2);
   });
 

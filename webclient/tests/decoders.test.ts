@@ -101,7 +101,11 @@ describe("frame header", () => {
       error: "announces 8 bytes after its header and has 5",
     },
     { name: "too long", message: changed(60, 7), error: "announces 7 bytes after its header and has 8" },
-    { name: "behind its whole", message: changed(68, 1), error: "brings 8 bytes from 1 on, and the whole has 8" },
+    {
+      name: "behind its whole",
+      message: changed(68, 1),
+      error: "has 8 bytes at offset 1, but the whole frame has only 8",
+    },
   ])("refuses a message that is $name", ({ message, error }) => {
     expect(() => readFrameHeader(message)).toThrow(error);
   });
@@ -194,7 +198,7 @@ describe("geometry", () => {
     expect(decoded?.positions.length).toBe(18);
   });
 
-  const meshKept = { ...batch.mesh, bytes: undefined }; // as absent in JSON
+  const meshKept = { ...batch.mesh, bytes: undefined }; // undefined stands for a member that is absent in the JSON
   const valuesKept = { ...batch.values, bytes: undefined };
   const whole = geometryPayload(batch, [vertices, corners, places]);
 
@@ -216,7 +220,7 @@ describe("geometry", () => {
     decoder.decode(frameOf(whole, 1));
     decoder.decode(frameOf(geometryPayload({ batches: 0, base: 2 }, []), 3));
     const named = geometryPayload({ ...batch, mesh: meshKept, values: valuesKept, base: 2 }, []);
-    expect(() => decoder.decode(frameOf(named, 4))).toThrow("a part a1 that did not come before");
+    expect(() => decoder.decode(frameOf(named, 4))).toThrow("the part a1, which was not received before");
   });
 
   test("a frame without polygons", () => {

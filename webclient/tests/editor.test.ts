@@ -19,16 +19,16 @@ const scene: Scene = {
 const taken = (revision: number): Revision => ({ revision, can_undo: true, can_redo: false });
 
 let sent: Sent[] = [];
-let wire: string[] = []; // what was asked of the server, in order
+let wire: string[] = []; // methods called on the fake server, in order
 let frames: (() => void)[] = [];
 let refused: Error[] = [];
 let gone: string[] = [];
 let stuck: string[] = [];
 let editor: SceneEditor;
-let held = scene; // what the server has
+let held = scene; // the fake server's scene
 let canUndo = false;
 let time = 0;
-let lost: Error | null = null; // why the step before cannot be shown
+let lost: Error | null = null; // error with which the fake server refuses undo; null: accepts it
 
 const server = {
   patch: (patch: object, gesture: string) => {
@@ -179,10 +179,10 @@ describe("scene editor", () => {
     expect(values()).toEqual([7]);
     held = { ...scene, background: "light", layers: { iso: { type: "iso", array: "p", values: [8] } } };
     await settled();
-    expect(values()).toEqual([7]); // not asked before its answer
+    expect(values()).toEqual([7]); // the server's scene is not fetched before this change is answered
     sent[0]?.answer(taken(3));
     await settled();
-    expect(values()).toEqual([8]); // the server's word in the end
+    expect(values()).toEqual([8]); // the server's scene wins
   });
 
   test("what can be undone is asked for when another client has changed the scene", async () => {
@@ -311,7 +311,7 @@ describe("without a connection", () => {
     await settled();
     editor.disconnected();
     expect(refused).toEqual([]);
-    editor.connected(server, state(scene, 3)); // it never arrived
+    editor.connected(server, state(scene, 3)); // the server has not received the change that was in flight
     runFrame();
     expect(sent.at(-1)?.patch).toEqual({ layers: { iso: { values: [5] } } });
   });

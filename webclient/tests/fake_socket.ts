@@ -1,4 +1,4 @@
-// A socket and a clock that a test holds in its hand.
+// Fake socket, network and clock. Tests decide when messages arrive and when time passes.
 import type { Clock, SocketLike } from "../src/server/connection";
 
 export class FakeSocket implements SocketLike {
@@ -17,7 +17,7 @@ export class FakeSocket implements SocketLike {
     this.closed = true;
   }
 
-  /** Answers the newest call of the method (any, if none is named), and lets the promises run. */
+  /** Answers the newest call of the method, or of any method if none is given. Then lets pending promises run. */
   answer(result: unknown, method?: string): Promise<void> {
     return this.reply({ result }, method);
   }
@@ -37,7 +37,7 @@ export class FakeSocket implements SocketLike {
   }
 }
 
-/** Opens sockets, and remembers them. */
+/** Opens fake sockets and keeps all of them. */
 export class FakeNetwork {
   readonly sockets: FakeSocket[] = [];
 
@@ -53,7 +53,7 @@ export class FakeNetwork {
   }
 }
 
-/** Promises that are ready have run. */
+/** Resolves after all pending promises have run. */
 export const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
 
 export class FakeClock implements Clock {

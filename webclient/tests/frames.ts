@@ -1,4 +1,4 @@
-// Frames by the book (protocol/frame.md), written here without the decoder's help.
+// Encodes frames as described in protocol/frame.md, independently of the page's decoder.
 
 export interface FrameFields {
   kind?: number;
@@ -8,7 +8,7 @@ export interface FrameFields {
   revision?: bigint;
   time?: number;
   triangles?: number;
-  /** Of the whole, where the payload is a piece of it. */
+  /** Payload bytes of the whole message, if this payload is only one piece of it. */
   whole?: number;
   offset?: number;
 }

@@ -1,4 +1,4 @@
-// Batches of polygons as a server sends them, by the reference encoder.
+// Encodes polygon batches as the server does, with meshoptimizer's reference encoder.
 import { MeshoptEncoder } from "meshoptimizer/encoder";
 import { geometryPayload } from "./frames";
 
@@ -19,7 +19,10 @@ export const triangleStream = (indices: Uint32Array): Uint8Array =>
 export const sequenceStream = (indices: Uint32Array): Uint8Array =>
   MeshoptEncoder.encodeIndexSequence(new Uint8Array(indices.buffer), indices.length, 4);
 
-/** A line from (0, 0, 0) to (1, 0, 0). `known`: the receiver has it. */
+/**
+ * Payload of a batch with one line from (0, 0, 0) to (1, 0, 0). `known`: refers to the mesh of an earlier frame instead
+ * of containing it.
+ */
 export function linePayload(layer: string, known = false): Uint8Array {
   const vertices = vertexStream(Uint32Array.of(0, 0, 0, 4, 0, 0), 2, 12);
   const indices = sequenceStream(Uint32Array.of(0, 1));

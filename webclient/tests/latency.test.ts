@@ -5,7 +5,7 @@ describe("latency", () => {
   test("from the hand's move to its picture", () => {
     const latency = new Latency();
     latency.accepted(2, 1000);
-    latency.shown(1, 1010); // of the scene before
+    latency.shown(1, 1010); // a picture of the previous revision
     expect(latency.last).toBeNull();
     latency.shown(2, 1035);
     expect(latency.last).toBe(35);

@@ -7,7 +7,7 @@ const FIRST = 4;
 const LAST = 2;
 const PIECE = 64 << 10;
 
-/** A frame of so many pieces, one every `every` milliseconds. */
+/** Feeds a frame of `pieces` pieces, one every `every` milliseconds. */
 function arrive(rate: LineRate, frame: number, pieces: number, every: number, length = PIECE): void {
   for (let i = 0; i < pieces; i += 1) {
     const flags = (i === 0 ? FIRST : 0) | (i === pieces - 1 ? LAST : 0);
@@ -66,7 +66,7 @@ describe("rate of the line", () => {
     expect(piece(6, 6000)).toBe(false);
     for (let i = 1; i < 9; i += 1) expect(piece(6, 6000 + 100 * i)).toBe(true);
     expect(rate.bytesPerSecond).toBeCloseTo(PIECE * 1000);
-    piece(7, 7000); // the rest of the frame before does not come any more
+    piece(7, 7000); // frame 7 begins before all pieces of frame 6 have arrived
     piece(7, 7100);
     arrive(rate, 8, 8, 100);
     expect(rate.bytesPerSecond).toBeCloseTo((PIECE * 1000) / 100);

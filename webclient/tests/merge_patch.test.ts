@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../src/model/merge_patch";
 
-// The examples of RFC 7396, appendix A.
+// Document, patch and result of the examples in RFC 7396, appendix A.
 const EXAMPLES: [Json, Json, Json][] = [
   [{ a: "b" }, { a: "c" }, { a: "c" }],
   [{ a: "b" }, { b: "c" }, { a: "b", b: "c" }],
@@ -24,7 +24,7 @@ const EXAMPLES: [Json, Json, Json][] = [
   [{}, { a: { bb: { ccc: null } } }, { a: { bb: {} } }],
 ];
 
-// A small reproducible source of documents.
+// Returns a generator of random documents. Equal seeds give equal documents.
 function documents(seed: number): () => JsonObject {
   let state = seed;
   const random = (): number => {

@@ -65,7 +65,7 @@ describe("a clip", () => {
 
   test("keeps the half that shows the cut", () => {
     const camera = { position: [10, 0, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
-    expect(keepsFarHalf([1, 0, 0], camera)).toBe(false); // what lies towards the eye goes
+    expect(keepsFarHalf([1, 0, 0], camera)).toBe(false); // removes the half towards the eye
     expect(keepsFarHalf([-1, 0, 0], camera)).toBe(true);
     expect(keepsFarHalf([1, 0, 0], null)).toBe(false);
   });

@@ -60,10 +60,10 @@ test("a first curve lets the eye in: what fills most of the mesh is clear, the r
     const b: OpacityPoint = points[next] ?? [1, 0];
     return b[0] === a[0] ? b[1] : a[1] + ((at - a[0]) / (b[0] - a[0])) * (b[1] - a[1]);
   };
-  const stream = [1, 1, 1, 2, 2, 3, 80, 400, 20, 1]; // a free stream at 0.75, a wake below it
+  const stream = [1, 1, 1, 2, 2, 3, 80, 400, 20, 1]; // histogram of a flow: most values at 0.75, a wake with lower ones
   expect(most(0.75, stream)).toBeLessThan(0.02);
   expect(most(0, stream)).toBeGreaterThan(0.3);
-  const dye = [900, 20, 10, 10, 10, 10, 10, 10, 10, 10]; // nothing nearly everywhere
+  const dye = [900, 20, 10, 10, 10, 10, 10, 10, 10, 10]; // histogram of a dye that is absent in most of the mesh
   expect(most(0.05, dye)).toBeLessThan(0.02);
   expect(most(1, dye)).toBeGreaterThan(0.3);
   const signed = [1, 2, 30, 900, 900, 30, 2, 1];

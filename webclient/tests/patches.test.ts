@@ -12,9 +12,9 @@ test("patches that begin alike are one family, in the order of the first; others
     ["motorBike", 3],
     ["", 1],
   ]);
-  expect(families(patches("a_", "a_b", "a"))).toHaveLength(3); // "a_" has nothing behind its beginning
+  expect(families(patches("a_", "a_b", "a"))).toHaveLength(3); // "a_" is no prefix: nothing follows the separator
   const [found] = families(searched(bike, "seat"), bike);
-  expect([found?.prefix, found?.patches.length]).toEqual(["motorBike", 1]); // as it is without the search
+  expect([found?.prefix, found?.patches.length]).toEqual(["motorBike", 1]); // same family as without the search
   expect(withoutPrefix("motorBike_seat%24", "motorBike")).toBe("seat%24");
   expect(withoutPrefix("inlet", "")).toBe("inlet");
 });

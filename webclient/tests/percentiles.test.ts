@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import type { Range } from "../src/generated/protocol";
 import { percentiles, type Counts } from "../src/model/percentiles";
 
-/** As the server counts: inside the range, and beside it. */
+/** Counts values like the server's histogram: per bin, and below and above the range. */
 const counter =
   (values: readonly number[], bins = 100) =>
   (range: Range | null): Promise<Counts> => {

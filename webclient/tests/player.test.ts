@@ -40,9 +40,9 @@ describe("player", () => {
   test("asks for the next step when the last one has been seen, not before", () => {
     player.play();
     expect(shown).toEqual([1]);
-    vi.advanceTimersByTime(10_000); // a slow server
+    vi.advanceTimersByTime(10_000); // no picture arrives in this time
     expect(shown).toEqual([1]);
-    player.presented(0); // a picture of another time
+    player.presented(0); // picture of the time before
     vi.advanceTimersByTime(1000);
     expect(shown).toEqual([1]);
     present();

@@ -75,7 +75,7 @@ describe("images", () => {
     expect(drawn).toEqual([1]);
     expect(acknowledged).toEqual([1]);
     expect(decoding.get(1)?.image.closed).toBe(true);
-    image(1); // again
+    image(1); // the same frame a second time
     await finish(1);
     runFrame();
     runFrame();

@@ -64,7 +64,7 @@ test("a further layer begins with what the dataset is first shown by, not with i
 describe("scalars", () => {
   test("units belong to the array, the range of all steps to scalars and magnitudes", () => {
     expect(unitsOf(description, "U:x")).toBe("m\u00b2/s\u00b2");
-    expect(unitsOf(description, "cell:p")).toBe("m\u00b2/s\u00b2"); // a probe reads it, no layer does
+    expect(unitsOf(description, "cell:p")).toBe("m\u00b2/s\u00b2"); // a probe reads whole cell vectors by this name
     expect(unitsOf(description, "cell:p:x")).toBe("m\u00b2/s\u00b2");
     expect(unitsOf(description, "gone")).toBe("");
     expect(rangeOfAllSteps(description, "p")).toEqual([-1, 5]);
@@ -105,7 +105,7 @@ describe("scalars", () => {
       b: slice({ array: "p" }, { array: "U:x", coloring: { map: "vik" } }),
       c: slice({}, { array: "U:x", coloring: { map: "vik" } }),
       d: slice({}, { array: "U:y", coloring: {}, visible: false }),
-      e: slice({}, { array: "U:z" }), // in one color
+      e: slice({}, { array: "U:z" }), // drawn in one color, so without legend
     };
     expect(legendsOf({ dataset: "d", layers }, null).map(({ coloring, of }) => [coloring.array, of])).toEqual([
       ["p", { layers: ["a", "b"], contours: ["a"] }],

@@ -6,7 +6,7 @@ import { SceneHistory } from "../src/server/scene_history";
 const at = (time: number): Scene => ({ dataset: "d", time });
 let history: SceneHistory;
 
-/** The scenes that these steps lead to, as a server finds them. */
+/** Returns the scenes after each of the patches, as the server computes them. */
 const scenes = (from: Scene, patches: object[]): Scene[] => {
   let scene = from as unknown as Json;
   return patches.map((patch) => (scene = applyPatch(scene, patch as Json)) as unknown as Scene);
@@ -39,7 +39,7 @@ describe("scene history", () => {
     history.moved("redo", at(2));
     expect(undone(at(2))).toEqual([at(1), at(0)]);
     expect(redone(at(2))).toEqual([at(3)]);
-    history.changed({ time: 7 }, "g3"); // an undo ends the gesture
+    history.changed({ time: 7 }, "g3"); // a change after an undo starts a new gesture
     expect(undone(at(7))).toEqual([at(2), at(1), at(0)]);
     expect(redone(at(7))).toEqual([]);
   });

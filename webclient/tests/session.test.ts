@@ -85,13 +85,13 @@ describe("session", () => {
     await settled();
     await network.newest.answer(state(scene), "session.open");
     size = { width: 640, height: 480, pixel_ratio: 2 };
-    session.resize(); // there is no view yet
+    session.resize(); // no effect: the view is not open yet
     await network.newest.answer({ view: 4 }, "view.open");
     expect(network.newest.calls("view.resize")).toMatchObject([
       { params: { view: 4, width: 640, height: 480, pixel_ratio: 2 } },
     ]);
     session.resize();
-    expect(network.newest.calls("view.resize").length).toBe(1); // nothing new to tell
+    expect(network.newest.calls("view.resize").length).toBe(1); // not sent again: the size is the same
   });
 
   test("a stream that was chosen while the view was opened is told", async () => {
@@ -99,11 +99,11 @@ describe("session", () => {
     await settled();
     await network.newest.answer(state(scene), "session.open");
     wish = { stream: "geometry", moving: "jpeg" };
-    session.setStream(wish); // there is no view yet
+    session.setStream(wish); // no effect: the view is not open yet
     await network.newest.answer({ view: 4 }, "view.open");
     expect(network.newest.calls("view.stream")).toMatchObject([{ params: { view: 4, stream: "geometry" } }]);
     session.setStream({ ...wish });
-    expect(network.newest.calls("view.stream").length).toBe(1); // nothing new to tell
+    expect(network.newest.calls("view.stream").length).toBe(1); // not sent again: the stream is the same
   });
 
   test("after a break the scene goes back as the hand left it", async () => {
@@ -116,8 +116,8 @@ describe("session", () => {
     network.newest.onopen?.();
     await settled();
     const reopened = network.newest.calls("session.open").at(-1)?.params as { scene: Scene };
-    expect(reopened.scene.layers?.iso).toMatchObject({ values: [5] }); // for a server that forgot the session
-    await network.newest.answer(state(scene), "session.open"); // one that did not
+    expect(reopened.scene.layers?.iso).toMatchObject({ values: [5] }); // for a server that lost the session
+    await network.newest.answer(state(scene), "session.open"); // this server still has the old scene
     await network.newest.answer({ view: 9 }, "view.open");
     frames.splice(0).forEach((frame) => frame());
     expect(network.newest.calls("scene.patch")).toMatchObject([
@@ -185,7 +185,7 @@ describe("session", () => {
     await network.newest.refuse(gone, "session.open");
     expect(refusals).toEqual(["There is no dataset"]);
     expect([views.at(-1), editor.isConnected]).toEqual([0, false]);
-    expect(editor.scene?.dataset).toBe("d"); // kept: the dataset may come back
+    expect(editor.scene?.dataset).toBe("d"); // kept, since the dataset may come back
     editor.change({ layers: { iso: { values: [6] } } });
     const other: Scene = { dataset: "other" };
     const begun = session.begin(other);
@@ -217,7 +217,7 @@ describe("session", () => {
     await network.newest.answer(state(scene), "session.open");
     await network.newest.answer({ view: 9 }, "view.open");
     expect(views.at(-1)).toBe(9);
-    void session.open(); // it is open
+    void session.open(); // no effect: the session is open
     await settled();
     expect(opened().length).toBe(3);
   });

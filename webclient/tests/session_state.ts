@@ -1,4 +1,4 @@
-// What a server says of a session in which nothing has been done.
+// The server's answer when a session was just opened.
 import type { Scene, SessionState } from "../src/generated/protocol";
 
 export const state = (scene: Scene, revision = 1): SessionState => ({

@@ -13,9 +13,9 @@ test("a picture's camera is that of its revision, however far the hand has turne
   for (const revision of [3, 4, 7]) scenes.taken(revision, seenFrom(revision));
   expect(scenes.cameraOf(2)).toBeNull();
   expect(scenes.cameraOf(4)?.position).toEqual([4, 0, 0]);
-  expect(scenes.cameraOf(6)?.position).toEqual([4, 0, 0]); // 5 and 6 changed something else
+  expect(scenes.cameraOf(6)?.position).toEqual([4, 0, 0]); // revisions 5 and 6 have the camera of 4
   expect(scenes.cameraOf(7)?.position).toEqual([7, 0, 0]);
-  scenes.taken(7, seenFrom(8)); // another page of the session tells it, too
+  scenes.taken(7, seenFrom(8)); // the same revision with another scene replaces it
   expect(scenes.cameraOf(9)?.position).toEqual([8, 0, 0]);
   scenes.taken(9, seenFrom(null));
   expect(scenes.cameraOf(9)).toBeNull();

@@ -1,4 +1,4 @@
-"""A step to be pushed to a server: its arrays as bytes, cut into pieces (append.begin in openrpc.json)."""
+"""Prepares a time step for upload to a server: its arrays as bytes, cut into pieces (append.begin in openrpc.json)."""
 
 from __future__ import annotations
 
@@ -15,14 +15,17 @@ PIECE = 16
 
 @dataclass
 class Pushed:
-    """One array: what append.begin wants to know, and its values as little-endian float32."""
+    """One array of an upload: its entry in the params of append.begin, and its values as little-endian float32."""
 
     wanted: dict[str, Any]
     data: memoryview
 
 
 def pushed(name: str, values: Any) -> Pushed:
-    """`values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers."""
+    """Converts an array for upload.
+
+    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers.
+    """
     wanted: dict[str, Any] = {"name": name}
     if hasattr(values, "astype"):
         if values.ndim not in (1, 2):
@@ -48,12 +51,12 @@ def check_sizes(arrays: list[Pushed], upload: Mapping[str, Any]) -> None:
 
 
 def pieces(arrays: list[Pushed], piece_bytes: int) -> Iterator[tuple[int, int, memoryview]]:
-    """The number of the array, the offset in it, the bytes."""
+    """Yields (index of the array, byte offset in the array, bytes) for each piece."""
     for number, one in enumerate(arrays):
         for offset in range(0, len(one.data), piece_bytes):
             yield number, offset, one.data[offset : offset + piece_bytes]
 
 
 def message(upload: str, number: int, offset: int, data: memoryview) -> bytes:
-    """A binary message of protocol/frame.md."""
+    """Returns the binary message of one piece (protocol/frame.md)."""
     return HEADER.pack(b"CIEL", 1, PIECE, 0, bytes.fromhex(upload), number, len(data), offset) + data

@@ -1,4 +1,4 @@
-"""JSON-RPC 2.0 with a CIEL server: HTTP POST for scripts, a WebSocket for frames and notifications."""
+"""Clients for JSON-RPC 2.0 with a CIEL server: HTTP POST for scripts, a WebSocket for frames and notifications."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .types import PROTOCOL
 
 
 class RpcError(Exception):
-    """The server's answer to a call that failed; `code` as in types.ERROR_CODES or JSON-RPC 2.0."""
+    """Raised when a call fails. `code` is one of types.ERROR_CODES or of JSON-RPC 2.0."""
 
     def __init__(self, error: dict[str, Any]) -> None:
         data = error.get("data") or {}
@@ -41,24 +41,24 @@ def _result(answer: dict[str, Any]) -> Any:
     if "error" in answer:
         raise RpcError(answer["error"])
     if ignored := answer.get("ignored"):
-        warnings.warn(f"the server is older than this client, and ignored {', '.join(ignored)}", stacklevel=3)
+        warnings.warn(f"the server is older than this client and ignored {', '.join(ignored)}", stacklevel=3)
     return answer["result"]
 
 
 def _parted(url: str) -> tuple[bool, str, str | None]:
-    """Of the address that the server prints, or of its WebSocket: whether TLS, host and path, and the token in it."""
+    """Splits the address of a server or of its WebSocket into: whether it uses TLS, host and path, token or None."""
     parts = urllib.parse.urlsplit(url)
     if parts.scheme not in ("http", "https", "ws", "wss") or not parts.netloc:
-        raise ValueError(f"{url!r} is no address of a server, such as http://127.0.0.1:8080")
+        raise ValueError(f"{url!r} is not the address of a server; give an address such as http://127.0.0.1:8080")
     token = urllib.parse.parse_qs(parts.query).get("token", [None])[0]
     place = parts.netloc + parts.path.rstrip("/").removesuffix("/ws")
     return parts.scheme in ("https", "wss"), place, token
 
 
 class Client(Calls):
-    """Calls over HTTP POST: `Client("http://127.0.0.1:8080").dataset_list()`. Each method of the contract is a function.
+    """Calls methods over HTTP POST: `Client("http://127.0.0.1:8080").dataset_list()`. Each method has a function.
 
-    `url` may be the line that the server printed, with its token.
+    `url` may be the address that the server printed, with its token.
     """
 
     def __init__(self, url: str = "http://127.0.0.1:8080", token: str | None = None, timeout: float = 60) -> None:
@@ -75,7 +75,7 @@ class Client(Calls):
         return _result(self._post(_request(next(self._ids), method, params)))
 
     def batch(self, calls: list[tuple[str, dict[str, Any]]]) -> list[Any]:
-        """Results in the order of the calls; a failed one is its RpcError."""
+        """Sends calls in one request. Returns their results in order; the result of a failed call is an RpcError."""
         requests = [_request(i, method, params) for i, (method, params) in enumerate(calls)]
         results: list[Any] = [None] * len(calls)
         for answer in self._post(requests) if calls else []:
@@ -83,9 +83,9 @@ class Client(Calls):
         return results
 
     def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
-        """Pushes a step: `arrays` by name, values in the order of the imported file (of its cells for 'cell:NAME').
+        """Appends a step. `arrays`: values by name, in the order of the imported file (of its cells for 'cell:NAME').
 
-        The server must run with --allow-append, and the client must have its token. Answers as append.commit does.
+        The server must run with --allow-append, and the client must have its token. Returns append.commit's result.
         """
         step = [pushed(name, values) for name, values in arrays.items()]
         upload = self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
@@ -110,15 +110,15 @@ class Client(Calls):
 
 
 class Stream(AsyncCalls):
-    """Calls, notifications and whole frames over one WebSocket. Needs the package `websockets`.
+    """Exchanges calls, notifications and whole frames over one WebSocket. Needs the package `websockets`.
 
     async with Stream("ws://127.0.0.1:8080/ws") as stream:
         session = await stream.session_open()
         await stream.view_open(session=session["session"], width=640, height=360)
-        async for frame in stream.frames():  # each is acknowledged when the next one is asked for
+        async for frame in stream.frames():  # a frame is acknowledged when the next one is requested
             ...
 
-    Frames that are not taken are not acknowledged. The server then stops sending: a few frames of each view wait here.
+    Frames are acknowledged only after they are taken. If none is taken, the server stops after a few of each view.
     """
 
     def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
@@ -147,7 +147,7 @@ class Stream(AsyncCalls):
         await self._reader
 
     async def call(self, method: str, **params: Any) -> Any:
-        """Pictures and exports come by POST: a message of a WebSocket has at most 512 KiB."""
+        """Calls a method. Pictures and exports are requested by POST: a WebSocket message has at most 512 KiB."""
         if method in ("picture.render", "surface.export"):
             return await asyncio.to_thread(self._by_post.call, method, **params)
         number = next(self._ids)
@@ -159,7 +159,7 @@ class Stream(AsyncCalls):
         await self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
 
     async def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
-        """As Client.append, with binary messages: a third fewer bytes."""
+        """Appends a step like Client.append. Sends binary messages: a quarter fewer bytes than base64."""
         step = [pushed(name, values) for name, values in arrays.items()]
         upload = await self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
         try:
@@ -173,7 +173,7 @@ class Stream(AsyncCalls):
             raise
 
     async def next_frame(self) -> Frame:
-        """Not acknowledged: call `acknowledge` when it has been presented."""
+        """Returns the next frame, not yet acknowledged. Call `acknowledge` when it has been presented."""
         frame = await self._frames.get()
         if frame is None:
             raise ConnectionError("the server has closed the connection")

@@ -43,7 +43,7 @@ def read_frame_header(message: bytes) -> FrameHeader:
             "Reload the page, or update the client"
         )
     if header.kind not in (1, 2):
-        raise ValueError(f"a binary frame is of kind {header.kind}; there are 1 (image) and 2 (geometry)")
+        raise ValueError(f"a binary frame is of kind {header.kind}; the known kinds are 1 (image) and 2 (geometry)")
     if header.flags & ~7:
         raise ValueError(f"a binary frame has unknown flags {header.flags}")
     payload = len(message) - FRAME_HEADER_BYTES
@@ -51,8 +51,8 @@ def read_frame_header(message: bytes) -> FrameHeader:
         raise ValueError(f"a binary frame announces {header.payload_bytes} bytes after its header and has {payload}")
     if header.piece_offset + header.payload_bytes > header.whole_bytes:
         raise ValueError(
-            f"a binary frame brings {header.payload_bytes} bytes from {header.piece_offset} on, "
-            f"and the whole has {header.whole_bytes}"
+            f"a binary frame has {header.payload_bytes} bytes at offset {header.piece_offset}, "
+            f"but the whole frame has only {header.whole_bytes}"
         )
     return header
 

@@ -1,4 +1,4 @@
-"""Binary frames and their pieces (protocol/frame.md)."""
+"""Reads binary frames and joins their pieces (protocol/frame.md)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .frame_header import FIRST_OF_FRAME, FRAME_HEADER_BYTES, LAST_OF_FRAME, STI
 
 @dataclass
 class Frame(FrameHeader):
-    """A message: its header and its payload."""
+    """A binary message of the server: header and payload."""
 
     payload: bytes = field(repr=False)
 
@@ -34,7 +34,7 @@ class Frame(FrameHeader):
 
 @dataclass
 class Batch:
-    """Polygons of one layer; `description` is the batch's JSON. `scalars` are per vertex, or as it says."""
+    """Polygons of one layer. `description`: the batch's JSON; its `values.of` says what `scalars` belong to."""
 
     description: dict[str, Any]
     positions: array[float]
@@ -44,18 +44,18 @@ class Batch:
 
 
 def read_frame(message: bytes) -> Frame:
-    """One message: a piece of a frame, or a whole one. Raises ValueError where its header is damaged."""
+    """Reads one message: a piece of a frame, or a whole one. Raises ValueError if its header is damaged."""
     return Frame(**vars(read_frame_header(message)), payload=message[FRAME_HEADER_BYTES:])
 
 
 class Pieces:
-    """Makes whole pictures and batches of the messages of one WebSocket."""
+    """Joins the messages of one WebSocket to whole pictures and batches."""
 
     def __init__(self) -> None:
         self._begun: dict[int, list[Frame]] = {}
 
     def add(self, piece: Frame) -> Frame | None:
-        """The whole that `piece` completes, or None. Raises ValueError when a piece before it is missing."""
+        """Returns the whole that `piece` completes, or None. Raises ValueError when an earlier piece is missing."""
         if piece.piece_offset == 0:
             self._begun[piece.view] = []
         pieces = self._begun.get(piece.view, [])
@@ -72,13 +72,13 @@ class Pieces:
 
 
 class Batches:
-    """Reads the batches of one view. What they share with batches before is kept as long as the server may name it."""
+    """Reads the batches of one view. Keeps their arrays as long as later batches may refer to them."""
 
     def __init__(self) -> None:
-        self._kept: dict[str, tuple[int, Any]] = {}  # the last frame that had it, and the arrays
+        self._kept: dict[str, tuple[int, Any]] = {}  # by id: last frame that had the arrays, and the arrays
 
     def read(self, frame: Frame) -> Batch:
-        """Raises ValueError where the payload does not fit its description, or names what is not kept."""
+        """Returns the batch of a message. Raises ValueError if it contradicts its description or lacks arrays."""
         payload = frame.payload
         (json_bytes,) = struct.unpack_from("<I", payload)
         description = json.loads(payload[4 : 4 + json_bytes])
@@ -111,7 +111,7 @@ class Batches:
 
     def _of(self, key: str) -> Any:
         if key not in self._kept:
-            raise ValueError(f"a batch names a part {key} that did not come before")
+            raise ValueError(f"a batch names the part {key}, which was not received before")
         return self._kept[key][1]
 
 

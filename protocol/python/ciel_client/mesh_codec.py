@@ -7,9 +7,9 @@ from array import array
 
 
 def vertices(data: bytes, count: int, stride: int) -> bytes:
-    """`count` records of `stride` bytes. Raises ValueError where the data is no such stream."""
+    """Decodes `count` records of `stride` bytes. Raises ValueError if the data is no such stream."""
     if not data or data[0] != 0xA0:
-        raise ValueError("not a vertex stream of version 0")
+        raise ValueError("the data is not a vertex stream of version 0")
     block_size = min(8192 // stride & ~15, 256)
     last = bytearray(data[len(data) - stride :])
     out = bytearray(count * stride)
@@ -29,12 +29,15 @@ def vertices(data: bytes, count: int, stride: int) -> bytes:
     except IndexError:
         raise ValueError("a vertex stream is cut off") from None
     if at + max(stride, 32) != len(data):
-        raise ValueError("a vertex stream does not end where its data does")
+        raise ValueError("a vertex stream has the wrong length")
     return bytes(out)
 
 
 def _deltas(data: bytes, at: int, size: int) -> tuple[list[int], int]:
-    """One byte of each vertex of a block, in groups of 16 with 0, 2, 4 or 8 bits; and where they end."""
+    """Decodes the deltas of one byte of each vertex of a block: groups of 16, with 0, 2, 4 or 8 bits per delta.
+
+    Returns the deltas and the offset in `data` after them.
+    """
     groups = (size + 15) // 16
     modes = at
     at += (groups + 3) // 4
@@ -53,7 +56,7 @@ def _deltas(data: bytes, at: int, size: int) -> tuple[list[int], int]:
             for i in range(16):
                 place = i * bits
                 delta = data[packed + place // 8] >> 8 - bits - place % 8 & most
-                if delta == most:  # too large for the bits: it follows
+                if delta == most:  # too large for the bits: the delta follows as a whole byte
                     delta = data[at]
                     at += 1
                 out.append(delta)
@@ -72,9 +75,9 @@ def _varint(data: bytes, at: int) -> tuple[int, int]:
 
 
 def sequence(data: bytes, count: int) -> array[int]:
-    """`count` indices of lines or points."""
+    """Decodes `count` indices of lines or points. Raises ValueError if the data is no such stream."""
     if not data or data[0] != 0xD1:
-        raise ValueError("not a sequence of indices of version 1")
+        raise ValueError("the data is not a sequence of indices of version 1")
     out = array("I")
     last = [0, 0]
     at = 1
@@ -87,14 +90,14 @@ def sequence(data: bytes, count: int) -> array[int]:
     except IndexError:
         raise ValueError("a sequence of indices is cut off") from None
     if at + 4 != len(data):
-        raise ValueError("a sequence of indices does not end where its data does")
+        raise ValueError("a sequence of indices has the wrong length")
     return out
 
 
 class _Triangles:
     def __init__(self, data: bytes, triangles: int) -> None:
         self.data = data
-        self.at = 1 + triangles  # of what does not fit in a triangle's own byte
+        self.at = 1 + triangles  # offset of the data that follows the one-byte codes of the triangles
         self.next = self.last = 0
         self.edges = [(0, 0)] * 16
         self.corners = [0] * 16
@@ -118,7 +121,7 @@ class _Triangles:
         return self.last
 
     def beside(self, edge: int, code: int) -> tuple[int, int, int]:
-        """A triangle at an edge of one before."""
+        """Decodes a triangle that shares an edge with an earlier triangle."""
         a, b = self.edges[edge]
         if code == 0:
             c = self.corner(self.new())
@@ -166,9 +169,9 @@ class _Triangles:
 
 
 def triangles(data: bytes, count: int) -> array[int]:
-    """`count` indices, three per triangle."""
+    """Decodes `count` indices, three per triangle. Raises ValueError if the data is no such stream."""
     if not data or data[0] != 0xE1:
-        raise ValueError("not a triangle stream of version 1")
+        raise ValueError("the data is not a triangle stream of version 1")
     out = array("I")
     state = _Triangles(data, count // 3)
     try:
@@ -179,5 +182,5 @@ def triangles(data: bytes, count: int) -> array[int]:
     except (IndexError, OverflowError):
         raise ValueError("a triangle stream is damaged") from None
     if state.at + 16 != len(data):
-        raise ValueError("a triangle stream does not end where its data does")
+        raise ValueError("a triangle stream has the wrong length")
     return out

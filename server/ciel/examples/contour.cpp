@@ -1,4 +1,4 @@
-// One call: a sphere from a box of hexahedra.
+// Example: extracts an iso-surface, a sphere, from a grid of hexahedra in one call.
 #include "grid.hpp"
 
 #include <ciel/contour.hpp>

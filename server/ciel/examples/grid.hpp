@@ -1,4 +1,4 @@
-// A box of hexahedra in the arrays that VTK has: for the examples.
+// Input of the examples: a grid of hexahedra in the arrays of a vtkUnstructuredGrid.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 #include <vector>
 
 struct Grid {
-    std::vector<double> points; // three numbers each
+    std::vector<double> points; // x, y, z of each point
     std::vector<std::uint8_t> types;
     std::vector<std::int64_t> offsets{0}, connectivity;
 };
 
-// [-1, 1] in each direction, in n x n x n cells.
+// Returns n x n x n cells that fill [-1, 1] in each direction.
 inline Grid make_grid(int n) {
     Grid grid;
     const int row = n + 1;

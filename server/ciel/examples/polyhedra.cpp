@@ -1,4 +1,5 @@
-// Cells as lists of faces, and what the report says: two cubes, one of which lacks a face.
+// Example: makes a mesh from cells that are lists of faces, and prints its report. One of the two cubes lacks a face,
+// so it is left out.
 #include <ciel/contour.hpp>
 
 #include <cstdint>
@@ -13,7 +14,7 @@ int main() {
                                           7, 3, 4, 5, 7, 6, 8, 10, 11, 9, 4, 8, 9, 5, 6, 7, 11, 10, 4, 6, 10, 8};
     std::vector<std::int32_t> face_offset{0};
     for (int i = 0; i < 11; ++i) face_offset.push_back(4 * (i + 1));
-    const std::vector<std::int32_t> cell_offset{0, 6, 11}; // the second has five faces
+    const std::vector<std::int32_t> cell_offset{0, 6, 11}; // the second cell has only five faces
 
     const ciel::Mesh mesh = ciel::Mesh::from_polyhedra({points, 3}, cell_offset, face_offset, faces);
     for (const ciel::BadCells& bad : mesh.report().assembled.bad_cells)

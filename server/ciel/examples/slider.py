@@ -1,4 +1,7 @@
-"""A slider over a polyhedral mesh: python3 slider.py opens a window; with levels, as numbers, it prints what they give."""
+"""Example: a slider over a polyhedral mesh.
+
+python3 slider.py opens a window with the slider. python3 slider.py LEVEL... prints the surface's size at each level.
+"""
 
 import sys
 

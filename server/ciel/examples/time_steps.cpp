@@ -1,4 +1,4 @@
-// A slider that goes on from time step to time step: the mesh is indexed once.
+// Example: extracts three levels at each of three time steps. The topology is built once.
 #include "grid.hpp"
 
 #include <ciel/contour.hpp>
@@ -18,7 +18,7 @@ int main() {
     };
 
     ciel::Contour slider(wave(0));
-    ciel::Surface surface; // its buffers are used again
+    ciel::Surface surface; // at() reuses its buffers
     for (int step = 0; step < 3; ++step) {
         slider.set(wave(0.1 * step));
         for (const double level : {-0.2, 0.0, 0.2}) {

@@ -1,4 +1,4 @@
-"""A vtkUnstructuredGrid, cut here and by VTK: the same area."""
+"""Example: cuts a vtkUnstructuredGrid with ciel_mesh and with VTK, and compares the areas of the surfaces."""
 
 import ciel_mesh as cm
 import numpy as np

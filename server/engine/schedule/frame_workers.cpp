@@ -6,8 +6,8 @@
 
 namespace ciel::engine {
 namespace {
-constexpr std::chrono::seconds patience{1}; // after which a waiting still goes before interactive frames
-constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20; // bytes
+constexpr std::chrono::seconds patience{1}; // a job of post_later() that waits longer goes before jobs of post()
+constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20; // bytes of kept memory from which rest() frees it
 
 render::Spare spare() {
     const limits::SpareMemory left = limits::spare_memory();
@@ -130,10 +130,10 @@ void FrameWorkers::work(const std::stop_token& stop) {
         ++busy_;
         lock.unlock();
         job(worker);
-        job = nullptr; // what it holds goes before the lock is taken
+        job = nullptr; // destroys what the job holds before the lock is taken
         lock.lock();
         --busy_;
-        rests = rests_; // it has just drawn
+        rests = rests_; // skips a rest() asked for meanwhile: the worker has just drawn
         changed_.notify_all();
     }
 }

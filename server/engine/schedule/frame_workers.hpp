@@ -1,4 +1,5 @@
-// Threads that draw, each with a GL context of its own: contexts never move, sessions own none.
+// Threads that draw frames, each with its own GL context. A context never moves to another thread, and sessions own
+// none.
 #pragma once
 
 #include "frames/still_samples.hpp"
@@ -22,16 +23,17 @@ using Clock = std::chrono::steady_clock;
 
 class FrameWorkers;
 
-// What a job gets of the thread that it runs on.
+// The resources of a worker thread that its jobs may use.
 class Worker {
 public:
     Worker(const FrameWorkers& all, render::Backend backend, int still_samples)
         : all_(all), backend_(backend), still_samples_(still_samples) {}
-    // Made at first use, so that work without pictures needs no GL. Throws Error; the next call tries again.
+    // Returns the thread's renderer. It is made at the first call, so that jobs without pictures need no GL. Throws
+    // Error when that fails; the next call tries again.
     [[nodiscard]] render::Renderer& renderer();
-    [[nodiscard]] const FrameWorkers& all() const { return all_; }     // of which this is one
-    [[nodiscard]] int still_samples() const { return still_samples_; } // of a pixel
-    void rest();                                                       // gives back what large pictures have taken
+    [[nodiscard]] const FrameWorkers& all() const { return all_; }     // the pool of this worker
+    [[nodiscard]] int still_samples() const { return still_samples_; } // per pixel
+    void rest(); // frees the memory that large pictures have taken
 
 private:
     const FrameWorkers& all_;
@@ -40,45 +42,46 @@ private:
     std::optional<render::Renderer> renderer_;
 };
 
-// Thread-safe.
+// All members of FrameWorkers are thread-safe.
 class FrameWorkers {
 public:
     using Job = std::function<void(Worker&)>; // must not throw
 
     FrameWorkers(unsigned threads, render::Backend backend, int still_samples = frames::default_still_samples);
-    ~FrameWorkers(); // waits for the jobs under way, drops the rest
+    ~FrameWorkers(); // waits for running jobs, drops waiting ones
 
-    // Jobs of post go first, in order. A job of post_later starts at `due` or after, when no other waits. After a
-    // second of waiting it goes before the jobs of post, which then all go before the next such one. Dropped, with
-    // false, once drained.
+    // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits.
+    // After it has waited for a second it goes before the jobs of post(). All jobs that it passed run before another
+    // job of post_later() may do so. Once drained, both functions drop the job and return false.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
 
-    // Runs `function(worker)` on a worker, after interactive frames, and waits for its result or exception. Not to be
-    // called from a job.
+    // Runs `function(worker)` on a worker, after interactive frames, and waits for its result or exception. Must not be
+    // called from a job. Throws Error once drained.
     template <class Function>
     auto run(Function function) {
         using Result = decltype(function(std::declval<Worker&>()));
         auto task = std::make_shared<std::packaged_task<Result(Worker&)>>(std::move(function));
         auto result = task->get_future();
         const bool posted = post_later(Clock::now(), [task](Worker& worker) { (*task)(worker); });
-        task.reset(); // else a dropped job would leave the wait below without end
+        task.reset(); // otherwise get() would wait forever for a dropped job
         try {
             if (posted) return result.get();
-        } catch (const std::future_error&) { // dropped
+        } catch (const std::future_error&) { // the job was dropped
         }
-        throw Error("the server is about to stop and draws no more");
+        throw Error("the server is about to stop and draws no further pictures; try again after its restart");
     }
 
-    void rest();                         // each worker does, as soon as it has nothing to do
-    void drain();                        // no new jobs; returns when those under way have ended
-    [[nodiscard]] unsigned busy() const; // workers with a job under way
+    void rest();                         // makes each worker rest() when it is idle
+    void drain();                        // refuses jobs; returns when no job runs
+    [[nodiscard]] unsigned busy() const; // workers that run a job
     [[nodiscard]] bool draining() const;
-    [[nodiscard]] bool has_waiting() const; // a job of post() for which no worker was free
+    [[nodiscard]] bool has_waiting() const; // true if a job of post() waits because no worker is free
 
 private:
     void work(const std::stop_token& stop);
-    // Rests meanwhile: `rests` counts those that this worker knows of.
+    // Waits for a job and returns it; empty when `stop` was requested. An idle worker rests meanwhile if rests_ differs
+    // from `rests`, the number of rest() calls that it has followed.
     [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
                            std::uint64_t& rests);
 
@@ -88,10 +91,10 @@ private:
     std::condition_variable_any changed_;
     std::deque<Job> now_;
     std::multimap<Clock::time_point, Job> later_;
-    std::size_t passed_over_ = 0; // jobs of now_, the first ones, that one of later_ went before
+    std::size_t passed_over_ = 0; // number of jobs at the front of now_ that a job of later_ went before
     unsigned busy_ = 0;
     bool draining_ = false;
-    std::uint64_t rests_ = 0; // that were asked for
+    std::uint64_t rests_ = 0; // number of rest() calls
     std::vector<std::jthread> threads_;
 };
 

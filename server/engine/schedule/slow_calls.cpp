@@ -21,12 +21,14 @@ void SlowCalls::post(std::uint64_t connection, Job job) {
     const std::scoped_lock lock(mutex_);
     check_open();
     if (count_waiting() >= limits_.slow_calls_waiting)
-        throw limits::LimitReached("the server has " + std::to_string(limits_.slow_calls_waiting) +
-                                   " pictures, exports and the like to make already; try again in a moment");
+        throw limits::LimitReached(
+            std::to_string(limits_.slow_calls_waiting) +
+            " slow calls (pictures, exports) already wait on the server; try again in a few seconds");
     const auto own = waiting_.find(connection);
     if (own != waiting_.end() && own->second.size() >= limits_.slow_calls_of_connection)
-        throw limits::LimitReached("this connection waits for " + std::to_string(limits_.slow_calls_of_connection) +
-                                   " pictures, exports and the like already; try again when one has come");
+        throw limits::LimitReached(std::to_string(limits_.slow_calls_of_connection) +
+                                   " slow calls (pictures, exports) of this connection already wait; try again when "
+                                   "one of them has its answer");
     add(connection, std::move(job));
 }
 
@@ -37,7 +39,8 @@ void SlowCalls::post_next(std::uint64_t connection, Job job) {
 }
 
 void SlowCalls::check_open() const {
-    if (draining_) throw Error("the server is about to stop and draws no more");
+    if (draining_)
+        throw Error("the server is about to stop and draws no further pictures; try again after its restart");
 }
 
 void SlowCalls::add(std::uint64_t connection, Job job) {
@@ -94,7 +97,7 @@ void SlowCalls::work(const std::stop_token& stop) {
         ++running_;
         lock.unlock();
         job(Turn::come);
-        job = nullptr; // what it holds goes before the lock is taken
+        job = nullptr; // destroys what the job holds before the lock is taken
         lock.lock();
         --running_;
         changed_.notify_all();

@@ -1,5 +1,4 @@
-// What becomes of each VTK cell type: a standard cell, a standard cell with its mid-side nodes dropped, a prism with
-// named faces, or nothing.
+// Maps VTK cell types to CIEL cell types. Higher-order cells keep only their corners; prisms become polyhedra.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,12 +10,12 @@ namespace ciel::importer {
 struct CellShape {
     int vtk_type;
     CellType type;
-    int corners;              // the first `corners` nodes are kept...
-    int least_nodes;          // ...of at least so many
-    const char* reduced_from; // null for a cell that keeps all its nodes: "quadratic tetrahedra"
+    int corners;              // number of corners: the first nodes of the VTK cell, the only ones kept
+    int least_nodes;          // a cell of this type with fewer nodes is damaged
+    const char* reduced_from; // plural name for notes, such as "quadratic tetrahedra"; null if all nodes are kept
 };
 
-// Null for cells that are not volumes, and for polyhedra, which have no shape of their own.
+// Returns null for polyhedra, convex point sets, and VTK types that are not volumes.
 [[nodiscard]] const CellShape* find_shape(int vtk_type);
 
 enum class Dimension { none, surface, volume };

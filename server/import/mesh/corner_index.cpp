@@ -30,8 +30,9 @@ std::size_t CornerIndex::PlaceHash::operator()(const Place& place) const { retur
 
 CornerIndex::Place CornerIndex::place_of(const float* position) {
     Place place{};
+    // Adding 0 turns -0 into +0, so that equal positions have equal bits.
     for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = std::bit_cast<std::uint32_t>(position[axis] + 0.0F);
-    return place; // adding zero makes one of the two zeros
+    return place;
 }
 
 Corners CornerIndex::learn(std::span<const Index> vertices) {

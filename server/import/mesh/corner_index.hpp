@@ -1,4 +1,4 @@
-// Cells and faces found again by where their corners are, whatever the ids and the order of their points.
+// Identifies cells and faces by the positions of their corners, independent of point ids and their order.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -12,9 +12,9 @@
 
 namespace ciel::importer {
 
-using Corners = std::vector<Index>; // one vertex for each place, sorted, distinct
+using Corners = std::vector<Index>; // vertices of a cell or face: one per position, sorted, distinct
 
-[[nodiscard]] Corners normalised(Corners corners); // sorted, distinct
+[[nodiscard]] Corners normalised(Corners corners); // sorts and removes duplicates
 
 struct CornersHash {
     std::size_t operator()(const Corners& corners) const;
@@ -24,21 +24,22 @@ class CornerIndex {
 public:
     explicit CornerIndex(const FaceMeshView& mesh) : mesh_(mesh) {}
 
-    // Of stored vertices; their places are known from then on.
+    // Registers the positions of stored vertices and returns their corners. Vertices at one position are represented by
+    // the first one registered there.
     [[nodiscard]] Corners learn(std::span<const Index> vertices);
-    // Of a cell of the input. Points where no learnt vertex is (mid-side nodes) do not count; empty when too few are
-    // left.
+    // Returns the corners of a cell of the input. Skips points at positions that learn() has not registered (mid-side
+    // nodes). Returns nothing if points were skipped and fewer than three corners are left.
     [[nodiscard]] Corners find(vtkDataSet* data, vtkIdType cell);
 
 private:
-    using Place = std::array<std::uint32_t, 3>; // the bits of a float position
+    using Place = std::array<std::uint32_t, 3>; // bits of x, y, z as floats, relative to the mesh's origin
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
     };
     static Place place_of(const float* position);
 
     FaceMeshView mesh_;
-    std::unordered_map<Place, Index, PlaceHash> vertices_; // place -> the vertex learnt there first
+    std::unordered_map<Place, Index, PlaceHash> vertices_; // position -> first vertex registered there
     vtkNew<vtkIdList> ids_;
 };
 

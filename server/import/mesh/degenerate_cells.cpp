@@ -6,7 +6,7 @@ namespace ciel::importer {
 
 namespace {
 
-constexpr std::size_t least_corners = 4; // of a cell with a volume
+constexpr std::size_t least_corners = 4; // a cell with fewer distinct corners has no volume
 
 class Found {
 public:
@@ -53,11 +53,10 @@ std::vector<std::string> degenerate_cells(const JoinedMesh& joined) {
     }
     std::vector<std::string> sentences;
     if (collapsed.any())
-        sentences.push_back(collapsed.sentence("corners that are one point, and was kept",
-                                               "corners that are one point, and were kept"));
+        sentences.push_back(collapsed.sentence("coincident corners and was kept", "coincident corners and were kept"));
     if (flat.any())
-        sentences.push_back(flat.sentence("fewer than four different corners, so no volume, and was kept",
-                                          "fewer than four different corners, so no volume, and were kept"));
+        sentences.push_back(flat.sentence("fewer than four different corners and no volume, and was kept",
+                                          "fewer than four different corners and no volume, and were kept"));
     return sentences;
 }
 

@@ -1,12 +1,12 @@
-// Cells with corners that are the same point in the file. They are kept: a collapsed hexahedron is a common way to
-// write a wedge or a pyramid. One of fewer than four different corners has no volume.
+// Reports collapsed cells: cells with a face that names a point twice. They are kept, because files often store a wedge
+// or pyramid as a collapsed hexahedron. Collapsed cells with fewer than four distinct corners have no volume.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
 
 namespace ciel::importer {
 
-// Sentences with how many there are of each, and the first of them.
+// Returns one sentence on collapsed cells and one on those without volume, if any: their count and first ten ids.
 [[nodiscard]] std::vector<std::string> degenerate_cells(const JoinedMesh& joined);
 
 } // namespace ciel::importer

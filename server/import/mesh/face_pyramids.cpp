@@ -9,7 +9,7 @@
 namespace ciel::importer {
 
 InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh) {
-    constexpr double least_cosine = -1e-6; // a collapsed cell is flat, not inverted
+    constexpr double least_cosine = -1e-6; // tolerance: the pyramids of collapsed cells are flat, not inverted
     const std::vector<FaceShape> faces = face_shapes(mesh);
     const std::vector<Vec3d> centres = cell_centres(mesh, faces);
     InvertedPyramids inverted;

@@ -1,5 +1,5 @@
-// Cells with a face that looks inwards: seen from the cell's centre the pyramid over it is inside out. The winding is
-// consistent all the same, so they are kept.
+// Finds inverted face pyramids: the pyramid from a cell's center over one of its faces has negative volume. Cells with
+// inverted pyramids are kept, because their winding is consistent.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,8 +7,8 @@
 namespace ciel::importer {
 
 struct InvertedPyramids {
-    std::uint64_t count = 0;
-    std::vector<Index> cells; // stored ids, sorted
+    std::uint64_t count = 0;  // inverted pyramids; a cell may have several
+    std::vector<Index> cells; // stored ids of their cells, sorted, distinct
 };
 
 [[nodiscard]] InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh);

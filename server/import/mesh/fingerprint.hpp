@@ -1,4 +1,4 @@
-// Tells whether a step has the mesh of the step before, without building it.
+// Checksums of a step's input. A step with the same checksum `cells` as the previous step reuses that step's mesh.
 #pragma once
 
 #include "import/source/data_sets.hpp"
@@ -6,8 +6,8 @@
 namespace ciel::importer {
 
 struct Fingerprint {
-    std::string cells;     // everything but positions: connectivity, blanking, names of blocks and surfaces
-    std::string positions; // of volumes
+    std::string cells;     // checksum of connectivity, blanking, and the names of blocks, surfaces and zones
+    std::string positions; // checksum of the positions of the volumes' points
 };
 
 [[nodiscard]] Fingerprint fingerprint(const DataSets& data_sets);

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint64_t max_count = none - 1ULL;
 
-// Appends the cells of one block; every id that comes from the file is checked here and nowhere later.
+// Appends the cells of one block to the joined mesh. Checks all point ids from the file; later code trusts them.
 class BlockJoiner {
 public:
     BlockJoiner(JoinedMesh& mesh, std::size_t part)
@@ -83,7 +83,7 @@ private:
         add_standard(shape.type, std::span<const Index>(corners.data(), shape.corners), cell);
     }
 
-    // A cell's face stream is: faces, then for each its count and its points.
+    // `stream`: VTK's face stream: the number of faces, then for each face its number of points and their ids.
     void add_polyhedron(std::span<const vtkIdType> stream, vtkIdType cell) {
         const auto damaged = [&] { fail("the face list of polyhedron " + std::to_string(cell) + " is damaged"); };
         if (stream.empty() || stream[0] < 0) damaged();
@@ -99,12 +99,13 @@ private:
         close_cell(type_of_last_faces(static_cast<std::size_t>(stream[0])), cell);
     }
 
-    // A hexahedron is one whatever its file calls it.
+    // Returns the type of the cell formed by the last `faces` faces. Six quadrilaterals with eight corners are a
+    // hexahedron, even if the file calls the cell a polyhedron.
     [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
         return type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
     }
 
-    // Ghosts are another piece's cells; hidden cells are blanked.
+    // Returns whether the cell is a ghost (a copy of another piece's cell), hidden (blanked) or refined.
     [[nodiscard]] bool is_ghost(vtkIdType cell) const {
         const vtkUnsignedCharArray* ghosts = data_->GetCellGhostArray();
         constexpr int left_out =
@@ -116,7 +117,7 @@ private:
         vtkCellArray* cells = grid->GetCells();
         const vtkIdType count = grid->GetNumberOfCells();
         if (grid->GetCellTypesArray() == nullptr || grid->GetCellTypesArray()->GetNumberOfValues() != count)
-            fail("has " + std::to_string(count) + " cells but not as many cell types");
+            fail("has " + std::to_string(count) + " cells but another number of cell types");
         vtkIdType previous = 0;
         for (vtkIdType i = 0; i <= count; ++i) {
             const auto offset = static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(i, 0));
@@ -195,7 +196,8 @@ private:
                 }
     }
 
-    // PLOT3D's iblank: 0 is a hole; walls (2), interpolated points (negative) and the rest are kept.
+    // Returns per point whether PLOT3D's iblank is 0, which marks a hole; empty without iblank. Walls (2), interpolated
+    // points (negative) and all other values are no holes.
     std::vector<bool> hole_points() {
         vtkDataArray* iblank = data_->GetPointData()->GetArray("IBlank");
         blank_points_known_ = iblank != nullptr;
@@ -231,7 +233,7 @@ void number_parts(JoinedMesh& mesh, const std::vector<DataSet>& volumes) {
         }
         cells += static_cast<std::uint64_t>(data_set.data->GetNumberOfCells());
         if (points > max_count || cells > max_count)
-            throw Error("the mesh has more than 4,294,967,294 points or cells, more than a dataset can hold");
+            throw Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
         mesh.parts.push_back(std::move(part));
     }
     mesh.point_count = static_cast<Index>(points);
@@ -310,7 +312,7 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
             }
         }
     };
-    // Buckets by the lower end: each is short, so sorting them is linear in practice.
+    // Edges are sorted into buckets by their lower vertex id. Buckets are short, so sorting them all takes linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
     for_each_edge([&](Index low, Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];

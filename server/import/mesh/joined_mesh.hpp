@@ -1,4 +1,4 @@
-// All volume blocks of a step as one mesh in the form ciel::assemble takes.
+// Joins all volume blocks of a step into one mesh, the input of ciel::assemble.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -8,29 +8,29 @@
 
 namespace ciel::importer {
 
-// Points and cells of the blocks are numbered through, block after block ("running ids"); blocks that share one
-// vtkPoints object share their points. A joined vertex has the id of its point; a joined cell names its running id.
+// Running ids number points and cells consecutively, block after block. Blocks that share a vtkPoints object share its
+// running points. Vertices of the joined mesh have running point ids; source_cell maps its cells to running ids.
 struct JoinedMesh {
     struct Member {
         std::string name;
         vtkSmartPointer<vtkDataSet> data;
-        Index first_point = 0;
-        Index first_cell = 0;                         // running
-        Index mesh_cell_begin = 0, mesh_cell_end = 0; // joined cells
-        int whole = -1;                               // as the block's
+        Index first_point = 0;                        // running id of the block's first point
+        Index first_cell = 0;                         // running id of the block's first cell
+        Index mesh_cell_begin = 0, mesh_cell_end = 0; // the block's cells in the joined mesh, end excluded
+        int whole = -1;                               // DataSet::whole of the block
     };
     struct Surface { // cells of dimension 2 inside a volume block
         std::size_t part = 0;
-        std::vector<vtkIdType> cells; // ids in the part
+        std::vector<vtkIdType> cells; // VTK cell ids in that part
     };
 
     std::vector<Member> parts;
     std::vector<Surface> surfaces;
-    Index point_count = 0; // running
+    Index point_count = 0; // number of running points
     std::uint64_t blanked_cells = 0;
-    std::map<std::string, std::uint64_t> reduced_cells; // "quadratic tetrahedra": n
-    std::uint64_t ignored_cells = 0;                    // points and lines
-    std::uint64_t convex_point_sets = 0;                // volumes without faces: left out
+    std::map<std::string, std::uint64_t> reduced_cells; // CellShape::reduced_from -> number of cells
+    std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1: left out
+    std::uint64_t convex_point_sets = 0;                // left out: VTK lists no faces for them
 
     Vec3d origin{};
     std::vector<float> positions;
@@ -45,19 +45,20 @@ struct JoinedMesh {
     }
 };
 
-// What join_blocks numbers through. Throws Error where there are more than 2^32 - 2 points or cells.
+// Returns the numbers of running points and cells. Throws Error if either exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<DataSet>& volumes);
 
-// Throws Error naming the block when an index is out of range, an offset table is damaged, a vertex that a cell uses is
-// not finite, or there are more than 2^32 - 2 vertices or cells.
+// Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a used point
+// that is not finite, or more than 2^32 - 2 points or cells.
 [[nodiscard]] JoinedMesh join_data_sets(const std::vector<DataSet>& volumes);
 
-// Bounds centre of the points; offsets from `origin` as floats. For a moving mesh: the same blocks at another time.
+// Returns the center of the bounding box of all finite points.
 [[nodiscard]] Vec3d bounds_centre(const JoinedMesh& mesh);
+// Returns x, y, z of each running point relative to `origin`. `parts`: the mesh's blocks, with the data of any step.
 [[nodiscard]] std::vector<float> point_offsets(const std::vector<JoinedMesh::Member>& parts, Index point_count,
                                                Vec3d origin);
 
-// Distinct edges of the cells; an edge between a vertex and itself (a collapsed cell) does not count.
+// Counts the distinct edges of the cells. Ignores edges from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);
 
 } // namespace ciel::importer

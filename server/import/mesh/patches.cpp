@@ -11,13 +11,13 @@ namespace ciel::importer {
 
 namespace {
 
-// Boundary faces by their corners. Two surfaces may name the same face. Of coincident ones (both sides of a baffle)
-// each is claimed in turn.
+// Boundary faces by their corners. Several surfaces may claim the same face. Of coincident faces (the two sides of a
+// baffle), the one with the fewest claims is claimed next.
 class BoundaryFaces {
 public:
     void add(Corners corners, Index face) { faces_[std::move(corners)].push_back({face, 0, none}); }
 
-    // The face with these corners that this surface has not claimed, or none.
+    // Returns a face with these corners that `surface` has not claimed yet, or `none`.
     Index claim(const Corners& corners, Index surface) {
         const auto found = faces_.find(corners);
         if (found == faces_.end()) return none;
@@ -46,7 +46,7 @@ void add_boundary(const FaceMeshView& mesh, BoundaryFaces& faces, Corner&& corne
         if (mesh.neighbour[face] == none) faces.add(corners_of(mesh.loop(face).unchecked()), face);
 }
 
-// Corners are known by where they are.
+// Finds boundary faces by the coordinates of a cell's corners.
 class ByPlace {
 public:
     explicit ByPlace(const FaceMeshView& mesh) : index_(mesh) {
@@ -61,7 +61,7 @@ private:
     BoundaryFaces faces_;
 };
 
-// Corners are known by their points: running ones, which welding may have made one.
+// Finds boundary faces by the running point ids of a cell's corners. Welded points count as their representative.
 class ById {
 public:
     ById(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)

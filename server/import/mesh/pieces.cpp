@@ -65,7 +65,7 @@ std::size_t part_of_cell(const std::vector<JoinedMesh::Member>& parts, Index joi
     return static_cast<std::size_t>(next - parts.begin()) - 1;
 }
 
-// Parts may share their points, so that first points need not ascend.
+// Maps a running point to its part. The map sorts the parts: with shared points, first_point need not ascend.
 class PartsByPoint {
 public:
     explicit PartsByPoint(const std::vector<JoinedMesh::Member>& parts) {
@@ -79,7 +79,7 @@ private:
     std::map<Index, const JoinedMesh::Member*> by_first_;
 };
 
-// Pairs of boundary faces of different parts of one whole.
+// Finds and joins coincident boundary faces of different parts of one whole.
 class PartMatcher {
 public:
     PartMatcher(const Assembled& pieces, const JoinedMesh& joined)
@@ -114,7 +114,8 @@ private:
             here.erase(other);
     }
 
-    // False when the two are not the sides of one face.
+    // Joins the points of two coincident faces. Returns false, and joins nothing, if a point differs or the faces are
+    // not in two parts of one whole.
     bool join(Index a, Index b) {
         if (!are_of_one_whole(a, b)) return false;
         const JoinedMesh::Member &part_a = joined_.parts[part_of(a)], &part_b = joined_.parts[part_of(b)];

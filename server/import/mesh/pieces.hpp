@@ -1,7 +1,6 @@
-// A mesh that was read in pieces, as a PVTU is: the faces along which it was cut lie on each other in pairs, belong to
-// two different pieces, and their corners are the same points: by the ids that the file gives them (GlobalNodeId), else
-// by equal coordinates and values, to the bit. So a crack within a piece stays open, and one along a cut does where its
-// sides differ.
+// Finds the cut faces of a mesh that was read in pieces, such as a PVTU: coincident boundary faces of two pieces whose
+// corners are the same points. Points are the same by GlobalNodeId, else by equal coordinates and values. A crack
+// within a piece stays open, and so does a crack along a cut if the values on its sides differ.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -11,16 +10,16 @@
 namespace ciel::importer {
 
 struct Cut {
-    PointPairs points;        // to be one again
-    std::uint64_t faces = 0;  // pairs of faces
-    std::uint64_t single = 0; // faces of no surface that lie on no other
-    std::uint64_t apart = 0;  // faces of different pieces that lie on another one, and whose points are not the same
+    PointPairs points;        // running points to join
+    std::uint64_t faces = 0;  // joined pairs of faces
+    std::uint64_t single = 0; // cut faces without a counterpart; only OpenFOAM's reader reports them
+    std::uint64_t apart = 0;  // faces that coincide with a face of another piece but have other ids or values
 };
 
-// Between the parts of `joined` that are pieces of one whole; `pieces` is what it was assembled to.
+// Compares the boundary faces of parts with the same `whole`. `pieces`: `joined`, assembled before joining.
 [[nodiscard]] Cut find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
 
-// Whether all pairs that a cut has joined are the same points at another time, too.
+// Returns whether the points of all joined pairs are also the same in `parts`, which have the data of a later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts);
 
 } // namespace ciel::importer

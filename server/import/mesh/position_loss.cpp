@@ -9,14 +9,14 @@
 namespace ciel::importer {
 namespace {
 
-constexpr double changed_share = 0.01; // of a cell's volume
-constexpr double flat = 1e-8; // of a cell's reach to the third: a collapsed cell has no volume that could change
+constexpr double changed_share = 0.01; // of a cell's volume; larger changes are reported
+constexpr double flat = 1e-8; // of a cell's size cubed; smaller changes are ignored: a collapsed cell has no volume
 
 std::string plural(std::uint64_t count, const char* one, const char* many) {
     return std::to_string(count) + (count == 1 ? one : many);
 }
 
-// The corners of one face, as the input has them and as the dataset will.
+// The corners of one face relative to the mesh's origin: exact positions from the input, and stored ones as floats.
 class Corners {
 public:
     Corners(const JoinedMesh& mesh, const JoinedMesh::Member& part) : mesh_(mesh), part_(part) {}
@@ -48,8 +48,8 @@ private:
     std::vector<Vec3d> exact_, stored_;
 };
 
-// Six times the volume of the cones from `apex`; faces are as the input winds them, alike on both sides of a
-// comparison.
+// Returns six times the signed volume of the cone from `apex` over the face `loop`. The sign follows the input's
+// winding, which is the same for exact and stored positions.
 double six_cones(const std::vector<Vec3d>& loop, const Vec3d& apex) {
     const auto arm = [&](std::size_t i) {
         return Vec3d{loop[i][0] - apex[0], loop[i][1] - apex[1], loop[i][2] - apex[2]};
@@ -75,7 +75,7 @@ struct CellLoss {
 
 CellLoss cell_loss(const JoinedMesh& mesh, Index cell, Corners& corners) {
     CellLoss loss;
-    double exact = 0, stored = 0, reach = 0; // the farthest corner, squared
+    double exact = 0, stored = 0, reach = 0; // reach: squared distance of the farthest corner
     std::optional<std::pair<Vec3d, Vec3d>> apex;
     for (std::uint64_t f = mesh.cell_offset[cell]; f < mesh.cell_offset[cell + 1]; ++f) {
         const std::uint64_t begin = mesh.face_offset[f], end = mesh.face_offset[f + 1];
@@ -106,11 +106,12 @@ std::vector<std::string> position_loss(const JoinedMesh& mesh) {
     }
     std::vector<std::string> notes;
     if (merged > 0)
-        notes.push_back(plural(merged, " cell has", " cells have") +
-                        " corners that are apart in the input and one point here: positions are 32-bit floats.");
+        notes.push_back(
+            plural(merged, " cell has", " cells have") +
+            " corners that differ in the input and coincide in the dataset, which stores positions as 32-bit floats.");
     if (changed > 0)
         notes.push_back("The volume of " + plural(changed, " cell", " cells") +
-                        " changes by more than 1 %: positions are 32-bit floats.");
+                        " changes by more than 1 %, because the dataset stores positions as 32-bit floats.");
     return notes;
 }
 

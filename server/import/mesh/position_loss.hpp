@@ -1,4 +1,4 @@
-// What a mesh loses because a dataset holds 32-bit positions. It is counted and said: nobody can see it in a picture.
+// Counts cells that change because a dataset stores positions as 32-bit floats. A picture does not show this loss.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -8,8 +8,8 @@
 
 namespace ciel::importer {
 
-// Sentences. Of the joined mesh before welding: cells with corners that are apart in the input and one here, and cells
-// whose volume changes by 1 %.
+// Returns sentences with the number of cells whose corners differ in the input but not as floats, and of cells whose
+// volume changes by more than 1 %. `mesh`: before welding.
 [[nodiscard]] std::vector<std::string> position_loss(const JoinedMesh& mesh);
 
 } // namespace ciel::importer

@@ -22,7 +22,7 @@ const char* reason_text(BadCells::Reason reason) {
     static const std::map<Reason, const char*> texts{
         {Reason::open, "not closed"},
         {Reason::inconsistent_winding, "faces that cannot be wound consistently"},
-        {Reason::inside_out_unresolved, "no inside and outside that can be told apart"},
+        {Reason::inside_out_unresolved, "inside and outside that cannot be distinguished"},
         {Reason::index_out_of_range, "a vertex that does not exist"},
         {Reason::too_few_faces, "too few faces"},
         {Reason::repeated, "the same faces as an earlier cell, which was kept"},
@@ -43,7 +43,7 @@ bool has_pieces(const JoinedMesh& joined) {
 void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
     for (const BadCells& bad : report.bad_cells) {
         const bool is_in_two_pieces = bad.reason == BadCells::Reason::repeated && has_pieces(joined);
-        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // a ghost without a flag is not lost
+        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // repeated in two pieces: a ghost cell
         mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
                              " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
     }
@@ -57,8 +57,8 @@ void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, S
         mesh.notes.push_back(plural(report.reversed_faces, "face was", "faces were") +
                              " turned to agree with the cell.");
     if (report.internal_boundaries > 0)
-        mesh.notes.push_back(plural(report.internal_boundaries, "face is claimed by three or more cells and stays",
-                                    "faces are claimed by three or more cells and stay") +
+        mesh.notes.push_back(plural(report.internal_boundaries, "face belongs to three or more cells and stays",
+                                    "faces belong to three or more cells and stay") +
                              " internal boundary.");
     if (report.inverted_cells > 0)
         mesh.notes.push_back(
@@ -69,16 +69,16 @@ void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, S
 void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
     if (joined.parts.size() > 1)
         mesh.notes.push_back(std::to_string(joined.parts.size()) +
-                             (has_pieces(joined) ? " pieces or blocks were put together" : " blocks were joined") +
-                             "; vertex and cell ids run through them in order.");
+                             (has_pieces(joined) ? " pieces or blocks were joined" : " blocks were joined") +
+                             "; vertex and cell ids continue from one to the next.");
     for (const auto& [what, count] : joined.reduced_cells)
         mesh.notes.push_back(std::to_string(count) + " " + what + " keep their corners; mid-side nodes were dropped.");
     if (joined.blanked_cells > 0)
         mesh.notes.push_back(plural(joined.blanked_cells, "cell is", "cells are") +
-                             " blanked or a ghost, and left out.");
+                             " blanked or ghosts, and left out.");
     if (joined.convex_point_sets > 0)
         mesh.notes.push_back(plural(joined.convex_point_sets, "convex point set was", "convex point sets were") +
-                             " left out: such cells have no faces; write them as polyhedra.");
+                             " left out, because convex point sets have no faces; write them as polyhedra.");
     if (joined.ignored_cells > 0)
         mesh.notes.push_back(plural(joined.ignored_cells, "cell", "cells") +
                              " without volume or surface were ignored.");
@@ -102,7 +102,7 @@ void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
     for (const Patch& patch : mesh.patches) {
         if (patch.unmatched > 0)
             mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
-                                 "\" are no boundary faces of the mesh and were ignored.");
+                                 "\" are not boundary faces of the mesh and were ignored.");
         if (patch.faces.empty()) continue;
         std::vector<Index> faces = patch.faces;
         std::sort(faces.begin(), faces.end());
@@ -112,10 +112,11 @@ void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
     }
 }
 
-// Blocks become zones when there are several names; pieces without names of their own are one.
+// Makes a zone of the blocks of each name, if there is more than one name. Unnamed pieces share the name of their
+// whole.
 void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
     std::map<std::string, std::vector<Index>> ids;
-    std::vector<std::string> names; // in order
+    std::vector<std::string> names; // in order of first use
     const std::vector<Index>& original = mesh.assembled.original_cell;
     std::vector<Index> stored(joined.cell_types.size(), none);
     for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
@@ -141,7 +142,7 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-// Cells that are ghosts, blanked or bad are not in the mesh.
+// Adds zones that the source gives by running cell ids. Ghost, blanked and bad cells are not in the mesh.
 void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
     if (zones.empty()) return;
     std::vector<Zone> found;
@@ -192,7 +193,7 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
     Welds welds = find_welds(joined, weld, cut, difference);
     if (has_pieces(joined)) mesh.joined_pieces = cut.points;
     if (weld == Weld::none && (!data_sets.same_points.empty() || has_pieces(joined)))
-        mesh.notes.emplace_back("The pieces of the mesh were left apart (--no-weld).");
+        mesh.notes.emplace_back("The pieces of the mesh were not welded (--no-weld).");
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())

@@ -1,4 +1,4 @@
-// The stored form of one mesh of the input, and how the input's values map to it.
+// One mesh of the input in stored form, with the maps from stored to running ids (joined_mesh.hpp).
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -9,33 +9,34 @@
 namespace ciel::importer {
 
 struct StepMesh {
-    std::vector<JoinedMesh::Member> parts; // of the step read last: the same blocks at its time
+    std::vector<JoinedMesh::Member> parts; // the mesh's blocks, with the data of the step read last
     Index point_count = 0;
     Assembled assembled;
     std::vector<Index> point_of_vertex; // stored vertex -> running point
     std::vector<Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
-    std::vector<Seam> seams;  // welded
-    PointPairs joined_pieces; // points of pieces that are one
+    std::vector<Seam> seams;  // welded seams only
+    PointPairs joined_pieces; // running points joined between pieces
     std::vector<store::NamedGroup> groups;
-    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // as the file has them
+    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // before welding and leaving out bad cells
     std::uint64_t bad_cells = 0;
     std::vector<std::string> notes;
 
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-// Throws Error when there is no volume cell, or none that can be used.
+// Throws Error when no volume cell is usable, or when join_data_sets does.
 [[nodiscard]] StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference);
 
-// The same cells at another time: takes the step's data, and its positions when they have moved.
+// Replaces the data of the mesh's blocks by that of another step with the same cells. If `moved`, also replaces the
+// positions.
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved);
 
-// components values per item of `running`, picked for each stored vertex or cell.
+// Reorders values to stored vertices or cells. `running`: `components` values per running point or cell.
 [[nodiscard]] std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running,
                                            int components);
 
-// Likewise of ids; nothing of nothing.
+// Reorders ids to stored vertices or cells. Returns nothing if `running` is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
                                                   std::span<const Index> stored_to_running);
 

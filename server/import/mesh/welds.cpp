@@ -13,7 +13,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Relative to the block's diagonal: what is left of a copied value after a file's rounding.
+// Share of the block's diagonal. Two copies of a point differ by less after the rounding of a file.
 constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
@@ -26,7 +26,7 @@ public:
     void join(Index a, Index b) {
         a = find(a);
         b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b); // the first copy represents
+        parent_[std::max(a, b)] = std::min(a, b); // the smallest id represents the set
     }
     std::vector<Index> representatives() {
         for (Index i = 0; i < parent_.size(); ++i) find(i);
@@ -38,7 +38,7 @@ private:
     std::vector<Index> parent_;
 };
 
-// One structured block: finds the pairs of points that its seams put together.
+// Finds the seams of one structured block: pairs of coincident points on its faces.
 class SeamFinder {
 public:
     SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
@@ -93,8 +93,8 @@ private:
         return pairs;
     }
 
-    // The wake cut of a C-grid: a face whose two ends along `fold` lie on each other. A face collapsed to a line or a
-    // point (a polar axis) is none.
+    // Returns the wake cut of a C-grid: pairs on a face of the block whose two ends along the axis `fold` coincide.
+    // Returns nothing for a face collapsed to a line or a point (a polar axis).
     [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
         const int along = 3 - axis - fold;
         PointPairs pairs;
@@ -139,7 +139,7 @@ void weld_seams(const JoinedMesh& mesh, const SeamDifference& difference_across,
             const std::string difference = difference_across({seam}, mesh.parts);
             if (!difference.empty()) {
                 std::string sentence = "A structured block" + name + " closes onto itself, but ";
-                sentence.append(difference).append(" differs across the seam, so it was not welded.");
+                sentence.append(difference).append(" differs across the seam, so the seam was not welded.");
                 welds.notes.push_back(std::move(sentence));
                 continue;
             }
@@ -156,14 +156,16 @@ void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
     if (cut.faces > 0)
         welds.notes.push_back("The pieces of the mesh were joined along " + count_text(cut.faces, "faces."));
     if (cut.apart > 0)
-        welds.notes.push_back(count_text(cut.apart, "faces of pieces") +
-                              " lie on those of another piece, where ids or values differ, and stay boundary.");
+        welds.notes.push_back(
+            count_text(cut.apart, "faces of pieces") +
+            " coincide with faces of another piece but differ in ids or values, and stay boundary faces.");
     if (cut.single > 0)
         welds.notes.push_back(count_text(cut.single, "faces of no patch") +
-                              " have no counterpart on another piece and stay boundary.");
+                              " have no counterpart on another piece and stay boundary faces.");
 }
 
-// Every set of points with the same coordinates, to the bit.
+// Calls visit(first, point) for each point with the same coordinates as an earlier one, the first. Skips points for
+// which looked_at is false.
 template <typename Visit>
 void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
@@ -192,13 +194,13 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDi
     if (mode == Weld::seams) weld_seams(mesh, difference, sets, welds);
     std::uint64_t coincident = 0;
     const bool look = mode == Weld::all || mesh.parts.size() > 1;
-    // Points that no cell uses are of ghosts, and go with those.
+    // Only --weld also compares points that no cell uses: these belong to ghost cells, which were left out.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)
         for (const Index point : mesh.face_vertex) looked_at[point] = true;
     if (look)
         for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
-            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // pieces were joined already
+            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // not counted if joined by a cut or seam
             if (mode == Weld::all) sets.join(a, b);
         });
     std::vector<Index> representative = sets.representatives();
@@ -208,7 +210,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDi
             count_text(welds.welded_points, "points that coincide with others were welded (--weld)."));
     else if (coincident > 0)
         welds.notes.push_back(
-            count_text(coincident, "points coincide with others and were left apart; --weld joins them."));
+            count_text(coincident, "points coincide with others and were not welded; --weld welds them."));
     if (welds.welded_points > 0) welds.representative = std::move(representative);
     return welds;
 }

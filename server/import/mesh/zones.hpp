@@ -1,4 +1,4 @@
-// Named groups of cells: the zones of the input found again on the mesh, by the coordinates of their corners.
+// Matches zones, the input's named copies of cells, to cells of the mesh by the coordinates of their corners.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"

@@ -9,16 +9,16 @@ namespace ciel::importer {
 
 struct IndexEntry {
     double time = 0;
-    std::string part; // several entries of one time are parts of one mesh; empty when not named
-    std::string file; // as written: relative to the index file
+    std::string part; // name of the part, or empty; entries of one time are parts of one mesh
+    std::string file; // path as written, relative to the index file
 };
 
-// ParaView Data: <VTKFile type="Collection"><Collection><DataSet timestep= part= name= file=/>...
-// Sorted by time, entries of one time in file order. Throws Error naming `name`.
+// Parses ParaView's PVD: <VTKFile type="Collection"><Collection><DataSet timestep= part= name= file=/>...
+// Returns entries sorted by time; those of one time stay in file order. Throws Error naming `name`.
 [[nodiscard]] std::vector<IndexEntry> parse_pvd(std::string_view text, const std::string& name);
 
-// ParaView's file series: {"file-series-version": "1.0", "files": [{"name": ..., "time": ...}, ...]}.
-// Sorted by time. Throws Error naming `name`.
+// Parses ParaView's file series: {"file-series-version": "1.0", "files": [{"name": ..., "time": ...}, ...]}.
+// Returns entries sorted by time. Throws Error naming `name`.
 [[nodiscard]] std::vector<IndexEntry> parse_series(std::string_view text, const std::string& name);
 
 } // namespace ciel::importer

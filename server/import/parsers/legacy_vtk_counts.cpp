@@ -13,12 +13,12 @@ namespace ciel::importer {
 
 namespace {
 
-constexpr std::size_t longest_word = 256; // keywords, types and counts are shorter; of longer words this much is kept
+constexpr std::size_t longest_word = 256; // bytes kept of a word; keywords, types and counts are shorter
 constexpr double bits_per_byte = 8;
 
 struct ValueType {
     std::string_view name;
-    unsigned bytes; // in a binary file; 0: cannot be told from the count
+    unsigned bytes; // size of one value in a binary file; 0: no fixed number of bytes
 };
 constexpr ValueType value_types[] = {
     {"bit", 0},         {"char", 1},           {"signed_char", 1},  {"unsigned_char", 1},
@@ -34,7 +34,7 @@ const ValueType* find_type(std::string_view word) {
     return found == std::end(value_types) ? nullptr : found;
 }
 
-// A number too long for 64 bits is more than any file has.
+// Parses a whole number. Returns infinity for one beyond 64 bits, nullopt for other words.
 std::optional<double> to_count(std::string_view word) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -44,7 +44,7 @@ std::optional<double> to_count(std::string_view word) {
     return static_cast<double>(value);
 }
 
-// The words of a file in lower case, as VTK compares them.
+// Splits a file into words and puts them in lower case, because VTK ignores case.
 class Words {
 public:
     explicit Words(std::istream& file) : buffer_(*file.rdbuf()) {}
@@ -64,7 +64,7 @@ public:
         while (after_ != '\n' && after_ != end);
     }
 
-    // From the line after the last word on.
+    // Skips `bytes` bytes from the start of the line after the last word.
     void skip_values(std::uint64_t bytes) {
         if (after_ != '\n' && after_ != end) skip_line();
         buffer_.pubseekoff(static_cast<std::streamoff>(bytes), std::ios::cur, std::ios::in);
@@ -75,14 +75,15 @@ private:
     static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
     std::streambuf& buffer_;
-    int after_ = end; // the last word
+    int after_ = end; // the character that ended the last word
 };
 
 class Check {
 public:
     Check(std::uint64_t file_size, const std::string& name) : size_(static_cast<double>(file_size)), name_(name) {}
 
-    // Looks at the last four words; returns the bytes of the binary values that follow, where they are known.
+    // Adds a word, and checks the declaration that ends with it, if any. Returns the size in bytes of the binary values
+    // that follow; 0 if there are none or their size is not known.
     std::uint64_t take(std::string&& word) {
         std::rotate(words_.begin(), words_.begin() + 1, words_.end());
         words_.back() = std::move(word);
@@ -94,7 +95,7 @@ private:
         return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
     }
 
-    // As many words as the declaration has, the last of which has just come.
+    // Throws Error unless count is between 0 and per_byte times the file's size. `length`: words of the declaration.
     void require(double count, double per_byte, std::size_t length) const {
         if (count >= 0 && count <= size_ * per_byte) return;
         std::string declaration;
@@ -166,7 +167,7 @@ private:
     double size_;
     const std::string& name_;
     std::array<std::string, 4> words_;
-    double items_ = 0; // of POINT_DATA or CELL_DATA
+    double items_ = 0; // count of the last POINT_DATA or CELL_DATA
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// The counts in a legacy VTK file, held against its size before VTK believes them: its reader makes room for what is
-// declared, and goes on reading after the end of the file until it has it.
+// Checks the counts in a legacy VTK file against the size of the file. VTK's reader would allocate any declared size
+// and keep reading past the end of the file.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,8 @@
 
 namespace ciel::importer {
 
-// Reads the words of `file` once; binary values whose size the file tells are skipped. Throws Error naming `name` when
-// a declaration is negative or needs more values than the file has bytes (bits: eight to a byte). What is not a
-// declaration is no concern of it.
+// Reads `file` once and skips binary values of known size. Throws Error naming `name` if a declared count is negative,
+// or larger than the number of bytes (for bits: eight times that) in the file. Ignores words that declare nothing.
 void check_legacy_vtk_counts(std::istream& file, std::uint64_t file_size, const std::string& name);
 
 } // namespace ciel::importer

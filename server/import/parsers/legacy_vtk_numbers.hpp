@@ -1,5 +1,5 @@
-// The values of a legacy VTK file of text that are no numbers. VTK's reader stops at "nan" and "inf", so they go
-// through it as numbers that stand for them.
+// Replaces NaN and infinities in a legacy VTK text file by finite numbers, because VTK's reader stops at "nan" and
+// "inf".
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace ciel::importer {
 
-// What stands for NaN, infinity and minus infinity: floats, and nothing that a solver writes.
+// A finite number that replaces NaN or an infinity. It fits in a float, and solvers do not write it.
 struct StandIn {
     const char* text;
     double number;
-    double value; // that it stands for
+    double value; // NaN or infinity that `number` replaces
 };
 inline constexpr std::array<StandIn, 3> stand_ins{
     StandIn{"3.3302100911e38", 3.3302100911e38, std::numeric_limits<double>::quiet_NaN()},
     StandIn{"3.3302200913e38", 3.3302200913e38, std::numeric_limits<double>::infinity()},
     StandIn{"-3.3302300917e38", -3.3302300917e38, -std::numeric_limits<double>::infinity()}};
 
-// Whether there is a value that is no number, as C libraries write those: nan, -nan(ind), inf, Infinity, 1.#QNAN. Lines
-// that hold any other word name arrays.
+// Returns whether the file has a NaN or infinity as C libraries write them: nan, -nan(ind), inf, Infinity, 1.#QNAN.
+// Ignores lines with any other word, because there "nan" may be the name of an array.
 [[nodiscard]] bool holds_no_numbers(std::istream& file);
 
-// The whole text, with stand-ins for these values.
+// Returns the whole text, with stand-ins for NaN and infinities.
 [[nodiscard]] std::string with_stand_ins(std::istream& file);
 
 } // namespace ciel::importer

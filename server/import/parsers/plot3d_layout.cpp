@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t max_grids = 10'000;
 constexpr std::uint32_t max_dimension = 1U << 20;
-constexpr std::uint64_t padding_block = 512; // tapes and some file systems round files up to it
+constexpr std::uint64_t padding_block = 512; // bytes; tapes and some file systems pad files to a multiple
 
-// Whether a file of `size` can hold `needed` bytes and nothing else but padding.
+// Whether a file of `size` bytes has `needed` bytes of data and otherwise only padding.
 bool fits(std::uint64_t needed, std::uint64_t size) {
     return needed == size || (size % padding_block == 0 && needed < size && size - needed < padding_block);
 }
@@ -48,7 +48,8 @@ bool plausible(const Plot3dLayout& layout, std::uint64_t most_points) {
     });
 }
 
-// The bytes (binary) or numbers (text) after the header; `real` and `integer` are the sizes of one value.
+// Returns the size of the data after the header, in bytes (binary) or numbers (text). `real`, `integer`: the size of
+// one value in that unit.
 std::uint64_t body_size(const Plot3dLayout& layout, Plot3dKind kind, std::uint64_t real, std::uint64_t integer) {
     const std::uint64_t marks = layout.byte_counts ? 8 : 0;
     std::uint64_t size = 0;
@@ -171,9 +172,9 @@ std::vector<Plot3dLayout> plot3d_restrict(std::vector<Plot3dLayout> layouts, con
         const auto* word =
             std::find_if(std::begin(known), std::end(known), [&](const Word& w) { return w.name == name; });
         if (word == std::end(known))
-            throw Error("--plot3d does not know \"" + std::string(name) +
-                        "\"; it knows big, little, multi, single, records, stream, iblank, no-iblank, float32, "
-                        "float64, text");
+            throw Error(
+                "--plot3d has no word \"" + std::string(name) +
+                "\"; use big, little, multi, single, records, stream, iblank, no-iblank, float32, float64, text");
         std::erase_if(layouts, [&](const Plot3dLayout& layout) { return layout.*(word->member) != word->value; });
         begin = end + 1;
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int max_depth = 16; // the format needs 3
 
-// nlohmann's DOM is destroyed recursively: refusing depth keeps a hostile file from overflowing the stack.
+// Refuses deep nesting: nlohmann's DOM is destroyed recursively, so a hostile file could overflow the stack.
 nlohmann::json parse_shallow(std::string_view text, const std::string& name) {
     bool too_deep = false;
     const auto callback = [&too_deep](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {

@@ -1,4 +1,4 @@
-// CGNS: zones, and those boundary conditions that VTK's reader can load; it warns of the others.
+// CGNS: zones and boundary conditions. A note lists the types of boundary conditions that VTK's reader cannot load.
 #include "import/readers/formats.hpp"
 #include "import/readers/reader_source.hpp"
 
@@ -31,7 +31,8 @@ public:
         if (skipped_.empty()) return {};
         std::string types;
         for (const std::string& type : skipped_) types.append(types.empty() ? "" : ", ").append(type);
-        return {"Boundary conditions of type " + types + " were not read: only those that name a family are."};
+        return {"Boundary conditions of type " + types +
+                " were not read, because only boundary conditions that name a family are read."};
     }
 
 private:

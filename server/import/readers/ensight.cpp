@@ -18,7 +18,8 @@ namespace ciel::importer {
 
 namespace {
 
-// Any word may be a file's name; "*" in it stands for the digits of a time step.
+// Calls require_regular for each word of a case file's line, since any word may be a file name. "*" stands for the
+// digits of a time step.
 void require_regular_words(const std::string& line, const std::filesystem::path& directory) {
     std::istringstream words(line);
     for (std::string word; words >> word;) {
@@ -32,7 +33,8 @@ void require_regular_words(const std::string& line, const std::filesystem::path&
     }
 }
 
-// "tensor symm per node: 1 stress stress.***": the name is the last word but one.
+// Returns the name in a line such as "tensor symm per node: 1 stress stress.***": the second to last word. Returns ""
+// for lines that do not declare a tensor.
 std::string tensor_in(const std::string& line) {
     if (!line.starts_with("tensor")) return "";
     std::istringstream words(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
@@ -55,11 +57,12 @@ Case read_case(const std::string& input) {
         if (std::string tensor = tensor_in(line); !tensor.empty()) found.tensors.insert(std::move(tensor));
     }
     if (!has_geometry)
-        throw Error(input + ": has no section GEOMETRY, so it names no mesh; EnSight's case files have one");
+        throw Error(input +
+                    ": has no section GEOMETRY and names no mesh; give the case file that has a section GEOMETRY");
     return found;
 }
 
-// The reader gives tensors without names, symmetric ones with their last two components exchanged.
+// Names the components of tensors. VTK's reader leaves them unnamed, and swaps the last two of a symmetric tensor.
 void name_components(vtkDataSetAttributes& arrays, const std::set<std::string>& tensors) {
     constexpr const char* symmetric[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
     constexpr const char* full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};

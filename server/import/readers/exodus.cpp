@@ -41,8 +41,8 @@ struct Steps {
     std::uint64_t declared = ~std::uint64_t{0}, complete = ~std::uint64_t{0};
 };
 
-// Of a file in the classic form of netCDF, which has a record for each step. HDF5 notices itself that a file is cut
-// off. Throws Error where the mesh is not whole, or no step is.
+// Counts the steps of a classic netCDF file, which has one record per step. Returns no limits for HDF5, because the
+// HDF5 library detects a file that was cut off. Throws Error if the mesh is incomplete or no step is complete.
 Steps count_steps(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     const auto extent = read_netcdf_extent(stream, file);
@@ -50,10 +50,10 @@ Steps count_steps(const std::string& file) {
     if (!extent) return {};
     if (extent->fixed_end > size)
         throw Error(file + ": has " + std::to_string(size) + " of the " + std::to_string(extent->fixed_end) +
-                    " bytes that its mesh needs; copy it again");
+                    " bytes that its mesh needs; copy the file again");
     if (extent->records == 0) return {};
     const Steps steps{extent->records, extent->records_within(size)};
-    if (steps.complete == 0) throw Error(file + ": ends before its first step does; copy it again");
+    if (steps.complete == 0) throw Error(file + ": ends before the end of its first step; copy the file again");
     return steps;
 }
 
@@ -64,8 +64,9 @@ public:
               "Exodus II", file, reader, [&] { return arrays_of_blocks(*reader); }, steps.complete) {
         if (steps.complete < steps.declared)
             lost_.push_back(
-                file + ": ends before its last step does: " + std::to_string(steps.declared - steps.complete) +
-                " of its " + std::to_string(steps.declared) + " steps are not whole and were left out; copy it again");
+                file + ": ends before the end of its last step: " + std::to_string(steps.declared - steps.complete) +
+                " of its " + std::to_string(steps.declared) +
+                " steps are incomplete and were left out; copy the file again");
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
             block_ids_.push_back(reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, i));
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_SET); ++i)
@@ -73,7 +74,8 @@ public:
         if (!set_ids_.empty()) sets_ = read_element_sets(file, block_ids_, set_ids_);
     }
 
-    // The reader itself gives element sets without cells (it looks for 32-bit connectivity where it keeps 64-bit).
+    // Adds the cells of element sets. VTK's reader returns the sets empty: it looks for 32-bit connectivity but keeps
+    // 64-bit.
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         auto data = ReaderSource::read(step, progress);
         auto* root = vtkMultiBlockDataSet::SafeDownCast(data);

@@ -29,7 +29,7 @@ public:
     ExodusFile(const ExodusFile&) = delete;
     ExodusFile& operator=(const ExodusFile&) = delete;
 
-    // In the order in which the file numbers its elements through.
+    // Returns the ids of the element blocks, in the order in which the file numbers their elements.
     [[nodiscard]] std::vector<std::int64_t> blocks() const {
         std::vector<std::int64_t> ids(
             static_cast<std::size_t>(std::max<std::int64_t>(0, ex_inquire_int(id_, EX_INQ_ELEM_BLK))));
@@ -67,7 +67,7 @@ std::vector<ElementSet> read_element_sets(const std::string& file, const std::ve
                                           const std::vector<std::int64_t>& set_ids) {
     const ExodusFile exodus(file);
     const std::vector<std::int64_t> blocks = exodus.blocks();
-    std::vector<std::int64_t> first{0}; // element of each block, counted from 0
+    std::vector<std::int64_t> first{0}; // first element of each block, counted from 0; at the end the total
     for (const std::int64_t block : blocks) first.push_back(first.back() + exodus.block_size(block));
 
     std::vector<ElementSet> sets;

@@ -1,4 +1,4 @@
-// The element sets of an Exodus II file, by the library that VTK's reader uses too.
+// Reads the element sets of an Exodus II file with the library that VTK's reader also uses.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,17 @@
 
 namespace ciel::importer {
 
-using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>; // (place of the block in `block_ids`, cell in it)
+// Per element: the index of its block in `block_ids`, and its cell id in that block.
+using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
 
-// In the order of `set_ids`. Throws Error when the file cannot be read or a set names an element it does not have.
+// Returns the sets in the order of `set_ids`, without elements of blocks that are not in `block_ids`. Throws Error when
+// the file cannot be read or a set names an element that the file does not have.
 [[nodiscard]] std::vector<ElementSet> read_element_sets(const std::string& file,
                                                         const std::vector<std::int64_t>& block_ids,
                                                         const std::vector<std::int64_t>& set_ids);
 
-// The corners of each cell of the set, as point sets: enough to find the cells again.
+// Copies the cells of the set as convex point sets. Their points are enough to match them to mesh cells
+// (mesh/zones.hpp).
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* data_sets, const ElementSet& set);
 
 } // namespace ciel::importer

@@ -33,10 +33,9 @@ std::unique_ptr<Source> open_fluent_cff(const Inputs& inputs, const SourceOption
     reader->SetFileName(inputs.front());
     return std::make_unique<ReaderSource>("Fluent CFF", inputs.front(), reader.Get());
 #else
-    throw Error(
-        inputs.front() + ": VTK " + vtkVersion::GetVTKVersion() +
-        " does not read Fluent's HDF5 files; import it with CIEL's container image, which has a newer one, or let "
-        "Fluent write the legacy .cas and .dat");
+    throw Error(inputs.front() + ": VTK " + vtkVersion::GetVTKVersion() +
+                " does not read Fluent's HDF5 files; import the file with CIEL's container image, which has a newer "
+                "VTK, or write legacy .cas and .dat files in Fluent");
 #endif
 }
 

@@ -139,16 +139,16 @@ const Format& find_format(const std::string& input) {
     for (const Format& format : table())
         if (format.probe(head)) return format;
     if (head.extension == ".bp")
-        throw Error(input + ": is of ADIOS2 (BP), which is not read; write VTKHDF, VTU or Exodus");
+        throw Error(input + ": is an ADIOS2 (BP) file, which CIEL does not read; write VTKHDF, VTU or Exodus");
     if (is_zarr_folder(head))
-        throw Error(input + ": is a Zarr folder of another program; a CIEL dataset is called NAME.ciel");
+        throw Error(input + ": is a Zarr folder of another program; the name of a CIEL dataset ends in .ciel");
     if (head.directory)
         throw Error(input + ": is a directory but not an OpenFOAM case (it has no constant/polyMesh); name a file");
     for (const Format& format : table())
         if (std::find(format.extensions.begin(), format.extensions.end(), head.extension) != format.extensions.end())
-            throw Error(input + ": is named like a file of " + std::string(format.name) +
-                        " but its content is not one");
-    throw Error(input + ": is of no format that can be imported: " + known_formats());
+            throw Error(input + ": has the extension of " + std::string(format.name) +
+                        " files but the content of another format");
+    throw Error(input + ": has an unknown format; the known formats are " + known_formats());
 }
 
 } // namespace ciel::importer

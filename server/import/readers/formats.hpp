@@ -1,4 +1,4 @@
-// The table of formats: what a file must look like, and who reads it.
+// The table of input formats: how a file is recognized, and the function that opens it.
 #pragma once
 
 #include "import/source/source.hpp"
@@ -11,21 +11,21 @@ namespace ciel::importer {
 
 using Inputs = std::vector<std::string>;
 
-// What the probes see of an input.
+// The facts about an input that Format::probe examines.
 struct Head {
     std::filesystem::path path;
     std::string extension; // lower case, with the dot
     bool directory = false;
     std::uint64_t size = 0;
-    std::string bytes; // the first 4 KiB
+    std::string bytes; // the first 4 KiB of a file; empty for a directory
 };
 
 struct Format {
     std::string_view name;
     std::vector<std::string_view> extensions;
-    // Says from the content whether this is such a file; null when only the extension can tell.
+    // Returns whether the input has this format, by its content or name.
     bool (*probe)(const Head& head);
-    bool several_inputs; // reads all inputs itself; otherwise several inputs are parts of one mesh
+    bool several_inputs; // `open` takes all inputs; else each is opened alone as a part of one mesh
     std::unique_ptr<Source> (*open)(const Inputs& inputs, const SourceOptions& options);
 };
 

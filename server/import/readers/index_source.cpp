@@ -1,4 +1,4 @@
-// PVD and .series: each time is one file or several, read by the reader of its own format.
+// PVD and .series: each time step has one or several files, each read by the reader of its own format.
 #include "ciel/types.hpp"
 #include "import/parsers/index_entry.hpp"
 #include "import/readers/formats.hpp"
@@ -58,11 +58,11 @@ public:
     }
 
 private:
-    // When its step is read, for a file that is damaged or missing costs no more than that step.
+    // Opens a data file. Called only when its step is read, so that a damaged or missing file loses only that step.
     std::unique_ptr<Source> opened(const std::string& file) const {
         if (!std::filesystem::exists(file)) throw Error(file_ + ": names " + file + ", which does not exist");
         if (find_format(file).open == open_index)
-            throw Error(file_ + ": names " + file + ", which is an index itself; name the data files directly");
+            throw Error(file_ + ": names " + file + ", which is itself an index file; name the data files directly");
         return open_source({file}, options_);
     }
 

@@ -1,4 +1,4 @@
-// Legacy VTK files of any data set type; what they declare is held against their size first.
+// Legacy VTK files of any data set type. Declared counts are checked against the file's size before VTK reads the file.
 #include "ciel/types.hpp"
 #include "import/parsers/legacy_vtk_counts.hpp"
 #include "import/parsers/legacy_vtk_numbers.hpp"
@@ -39,7 +39,8 @@ void put_back(vtkDataArray* array) {
     put_back<vtkDoubleArray>(array);
 }
 
-// Coordinates, too: a point that is no number is refused with its cell, one of 3e38 would not be.
+// Replaces stand-ins by NaN and infinities, also in coordinates: a mesh with a non-finite point is refused, but one
+// with a point at 3e38 would not be.
 void put_back(vtkDataSet& set) {
     for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set.GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(set.GetCellData())})
@@ -51,7 +52,7 @@ void put_back(vtkDataSet& set) {
             put_back(axis);
 }
 
-// A file of text that holds values which are no numbers.
+// A text file with NaN or infinities, which VTK reads with stand-ins (parsers/legacy_vtk_numbers.hpp).
 class StandInSource : public ReaderSource {
 public:
     StandInSource(const std::string& file, vtkSmartPointer<vtkAlgorithm> reader)
@@ -64,7 +65,8 @@ public:
             return data;
         } catch (const Error& error) {
             const std::string what = error.what();
-            for (const StandIn& stand_in : stand_ins) // an array of integers takes the first digit of it
+            // An array of integers reads the first digit of a stand-in; VTK's error then quotes the rest.
+            for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
                     throw Error(file_ + ": holds nan or inf where whole numbers are declared");
             throw;
@@ -75,7 +77,7 @@ private:
     std::string file_;
 };
 
-// The third line says whether a file is text.
+// Returns whether the third line says ASCII. Rewinds the stream.
 bool is_ascii(std::istream& stream) {
     std::string line;
     for (int i = 0; i < 3; ++i) std::getline(stream, line);
@@ -106,8 +108,9 @@ std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOption
     stream.seekg(0);
     const std::string readable = with_stand_ins(stream);
     if (readable.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw Error(file +
-                    ": has more than 2 GiB of text with nan or inf in it, which cannot be read; write it in binary");
+        throw Error(
+            file +
+            ": has more than 2 GiB of text that holds nan or inf, which cannot be read; write the file in binary");
     reader->ReadFromInputStringOn();
     reader->SetBinaryInputString(readable.data(), static_cast<int>(readable.size()));
     return std::make_unique<StandInSource>(file, reader.Get());

@@ -1,4 +1,4 @@
-// LS-DYNA databases: d3plot and its family, or the XML file that names them.
+// LS-DYNA databases: the file family d3plot, d3plot01, d3plot02..., or an XML file that names its members.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/reader_source.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// VTK's reader closes the last file of a family when it meets the end marker, and never opens it again if it is the
-// only one. Seen from here the family has a second, empty one.
+// A temporary directory with a link to the only file of a family, and an empty second file. VTK's reader closes the
+// last file of a family at its end marker, and does not reopen it if it is the only one.
 class PairedFamily {
 public:
     explicit PairedFamily(const fs::path& only) {
@@ -50,18 +50,19 @@ public:
         : ReaderSource("LS-DYNA", file, reader), family_(std::move(family)) {}
 
 private:
-    std::unique_ptr<PairedFamily> family_; // as long as the reader reads
+    std::unique_ptr<PairedFamily> family_; // must exist while the reader reads
 };
 
 } // namespace
 
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) {
-    const fs::path input = inputs.front(); // d3plot01, d3plot02... follow; an XML file names them
+    // Checks the files whose names begin like the input's; for an XML file, all files in its folder.
+    const fs::path input = inputs.front();
     require_regular_files(input.parent_path(), input.extension() == ".lsdyna" ? "" : input.filename().string());
     auto family = is_alone(inputs.front()) ? std::make_unique<PairedFamily>(inputs.front()) : nullptr;
     vtkNew<vtkLSDynaReader> reader;
     reader->SetFileName(family ? family->first().c_str() : inputs.front().c_str());
-    reader->SetDeformedMesh(1); // the current positions: a moving mesh
+    reader->SetDeformedMesh(1); // current positions, so that the mesh moves
     reader->UpdateInformation();
     for (int i = 0; i < reader->GetNumberOfPointArrays(); ++i) reader->SetPointArrayStatus(i, 1);
     for (int i = 0; i < reader->GetNumberOfSolidArrays(); ++i) reader->SetSolidArrayStatus(i, 1);

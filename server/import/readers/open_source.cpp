@@ -15,7 +15,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Several inputs of one mesh: their blocks side by side, their steps in parallel.
+// Several inputs that are parts of one mesh. Each step has the blocks of all inputs, which must have the same times.
 class SeveralInputs : public Source {
 public:
     SeveralInputs(std::vector<std::unique_ptr<Source>> parts, const std::vector<std::string>& inputs)
@@ -23,7 +23,8 @@ public:
         for (std::size_t i = 1; i < parts_.size(); ++i)
             if (parts_[i]->times() != parts_[0]->times())
                 throw Error(inputs[i] + ": its times differ from those of " + inputs[0] +
-                            "; several inputs are parts of one mesh (a .pvd or .series lists the steps of a series)");
+                            "; several inputs must be parts of one mesh with the same times (list the steps of a "
+                            "series in a .pvd or .series file)");
     }
 
     [[nodiscard]] std::string format() const override { return parts_[0]->format(); }

@@ -9,8 +9,8 @@
 
 namespace ciel::importer {
 
-// Finds the reader (formats.cpp has the table). One input, or several: parts of one mesh, except for PLOT3D where they
-// are the grid and its solution. Throws Error when an input is missing, of no known format, or cannot be read.
+// Opens inputs with the reader for their format (formats.cpp). Several inputs are parts of one mesh; PLOT3D inputs are
+// a grid and its solutions. Throws Error when an input is missing, of no known format, or cannot be read.
 [[nodiscard]] std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, const SourceOptions& options);
 
 } // namespace ciel::importer

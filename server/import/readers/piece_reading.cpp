@@ -13,7 +13,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Of data sets, which all can be partitions; else of trees, which stay blocks.
+// Returns a partitioned data set if all pieces are data sets, else a multi-block data set.
 vtkSmartPointer<vtkDataObject> together(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces,
                                         const std::vector<std::string>& names) {
     vtkNew<vtkPartitionedDataSet> partitions;
@@ -53,7 +53,7 @@ read_pieces(std::size_t count,
             lost.push_back(std::string("A piece could not be read and was left out: ") + error.what());
         }
     }
-    if (pieces.empty()) throw Error(first_reason.empty() ? "there are no pieces" : first_reason);
+    if (pieces.empty()) throw Error(first_reason.empty() ? "the file names no pieces" : first_reason);
     return together(pieces, names);
 }
 

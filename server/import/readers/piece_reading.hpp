@@ -1,12 +1,13 @@
-// The pieces of one mesh, read one after the other, for sources that name a file for each.
+// Reads the pieces of one mesh, one after another, for index files that name one file per piece.
 #pragma once
 
 #include "import/source/source.hpp"
 
 namespace ciel::importer {
 
-// A partitioned data set, whose pieces have names where `name` is given. A piece that cannot be read costs that piece:
-// a sentence goes to `lost`. Throws Error, that of the first, where none can be read.
+// Returns a partitioned data set, or a multi-block data set if a piece is not a single data set. `name`: names the
+// pieces; may be empty. Leaves out pieces that cannot be read and adds a sentence for each to `lost`. Throws the first
+// piece's Error if all are left out.
 [[nodiscard]] vtkSmartPointer<vtkDataObject>
 read_pieces(std::size_t count,
             const std::function<vtkSmartPointer<vtkDataObject>(std::size_t piece, const ReadProgress&)>& read,

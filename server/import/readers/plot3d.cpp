@@ -1,4 +1,4 @@
-// PLOT3D: a grid and its solutions (one per time step). How the files are laid out is found by plot3d_layout.
+// PLOT3D: a grid and its solutions, one per time step. parsers/plot3d_layout.hpp finds the layout of the files.
 #include "ciel/types.hpp"
 #include "import/parsers/plot3d_layout.hpp"
 #include "import/readers/formats.hpp"
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] std::string file_of(const ArrayName&, std::size_t step) const override {
         return std::filesystem::path(inputs_[std::min(step + 1, inputs_.size() - 1)]).filename().string();
     }
-    // A solution has density, momentum and energy.
+    // VTK's reader computes pressure and velocity from density, momentum and energy, which the solution file has.
     [[nodiscard]] bool is_derived(const ArrayName& array) const override {
         return array.name == "Pressure" || array.name == "Velocity";
     }
@@ -101,7 +101,7 @@ private:
     std::vector<double> times_;
 };
 
-// The grid layouts that the solution agrees with.
+// Returns the grid layouts that match a layout of the solution.
 std::vector<Plot3dLayout> agreeing(std::vector<Plot3dLayout> grids, const std::vector<Plot3dLayout>& solutions) {
     std::erase_if(grids, [&](const Plot3dLayout& grid) {
         return std::none_of(solutions.begin(), solutions.end(),
@@ -117,7 +117,7 @@ std::vector<Plot3dLayout> grid_layouts(const std::string& grid, const std::strin
                 ": its size does not fit its dimensions");
 }
 
-// The first grid layout that every solution agrees with.
+// Returns the first grid layout that matches all solutions.
 Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     std::vector<Plot3dLayout> grids = grid_layouts(inputs[0], words);
     for (std::size_t i = 1; i < inputs.size(); ++i) {
@@ -131,7 +131,8 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     return grids.front();
 }
 
-// What lies beside a grid that was named alone, and its note. "a.q" and "a.Q" would be a guess.
+// Appends the solution that lies beside a grid, and returns a note. Of two candidates, such as "a.q" and "a.Q", neither
+// is appended.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
     for (const auto& file : importing::plot3d_solutions(inputs[0])) beside.push_back(file.string());
@@ -139,15 +140,17 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     const std::string name = std::filesystem::path(beside[0]).filename().string();
     if (beside.size() > 1)
         return "Two solutions lie beside the grid, " + name + " and " +
-               std::filesystem::path(beside[1]).filename().string() + "; neither was read: name the one that belongs.";
+               std::filesystem::path(beside[1]).filename().string() +
+               "; neither was read. Name the solution of the grid as an input.";
     if (agreeing(grid_layouts(inputs[0], words), layouts_of(beside[0], Plot3dKind::solution)).empty())
-        return name + " lies beside the grid but does not belong to it (dimensions or byte order differ); it was not "
-                      "read.";
+        return name + " lies beside the grid but was not read, because its dimensions or its byte order differ from "
+                      "those of the grid.";
     inputs.push_back(beside[0]);
     return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
-// The same for a solution that was named alone.
+// Prepends the grid that lies beside a solution, and returns a note; empty if the input is not a lone solution or has
+// no grid beside it.
 std::string take_grid_beside(Inputs& inputs) {
     if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
     const std::filesystem::path grid = importing::plot3d_grid(inputs[0]);

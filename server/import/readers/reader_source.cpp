@@ -18,7 +18,7 @@ namespace ciel::importer {
 
 namespace {
 
-// VTK's pipeline is not exception safe: what a progress callback throws is kept until Update has returned.
+// Keeps the exception of a progress callback until Update has returned, because VTK's pipeline is not exception safe.
 struct Watch {
     const ReadProgress& progress;
     std::exception_ptr thrown;
@@ -52,7 +52,8 @@ ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer
     }
     if (times_.empty()) times_ = {0.0};
     if (list_arrays) arrays_ = list_arrays();
-    if (!std::is_sorted(times_.begin(), times_.end())) throw Error(file_ + ": its time steps are not in order");
+    if (!std::is_sorted(times_.begin(), times_.end()))
+        throw Error(file_ + ": its time steps are not in ascending order");
 }
 
 vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadProgress& progress) {
@@ -70,7 +71,7 @@ vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadPr
     throw_vtk_errors(file_);
 
     vtkDataObject* output = reader_->GetOutputDataObject(0);
-    if (output == nullptr) throw Error(file_ + ": the reader gave nothing");
+    if (output == nullptr) throw Error(file_ + ": VTK's reader returned no data");
     return kept(*output);
 }
 
@@ -81,7 +82,7 @@ std::string ReaderSource::file_of(const ArrayName&, std::size_t) const {
 vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output) {
     vtkSmartPointer<vtkDataObject> copy = vtk::TakeSmartPointer(output.NewInstance());
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-    // There ShallowCopy shares the pieces of a tree.
+    // Before VTK 9.3, the ShallowCopy of a tree shares the tree's leaves.
     if (auto* tree = vtkDataObjectTree::SafeDownCast(copy)) {
         tree->RecursiveShallowCopy(&output);
         return copy;

@@ -1,4 +1,4 @@
-// A Source over one VTK reader: most formats need no more.
+// A Source that wraps one VTK reader. Most formats need nothing else.
 #pragma once
 
 #include "import/source/source.hpp"
@@ -11,9 +11,8 @@ class ReaderSource : public Source {
 public:
     using ListArrays = std::function<std::vector<ArrayName>()>;
 
-    // `reader` has its file name set; `file` is named in errors. Reads the information of the file. `list_arrays` asks
-    // the reader after that; none: it cannot tell, or not under the names that its output has. `most_steps`: later ones
-    // are not there.
+    // `reader` must have its file name; `file` is named in errors. Calls UpdateInformation, then `list_arrays`, which
+    // is null if the reader cannot list arrays by the names in its output. `most_steps`: later steps are ignored.
     ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
                  const ListArrays& list_arrays = nullptr, std::uint64_t most_steps = ~std::uint64_t{0});
 
@@ -31,10 +30,10 @@ private:
     std::optional<std::vector<ArrayName>> arrays_;
 };
 
-// A copy that keeps the arrays of a reader's output: the reader writes its next step into the same object.
+// Returns a shallow copy of a reader's output, because the reader writes its next step into the same object.
 [[nodiscard]] vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output);
 
-// For ListArrays: most readers offer their arrays by these functions.
+// Lists the arrays of a reader that has GetNumberOfPointArrays and similar functions, as most readers do.
 template <typename Reader>
 std::vector<ArrayName> arrays_of(Reader& reader) {
     std::vector<ArrayName> arrays;

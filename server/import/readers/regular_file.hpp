@@ -1,4 +1,4 @@
-// What a reader is about to open: a pipe, a socket or a device among it would make it wait for ever.
+// Refuses pipes, sockets and devices before a reader opens them: opening one could block forever.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,13 @@
 
 namespace ciel::importer {
 
-// Throws Error naming the file where it is there and is neither a regular file nor a directory. Does not open it.
+// Throws Error naming the file if it exists and is neither a regular file nor a directory. Does not open it.
 void require_regular(const std::filesystem::path& file);
 
-// The same for all in a directory, but not in those below. Nothing where there is no such directory.
+// Calls require_regular for the entries of a directory, but not of its subdirectories. The directory need not exist.
 void require_regular_files(const std::filesystem::path& directory);
 
-// The same for those whose names begin in this way.
+// Calls require_regular for the entries of a directory whose names start with `beginning`.
 void require_regular_files(const std::filesystem::path& directory, std::string_view beginning);
 
 } // namespace ciel::importer

@@ -16,7 +16,7 @@ namespace ciel::importer {
 namespace {
 
 std::mutex reported_mutex;
-std::string reported; // the first error: later ones follow from it
+std::string reported; // the first error; later ones are consequences of it
 
 // "ERROR: In FILE, line N\nvtkSomeReader (0x...): message\n\n" -> "message (vtkSomeReader)"
 std::string sentence(const std::string& text) {

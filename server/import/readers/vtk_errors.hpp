@@ -1,4 +1,4 @@
-// VTK reports errors to a global window and goes on with less data than the file has. Here they become exceptions.
+// Turns VTK's errors into exceptions. VTK only reports errors to a global window and continues with incomplete data.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace ciel::importer {
 
-// Installs the window that keeps what VTK reports instead of printing it. Call once, before any reader is made.
+// Installs a window that stores VTK's errors instead of printing them. Call once, before any reader is made.
 void capture_vtk_errors();
 
-// Throws Error naming `file` with the first error reported since the last call, if there was one; bad_alloc when
-// it was about memory.
+// Throws Error, naming `file`, with the first VTK error since the last call. Throws std::bad_alloc for a failed
+// allocation. Returns if there was no error.
 void throw_vtk_errors(const std::string& file);
 
-// Drops what was reported so far (a probe that is expected to fail).
+// Discards the stored error, for a probe that is expected to fail.
 void forget_vtk_errors();
 
 } // namespace ciel::importer

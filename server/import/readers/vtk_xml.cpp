@@ -1,4 +1,4 @@
-// VTK's XML files: the reader follows from the type in the first element, whatever the extension says.
+// VTK's XML files. The type in the first element selects the reader; the extension does not matter.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/piece_reading.hpp"
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkXMLReader> make() {
 
 struct XmlType {
     std::string_view type;
-    bool composite; // names the files that hold the data: its own arrays are none
+    bool composite; // an index of other files: its reader lists no arrays
     vtkSmartPointer<vtkXMLReader> (*make)();
 };
 constexpr XmlType xml_types[] = {
@@ -58,15 +58,15 @@ std::string type_in(const std::string& file) {
     return std::regex_search(head, match, element) ? match[1].str() : "";
 }
 
-// The files that an index of pieces or blocks names, and those that these name.
+// Calls require_regular for the files that an index of pieces or blocks names, and recursively for those they name.
 void require_regular_references(const std::filesystem::path& file, const std::string& type, int depth = 0) {
     constexpr std::uintmax_t most_bytes = 256U << 20;
-    constexpr int deepest = 8; // an index that names itself
+    constexpr int deepest = 8; // ends the recursion for an index that names itself
     const bool is_index = type.starts_with("P") || type.starts_with("vtk");
     std::error_code missing;
     if (!is_index || depth > deepest || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
     pugi::xml_document document;
-    if (!document.load_file(file.c_str())) return; // the reader tells
+    if (!document.load_file(file.c_str())) return; // VTK's reader reports malformed XML
     for (const auto& found : document.select_nodes("//@Source | //@file")) {
         const std::filesystem::path named = file.parent_path() / found.attribute().value();
         require_regular(named);
@@ -75,7 +75,8 @@ void require_regular_references(const std::filesystem::path& file, const std::st
     }
 }
 
-// A mesh in several files. VTK's own reader puts them into one grid, in which nobody can tell the pieces.
+// Reads the pieces of a PVTU separately, so that they can be joined along their cuts. VTK's reader would append them to
+// one grid without marking the pieces.
 class PiecesSource : public ReaderSource {
 public:
     PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)
@@ -84,7 +85,8 @@ public:
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         lost_.clear();
-        if (times().size() > 1) return ReaderSource::read(step, progress); // of files with steps inside, which are rare
+        // Rare pieces with several steps are left to VTK's reader.
+        if (times().size() > 1) return ReaderSource::read(step, progress);
         const auto read_piece = [&](std::size_t i, const ReadProgress& of_piece) {
             return open_vtk_xml({pieces_[i]}, {})->read(0, of_piece);
         };

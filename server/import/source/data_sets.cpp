@@ -24,21 +24,21 @@ namespace ciel::importer {
 
 namespace {
 
-// Parents of what names parts of the mesh again: OpenFOAM's zones, Exodus' sets.
+// Parent blocks of zones, which are copies of cells of the mesh: OpenFOAM's and Exodus' names.
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
-constexpr std::string_view face_zones = "faceZones"; // carry the values of the cells behind them
+constexpr std::string_view face_zones = "faceZones"; // parent block of surfaces with the values of the cells behind
 
-// What readers put between a region or zone and what it holds: no part of a name.
+// Container blocks that readers insert. They are left out of a data set's name.
 constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",
                                            "Patches",  "Side Sets", "Element Blocks", "Element Sets"};
-constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // named by what they are the inside of
+constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // these take the name of their parent block
 
 struct Leaf {
     std::vector<std::string> path;
     vtkSmartPointer<vtkDataSet> data;
     int dimension = 0;
     int whole = -1;
-    bool has_name = true; // of its own
+    bool has_name = true; // false: an unnamed piece
 };
 
 int dimension_of(vtkUnstructuredGrid* grid) {
@@ -101,12 +101,12 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
         for (unsigned i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
             walk_child(collection->GetPartitionedDataSet(i),
                        collection->HasMetaData(i) != 0 ? collection->GetMetaData(i) : nullptr, i, path, leaves);
-    } else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data)) { // multi-piece data sets too
+    } else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(data)) { // or its subclass vtkMultiPieceDataSet
         walk_pieces(pieces, path, leaves);
     }
 }
 
-// A piece without a name is called as the whole.
+// Appends the data sets of all pieces to `leaves`. Unnamed pieces get the path of their whole.
 void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
     const auto first = static_cast<std::ptrdiff_t>(leaves.size());
     for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
@@ -138,7 +138,7 @@ bool is_one_of(const std::string& name, const std::string_view (&names)[n]) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Its own name and those of its parents that say something.
+// Returns the names of the leaf's parents, without containers, and its own name, outermost first.
 std::vector<std::string> names_of(const Leaf& leaf) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i + 1 < leaf.path.size(); ++i)
@@ -157,7 +157,7 @@ std::string joined(const std::vector<std::string>& names, std::size_t depth) {
     return name;
 }
 
-// Pieces of one whole that have no names of their own.
+// True for two unnamed pieces of one whole.
 bool share_a_name(const Leaf& a, const Leaf& b) {
     return a.whole >= 0 && a.whole == b.whole && !a.has_name && !b.has_name;
 }

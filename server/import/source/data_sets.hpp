@@ -1,4 +1,4 @@
-// What a reader gave, flattened: the data sets that hold cells, with names.
+// A reader's output as flat lists of named data sets.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -16,12 +16,12 @@ namespace ciel::importer {
 struct DataSet {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
-    bool own_values = true; // of a surface: its arrays say more than the cells behind it
-    int whole = -1;         // pieces of one mesh have the same one; -1: a mesh of its own
+    bool own_values = true; // false for a surface whose values are copies of the cells behind it
+    int whole = -1;         // pieces of one mesh have the same number; -1: not a piece
     store::PatchFacts facts = {};
 };
 
-using PointPairs = std::vector<std::pair<Index, Index>>; // running points (joined_mesh.hpp)
+using PointPairs = std::vector<std::pair<Index, Index>>; // pairs of running point ids (joined_mesh.hpp)
 
 struct RunningCounts {
     Index points = 0, cells = 0;
@@ -29,25 +29,25 @@ struct RunningCounts {
 
 struct NamedCells {
     std::string name;
-    std::vector<Index> cells; // running
+    std::vector<Index> cells; // running ids
 };
 
 struct DataSets {
     std::vector<DataSet> volumes;        // hold at least one cell of dimension 3 (and maybe others)
-    std::vector<DataSet> surfaces;       // only cells of dimension 2: patches, side sets
-    std::vector<DataSet> zones;          // copies of cells that the volumes have, under a name
-    std::vector<NamedCells> named_cells; // the same by their ids
+    std::vector<DataSet> surfaces;       // hold cells of dimension 2 and none of 3: patches, side sets
+    std::vector<DataSet> zones;          // named copies of cells of the volumes
+    std::vector<NamedCells> named_cells; // zones given by cell ids
 
-    // Where a mesh was cut and the source knows along what: points that are one, faces that lie between two pieces, and
-    // faces whose other side is missing.
+    // Cuts that the source knows (OpenFOAM's processor patches): points to join, number of faces between two pieces,
+    // and number of faces whose other side is missing.
     PointPairs same_points;
     std::uint64_t joined_faces = 0, single_faces = 0;
 };
 
-// Empty data sets and those of points and lines are left out. Names are unique: a data set's own name, with its
-// parents' where that is not enough; but pieces without a name of their own have that of their whole.
+// Leaves out data sets without cells of dimension 2 or 3. Equal names are made unique by the names of parent blocks,
+// then by a number. Unnamed pieces share the name of their whole.
 [[nodiscard]] DataSets collect_data_sets(vtkDataObject* data);
-// Throws Error where there is nothing to cut.
+// Throws Error if there are no volumes.
 void require_volumes(const DataSets& data_sets);
 
 } // namespace ciel::importer

@@ -48,7 +48,7 @@ std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes
     if (array->HasAComponentName())
         if (std::vector<std::string> names = given_names(array); !names.empty()) return names;
     if (attributes->GetTensors() != array) return {};
-    if (components == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"}; // vtkDataSetAttributes::TENSORS
+    if (components == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"}; // VTK's order for symmetric tensors
     return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 }
 

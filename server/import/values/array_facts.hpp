@@ -1,4 +1,4 @@
-// What a file says of an array besides its values: the type of its numbers, the names of a tensor's components.
+// Metadata of an array: the type of its numbers and the names of a tensor's components.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace ciel::importer {
 
-// "float64", "int32".
+// Returns the type of the array's numbers, such as "float64" or "int32".
 [[nodiscard]] std::string type_name(vtkDataArray* array);
 
-// "xx", "xy"... in the order of the file, where it says that an array of six or nine components is a tensor: by their
-// names, or as one of VTK's attributes. Else empty.
+// Returns "xx", "xy"... in file order for a tensor, else nothing. A tensor has six or nine components, and either such
+// component names or VTK's attribute TENSORS.
 [[nodiscard]] std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes, vtkDataArray* array);
 
 } // namespace ciel::importer

@@ -1,5 +1,5 @@
-// Which components each array has at each step. Where steps differ, what most steps have is the array's, whichever
-// comes first: the first step may be the bad one.
+// Chooses the components of each array. If steps differ, the components that most steps have are chosen, not those of
+// the first step, which may be the faulty one.
 #pragma once
 
 #include <map>
@@ -11,17 +11,18 @@ using ComponentsOf = std::map<std::string, std::string>; // name in the dataset 
 
 class FieldComponents {
 public:
-    // `chosen`: what an earlier look at all steps has come to, or nothing.
+    // `chosen`: the result of an earlier pass over all steps, or empty.
     explicit FieldComponents(ComponentsOf chosen = {}) : chosen_(std::move(chosen)) {}
 
-    // Whether the array is taken at this step: it has what was chosen, or what the first step with it has.
+    // Returns whether the array's components at this step are the chosen ones. Without an earlier pass, the first step
+    // with the array chooses.
     [[nodiscard]] bool accept(const std::string& array, const std::string& components) {
         ++steps_[array][components];
         return chosen_.try_emplace(array, components).first->second == components;
     }
     [[nodiscard]] const std::string& chosen(const std::string& array) const { return chosen_.at(array); }
 
-    // What most steps have; of as many what was chosen.
+    // Returns the components that most steps have, per array. In a tie, the chosen ones are kept.
     [[nodiscard]] ComponentsOf of_most_steps() const {
         ComponentsOf most = chosen_;
         for (const auto& [array, steps] : steps_)
@@ -35,7 +36,7 @@ public:
 
 private:
     ComponentsOf chosen_;
-    std::map<std::string, std::map<std::string, std::size_t>> steps_; // array -> components -> at how many steps
+    std::map<std::string, std::map<std::string, std::size_t>> steps_; // array -> components -> number of steps
 };
 
 } // namespace ciel::importer

@@ -36,12 +36,12 @@ std::string name_of(const vtkAbstractArray* array) {
     return name == nullptr ? "" : name;
 }
 
-using Found = std::map<std::string, std::vector<FieldName>>; // by name, one for each part that has it
+using Found = std::map<std::string, std::vector<FieldName>>; // array name -> its description in each part that has it
 
 void collect(const JoinedMesh::Member& part, FieldOf of, Found& found) {
     vtkDataSetAttributes* data = attributes(part.data, of);
     for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
-        vtkDataArray* array = data->GetArray(i); // null for text
+        vtkDataArray* array = data->GetArray(i); // null for an array of text
         if (array == nullptr) continue;
         const std::string name = name_of(array);
         if (name.empty() || is_bookkeeping(name) || array == solver_id_array(part.data, of)) continue;
@@ -57,7 +57,7 @@ bool have_equal_components(const std::vector<FieldName>& fields) {
     return std::ranges::all_of(fields, [&](const FieldName& field) { return components_text(field) == first; });
 }
 
-// wanted[i] is own[result[i]]; nothing where they are in one order, or are not the same names.
+// Returns p with wanted[i] == own[p[i]]. Empty if both lists are equal, or do not have the same names.
 std::vector<std::size_t> permutation(const std::vector<std::string>& own, const std::vector<std::string>& wanted) {
     if (own == wanted || !std::ranges::is_permutation(own, wanted)) return {};
     std::vector<std::size_t> from;
@@ -114,7 +114,7 @@ std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Member>& 
             for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
                 const std::string name = name_of(data->GetAbstractArray(i));
                 nameless = nameless || name.empty();
-                if (data->GetAbstractArray(i) == solver_id_array(part.data, of)) continue; // kept as ids
+                if (data->GetAbstractArray(i) == solver_id_array(part.data, of)) continue; // stored as solver ids
                 if (is_bookkeeping(name))
                     flags.insert(name);
                 else if (data->GetArray(i) == nullptr && !name.empty())
@@ -151,7 +151,7 @@ std::vector<float> array_values(vtkDataSet* data, const FieldName& field) {
     vtkDataArray* array = attributes(data, field.of)->GetArray(field.name.c_str());
     if (array == nullptr || array->GetNumberOfComponents() != field.components) return {};
     vtkNew<vtkFloatArray> floats;
-    floats->DeepCopy(array); // converts
+    floats->DeepCopy(array); // converts to float
     const float* begin = floats->GetPointer(0);
     std::vector<float> values(begin, begin + floats->GetNumberOfValues());
     if (!field.component_names.empty())

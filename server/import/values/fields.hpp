@@ -9,27 +9,30 @@ namespace ciel::importer {
 
 struct FieldName : ArrayName {
     int components = 1;
-    std::vector<std::string> component_names{}; // of a tensor (array_facts.hpp)
-    std::string type{};                         // of the numbers in the file
+    std::vector<std::string> component_names{}; // tensor_component_names() of the array
+    std::string type{};                         // type_name() of the array, such as "float64"
 };
 
-// What the blocks offer, sorted by name. Ghost levels, ids and blanking are bookkeeping, not fields; arrays whose
-// components differ between blocks, and those of text, are left out.
+// Returns the point arrays of all blocks, then the cell arrays, each sorted by name. Leaves out ghost flags, ids,
+// blanking, text, and arrays whose components differ between blocks.
 [[nodiscard]] std::vector<FieldName> field_names(const std::vector<JoinedMesh::Member>& parts);
-[[nodiscard]] std::vector<FieldName> field_names(const DataSets& data_sets); // of the volumes
+[[nodiscard]] std::vector<FieldName> field_names(const DataSets& data_sets); // of data_sets.volumes
 
-// Sentences on what the blocks have and field_names leaves out.
+// Returns sentences on flags, ids, text, field data and unnamed arrays, which are left out.
 [[nodiscard]] std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Member>& parts);
-// The same on arrays that should be in the dataset.
+// Returns a sentence on arrays that are left out because their components differ between blocks.
 [[nodiscard]] std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Member>& parts);
 
-// components values per running point or cell. Blocks that lack the array give store::no_value.
+// Returns field.components values per running point or cell; store::no_value in blocks without the array. Throws Error
+// if a block's array has a wrong size.
 [[nodiscard]] std::vector<float> gather_field(const std::vector<JoinedMesh::Member>& parts, const FieldName& field);
 
-// "3 components", "6 components (xx, xy, xz, yy, yz, zz)": what has to be the same wherever an array is.
+// Returns text such as "3 components" or "6 components (xx, xy, xz, yy, yz, zz)". It must be the same for an array in
+// all blocks and at all steps.
 [[nodiscard]] std::string components_text(const FieldName& field);
 
-// The same for one array of one data set, as floats; a tensor's components in the order of `field`.
+// Returns the values of one array of one data set as floats, a tensor's components in the order of `field`. Empty if
+// the array is missing or has another number of components.
 [[nodiscard]] std::vector<float> array_values(vtkDataSet* data, const FieldName& field);
 
 } // namespace ciel::importer

@@ -1,4 +1,4 @@
-// What the solver has on the faces of patches, in the order in which a dataset keeps values of the boundary's faces.
+// The solver's values on the faces of patches, in the order of a dataset's boundary faces.
 #pragma once
 
 #include "import/mesh/patches.hpp"
@@ -10,16 +10,17 @@ class PatchFaces {
 public:
     PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // components values per boundary face; store::no_value where no patch has any. Empty where none has.
+    // Returns `components` values per boundary face; store::no_value on faces without values. Empty if no patch has
+    // values.
     [[nodiscard]] std::vector<float> values(const std::vector<PatchValues>& of_patches, int components) const;
 
 private:
     struct Entry {
-        Index number;     // of the boundary face
-        std::size_t cell; // of the patch's surface
+        Index number;     // index among the boundary faces
+        std::size_t cell; // cell id in the patch's surface
     };
     std::vector<std::vector<Entry>> entries_; // per patch
-    std::size_t count_ = 0;                   // of all boundary faces
+    std::size_t count_ = 0;                   // number of boundary faces
 };
 
 } // namespace ciel::importer

@@ -13,13 +13,14 @@ namespace ciel::importer {
 
 namespace {
 
-struct Around { // of one vertex
+struct Around { // the patch's faces around one vertex
     std::vector<std::size_t> faces;
     LeftOutDirections normals, borders;
     double area = 0;
 };
 
-// Where the patch ends, its faces lie on one side of the border: nothing can be exact across it.
+// Adds the directions across the patch's border. Faces lie only on one side of the border, so weights cannot be exact
+// across it.
 void add_borders(const FaceMeshView& mesh, const std::vector<Index>& faces, const std::vector<Vec3d>& areas,
                  std::map<Index, Around>& around) {
     struct Side {
@@ -55,7 +56,7 @@ PatchWeights weigh_patch(const FaceMeshView& mesh, const std::vector<Index>& fac
         const FaceShape shape = face_shape(mesh, loop.unchecked());
         centres.push_back(shape.centre);
         areas.push_back(shape.area);
-        // A face without area still has a say where there is no other.
+        // Never 0, so that a vertex with only zero-area faces also gets a value.
         const double area = std::max(std::sqrt(dot(shape.area, shape.area)), std::numeric_limits<double>::min());
         for (const Index vertex : loop) {
             Around& here = around[vertex];

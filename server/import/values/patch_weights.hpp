@@ -1,4 +1,4 @@
-// How much each face of a patch says about its vertices: weights that are exact for fields linear along the patch.
+// Weights that interpolate from a patch's faces to its vertices, exact for fields that are linear along the patch.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -8,15 +8,15 @@
 namespace ciel::importer {
 
 struct PatchWeight {
-    Index vertex = 0;     // stored
+    Index vertex = 0;     // stored id
     std::size_t face = 0; // index into the patch's faces
-    double weight = 0;    // of one vertex: sum 1
+    double weight = 0;    // the weights of a vertex sum to 1
 };
 
 struct PatchVertex {
-    Index vertex = 0;           // stored
-    double area = 0;            // of the patch's faces around it; never 0
-    std::vector<Vec3d> normals; // of these faces: orthogonal, of length 1, several where the patch has an edge there
+    Index vertex = 0;           // stored id
+    double area = 0;            // sum over the patch's faces around the vertex; never 0
+    std::vector<Vec3d> normals; // orthogonal unit normals of the faces around it; several at an edge
 };
 
 struct PatchWeights {
@@ -24,7 +24,7 @@ struct PatchWeights {
     std::vector<PatchVertex> vertices;
 };
 
-// `faces` of the mesh make the patch.
+// `faces`: stored ids of the patch's faces.
 [[nodiscard]] PatchWeights weigh_patch(const FaceMeshView& mesh, const std::vector<Index>& faces);
 
 } // namespace ciel::importer

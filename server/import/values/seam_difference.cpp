@@ -10,7 +10,7 @@
 namespace ciel::importer {
 namespace {
 
-// Of a field's range: what is left of a copied value after a file's rounding.
+// Share of a field's range. Two copies of a value differ by less after the rounding of a file.
 constexpr double field_tolerance = 1e-4;
 
 bool values_differ(const std::vector<float>& values, std::size_t width, const std::vector<Seam>& seams) {

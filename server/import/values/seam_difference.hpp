@@ -1,11 +1,11 @@
-// Whether the two sides of welded seams still agree at another time.
+// Compares the two sides of seams, before welding and again at each step.
 #pragma once
 
 #include "import/mesh/welds.hpp"
 
 namespace ciel::importer {
 
-// What the two sides of a seam differ in at this time: the name of a point field, or "position". Empty when they agree.
+// Returns what differs between the two sides of a seam: "position" or the name of a point field. Empty if all agree.
 [[nodiscard]] std::string difference_across(const std::vector<Seam>& seams,
                                             const std::vector<JoinedMesh::Member>& parts);
 

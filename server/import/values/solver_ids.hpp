@@ -6,11 +6,11 @@
 
 namespace ciel::importer {
 
-// The array of numbers that a data set has for its points or cells: the one that VTK marks as global ids, or of that
-// name, else the pedigree ids. Null where there is none of whole numbers.
+// Returns the data set's ids of points or cells: VTK's global ids or GlobalNodeId/GlobalElementId, else the pedigree
+// ids. Null if none of these holds integers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
-// By running id; -1 where a block has none. Empty where no block has any.
+// Returns the solver's id per running point or cell; -1 in blocks without ids. Empty if no block has ids.
 [[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& parts, FieldOf of);
 
 } // namespace ciel::importer

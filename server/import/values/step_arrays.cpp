@@ -8,7 +8,8 @@ namespace ciel::importer {
 
 namespace {
 
-// By the patch's condition for the field, else by its type (OpenFOAM User Guide, "Boundary conditions").
+// Returns the role by the patch's condition for the field, else by the patch's type (OpenFOAM User Guide, "Boundary
+// conditions").
 PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
     constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
@@ -20,7 +21,7 @@ PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
 }
 
-// Patches at rest in a flow that moves: zero on every face, in a vector that is not zero everywhere.
+// Marks no-slip walls: patches on which a vector is zero on every face, although it is not zero in all cells.
 std::vector<bool> find_no_slip(const StepMesh& mesh, const DataSets& data_sets, const std::vector<FieldName>& fields) {
     std::vector<bool> no_slip(mesh.patches.size(), false);
     for (const FieldName& field : fields) {
@@ -62,7 +63,7 @@ std::vector<PatchRole> patch_roles(const StepMesh& mesh, const DataSets& data_se
 
 } // namespace
 
-// A file that says what a patch is should say what each field does there, too.
+// Adds a note on patches for which the field's files name no boundary condition.
 void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
     std::string names;
     for (const Patch& patch : mesh.patches) {
@@ -74,14 +75,15 @@ void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& d
     }
     if (!names.empty())
         notes_.insert("The files of " + field.name + " name no boundary condition on " + names +
-                      ": the values of the cells behind were taken.");
+                      ": the faces have the values of their cells.");
 }
 
 store::Origin StepArrays::origin_of(const FieldName& field) const {
     return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
 }
 
-// An array has the same components at all steps, and a tensor's in the order of the first.
+// Returns false, and adds a loss, if the array does not have the chosen components at this step. Gives a tensor the
+// component order of the first step.
 bool StepArrays::accept(FieldName& field, const std::string& stored) {
     const std::string components = components_text(field);
     if (components_.accept(stored, components)) {
@@ -89,8 +91,8 @@ bool StepArrays::accept(FieldName& field, const std::string& stored) {
         return true;
     }
     std::ostringstream sentence;
-    sentence << "The array " << stored << " has " << components << " at time " << source_.times()[step_]
-             << " where it has " << components_.chosen(stored) << " at other times: it was left out there.";
+    sentence << "The array " << stored << " has " << components << " at time " << source_.times()[step_] << " and "
+             << components_.chosen(stored) << " at other times: it was left out at that time.";
     lost_.insert(sentence.str());
     return false;
 }
@@ -114,7 +116,7 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets,
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
-    // At other steps the file may have values of points under this name.
+    // accept() may refuse: at other steps a point array of this name may have other components.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
@@ -158,7 +160,7 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
         selection_.saw(field);
         if (!selection_.wants(name, cell)) continue;
         if (!taken.insert((cell ? "cell:" : "") + name).second) {
-            notes_.insert("Two arrays are both called " + name + " here; the first was kept.");
+            notes_.insert("Two arrays have the name " + name + "; the first was kept.");
             continue;
         }
         if (!accept(field, (cell ? "cell:" : "") + name)) continue;

@@ -1,5 +1,5 @@
-// The arrays of one step in stored order, named as in the dataset: point data as it came, cell data as "cell:NAME",
-// point data made from cell data, and what patches have on their faces as "patch:NAME".
+// Makes the arrays of one step in stored order: point arrays, cell arrays ("cell:NAME"), point arrays interpolated from
+// cell arrays, and values on patch faces ("patch:NAME").
 #pragma once
 
 #include "ciel/point_interpolation.hpp"
@@ -17,7 +17,7 @@
 
 namespace ciel::importer {
 
-// Made once per mesh and coordinates, when first needed.
+// Interpolates from cells and patches to points. Made when first needed; valid for one mesh and one set of coordinates.
 struct PointMaker {
     PointInterpolation interpolation;
     WallValues walls;
@@ -26,17 +26,17 @@ struct PointMaker {
 
 class StepArrays {
 public:
-    // Arrays of no interest to `selection` are left out, and all are shown to it.
+    // Leaves out arrays that `selection` does not want, and calls selection.saw() for all arrays.
     StepArrays(ArraySelection& selection, const Source& source, FieldComponents components)
         : selection_(selection), source_(source), units_(source.units()), components_(std::move(components)) {}
 
-    // Of the step that the source has read last. Valid until the next call.
+    // Returns the arrays of the step that the source has read last; valid until the next call. Makes `maker` if needed.
     [[nodiscard]] const std::vector<store::ArrayValues>&
     make(std::size_t step, const StepMesh& mesh, const DataSets& data_sets, std::unique_ptr<PointMaker>& maker);
 
-    // Sentences on what is left out of all steps so far, and on what floats have lost.
+    // Returns sentences on arrays left out of the steps so far, and on values that 32-bit floats change.
     [[nodiscard]] std::vector<std::string> notes() const;
-    // Likewise on what should be in the dataset.
+    // Returns sentences on arrays that should be in the dataset but are not.
     [[nodiscard]] std::vector<std::string> lost() const { return {lost_.begin(), lost_.end()}; }
     [[nodiscard]] const FieldComponents& components() const { return components_; }
 
@@ -53,7 +53,7 @@ private:
     const Source& source_;
     std::map<std::string, std::string> units_;
     FieldComponents components_;
-    std::map<std::string, std::vector<std::string>> order_; // of a tensor's components, by name in the dataset
+    std::map<std::string, std::vector<std::string>> order_; // dataset name -> order of the tensor's components
     std::size_t step_ = 0;
     ValueLoss loss_;
     std::set<std::string> notes_, lost_;

@@ -37,12 +37,13 @@ std::vector<std::string> ValueLoss::notes() const {
     for (const auto& [name, count] : counts_) {
         const std::string of = " of " + std::to_string(count.values) + " values of \"" + name + "\"";
         if (count.equal > 0)
-            notes.push_back(
-                std::to_string(count.equal) + of +
-                " differ from the one before in the input and are equal to it here: values are 32-bit floats.");
+            notes.push_back(std::to_string(count.equal) + of +
+                            " differ from the value before in the input and are equal to it in the dataset, which "
+                            "stores values as 32-bit floats.");
         if (count.integers > 0)
-            notes.push_back(std::to_string(count.integers) + of +
-                            " are integers beyond 16,777,216 that no 32-bit float is equal to; the nearest is kept.");
+            notes.push_back(
+                std::to_string(count.integers) + of +
+                " are integers beyond 16,777,216 that a 32-bit float cannot hold exactly; the nearest float is kept.");
     }
     return notes;
 }

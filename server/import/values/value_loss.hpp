@@ -1,4 +1,4 @@
-// What arrays lose because a dataset holds 32-bit floats. It is counted and said: nobody can see it in a picture.
+// Counts values that change because a dataset stores 32-bit floats. A picture does not show this loss.
 #pragma once
 
 #include "import/values/fields.hpp"
@@ -10,20 +10,20 @@
 
 namespace ciel::importer {
 
-// Of arrays, over all steps.
+// Adds up the counts of each array over all steps.
 class ValueLoss {
 public:
-    // Looks at an array of all parts: neighbours in the input that differ there and are equal here, and integers that
-    // no float is equal to.
+    // Counts, in an array of all parts, values that differ from the previous value in the input but not as floats, and
+    // integers that no float is equal to.
     void look_at(const std::vector<JoinedMesh::Member>& parts, const FieldName& field);
-    // A sentence for each array that lost something.
+    // Returns sentences on the arrays with changed values.
     [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
     struct Count {
         std::uint64_t equal = 0, integers = 0, values = 0;
     };
-    std::map<std::string, Count> counts_; // by name, "cell:" before those of cells
+    std::map<std::string, Count> counts_; // by array name, with the prefix "cell:" for cell arrays
 };
 
 } // namespace ciel::importer

@@ -18,7 +18,7 @@ bool holds_one_value(const std::vector<float>& values, std::size_t width) {
     return true;
 }
 
-// The face of a cell that blew up says nothing of its corners.
+// Whether a face's value is finite. overlay() ignores other values, because the solution has diverged there.
 bool is_finite(const std::vector<float>& values, std::size_t begin, std::size_t width) {
     for (std::size_t i = begin; i < begin + width; ++i)
         if (!std::isfinite(values[i])) return false;
@@ -84,7 +84,8 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
     if (components == 3) put_into_planes(roles, kinds, points);
 }
 
-// What a stronger patch holds fast stays: a wall at rest, an inlet.
+// Makes vectors tangential on patches with the role `plane`, except at vertices of no-slip walls and of patches with a
+// fixed value.
 void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                                  std::span<float> points) const {
     for (std::size_t patch = 0; patch < planes_.size(); ++patch) {

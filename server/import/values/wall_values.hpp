@@ -1,4 +1,4 @@
-// What the patches say about the points on them, which is exact where interpolation from cells is not.
+// Replaces interpolated values at points on patches by the solver's values there, which are more accurate.
 #pragma once
 
 #include "import/mesh/patches.hpp"
@@ -9,14 +9,14 @@
 
 namespace ciel::importer {
 
-// The values of one array on one patch: one tuple per cell of the patch's surface; nothing when it has none.
+// The values of one array on one patch: one tuple per cell of the patch's surface; nullopt if it has none.
 using PatchValues = std::optional<std::vector<float>>;
 
 enum class PatchRole : std::uint8_t {
-    no_slip_wall, // a velocity-like vector is zero on it; the same for all arrays
+    no_slip_wall, // a vector such as the velocity is zero on the patch; the role holds for all arrays
     other,
-    free,  // its values follow from those inside, even where they are all the same
-    plane, // vectors lie in it: slip walls, planes of symmetry
+    free,  // values follow from the interior (zeroGradient), even if they are constant
+    plane, // vectors are tangential: slip walls, planes of symmetry
 };
 
 // A vertex takes the mean over the patch faces around it, with weights that are exact for fields linear along the
@@ -26,16 +26,16 @@ class WallValues {
 public:
     WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // `values` and `roles` per patch; `points`: components values per stored vertex, overwritten on the patches. Three
-    // components are a vector.
+    // `values`, `roles`: one per patch. `points`: `components` values per stored vertex; those on patches with values
+    // are overwritten. Arrays of three components are vectors.
     void overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
                  std::span<float> points) const;
 
 private:
     struct Entry {
         Index vertex;     // index into vertices_
-        std::size_t cell; // of the patch's surface
-        double weight;    // sum over a vertex: the area of the faces around it
+        std::size_t cell; // cell id in the patch's surface
+        double weight;    // the weights of a vertex sum to the area of its patch faces
     };
     struct Plane {
         Index vertex; // index into vertices_
@@ -49,7 +49,7 @@ private:
     std::vector<std::vector<Plane>> planes_;  // per patch
 };
 
-// A patch on which a velocity-like vector is zero everywhere.
+// Returns whether all values are zero and there is at least one.
 [[nodiscard]] bool holds_only_zero(const std::vector<float>& values);
 
 } // namespace ciel::importer

@@ -21,7 +21,7 @@ thread_local Context* current = nullptr;
 } // namespace
 
 ChosenContext make_context(Backend backend) {
-    if (current != nullptr) { // a library may fail to create one while another library's is current
+    if (current != nullptr) { // while a context of one library is current, another library may fail to create one
         current->release();
         current = nullptr;
     }
@@ -39,7 +39,7 @@ ChosenContext make_context(Backend backend) {
             failures.append(name_of(kind.backend)).append(": ").append(error.what());
         }
     }
-    throw Error("no OpenGL 3.3 to draw with: " + failures +
+    throw Error("no OpenGL 3.3 context could be made: " + failures +
                 "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
 }
 

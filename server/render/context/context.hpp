@@ -1,4 +1,4 @@
-// An off-screen OpenGL context without a window: one kind per .cpp.
+// Off-screen OpenGL contexts: one back end per context_*.cpp.
 #pragma once
 
 #include "render/context/backend.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel::render {
 
-// Belongs to the thread that made it. Drawing goes to framebuffer objects: there is no default framebuffer.
+// A context belongs to the thread that created it. It has no default framebuffer to draw to, only framebuffer objects.
 class Context {
 public:
     Context() = default;
@@ -17,16 +17,16 @@ public:
     Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
 
-    // Returns false when the context is lost. It can then only be destroyed.
+    // Returns false when the context is lost. A lost context can only be destroyed.
     [[nodiscard]] virtual bool make_current() = 0;
     virtual void release() = 0;
-    // Loses the context as a reset of the GPU does: make_current fails from now on.
+    // Destroys the GL context, as a GPU reset would: make_current() fails from now on.
     virtual void lose() = 0;
     [[nodiscard]] virtual Gl::Loader loader() const = 0;
-    [[nodiscard]] virtual std::string description() const = 0; // which device, for logs
+    [[nodiscard]] virtual std::string description() const = 0; // names the device, for logs
 };
 
-// Each throws Error with the reason when it cannot create a context.
+// The make functions of the back ends throw Error with the reason when they cannot create a context.
 [[nodiscard]] std::unique_ptr<Context> make_egl_device_context();
 [[nodiscard]] std::unique_ptr<Context> make_egl_surfaceless_context();
 [[nodiscard]] std::unique_ptr<Context> make_osmesa_context();
@@ -36,12 +36,13 @@ struct ChosenContext {
     Backend backend;
     std::string selection; // for logs: the choice, and why earlier back ends failed
 };
-// `automatic` tries them in the order of the enumeration. Throws Error naming each back end tried and why it failed.
+// Creates a context and makes it current. `automatic` tries the back ends in the order of the enumeration. Throws Error
+// naming each back end tried and why it failed.
 [[nodiscard]] ChosenContext make_context(Backend backend);
 
 // Makes `context` current on this thread and releases the previous one, even one of another library. Two libraries
 // that share Mesa's dispatch table must not both have a current context. Returns false when `context` is lost.
 [[nodiscard]] bool make_current(Context& context);
-void forget_current(const Context& context); // call before destroying it
+void forget_current(const Context& context); // call before destroying `context`
 
 } // namespace ciel::render

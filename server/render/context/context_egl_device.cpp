@@ -1,4 +1,4 @@
-// EGL on a device without a window system (EGL_EXT_platform_device): GPUs first.
+// Contexts by EGL on a device, without a window system (EGL_EXT_platform_device). Tries GPUs before software devices.
 #include "ciel/types.hpp"
 #include "render/context/egl.hpp"
 
@@ -36,7 +36,7 @@ std::vector<Device> list_devices(const Egl& egl) {
         if (file != nullptr) name += " (" + std::string(file) + ")";
         devices.push_back({handle, is_software, std::move(name)});
     }
-    // The software device may be listed first.
+    // Puts hardware first: EGL may list the software device before GPUs.
     std::stable_partition(devices.begin(), devices.end(), [](const Device& device) { return !device.is_software; });
     return devices;
 }

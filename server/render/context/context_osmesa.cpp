@@ -71,7 +71,7 @@ std::unique_ptr<Context> make_osmesa_context() {
                                          3,
                                          0};
     OSMesaContext context = library.CreateContextAttribs(attributes.data(), nullptr);
-    if (context == nullptr) throw Error("it makes no OpenGL 3.3 core context");
+    if (context == nullptr) throw Error("OSMesa makes no OpenGL 3.3 core context");
     auto made = std::make_unique<OsMesaContext>(library, context);
     if (!make_current(*made)) throw Error("the context cannot be made current");
     return made;

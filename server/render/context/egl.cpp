@@ -58,7 +58,8 @@ EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config) 
     std::vector<EGLint> attributes{
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    // Requests reports of GPU resets, where the driver has them; software is never reset.
+    // Requests notification of GPU resets. Drivers without it fail here; then a context without notification is
+    // created.
     std::vector<EGLint> robust{EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
                                EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET};
     robust.insert(robust.end(), attributes.begin(), attributes.end());

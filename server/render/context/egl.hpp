@@ -1,4 +1,4 @@
-// Shared by both EGL platforms: the library, and a context without a surface on a display.
+// The EGL library and surfaceless contexts, for both EGL back ends.
 #pragma once
 
 #include "render/context/context.hpp"
@@ -25,13 +25,13 @@ struct Egl {
 
     static const Egl& instance(); // opens the library once; throws Error when it is missing
     [[nodiscard]] bool has_client_extension(std::string_view name) const;
-    [[nodiscard]] std::string last_error() const; // "EGL error 0x3001"
+    [[nodiscard]] std::string last_error() const; // for example "EGL error 0x3001"
 
 private:
     Egl();
 };
 
-[[nodiscard]] bool has_word(const char* words, std::string_view word); // in an extension string, which may be null
+[[nodiscard]] bool has_word(const char* words, std::string_view word); // `words`: an extension string or null
 
 // Creates an OpenGL 3.3 core context on the display. Throws Error when that fails.
 // The display is never terminated: displays are shared, and terminating one would end every context on it.

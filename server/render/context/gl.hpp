@@ -1,5 +1,5 @@
-// Table of the OpenGL 3.3 core functions, from the context's own loader. GL is not linked, so the program starts
-// without it, and contexts of different libraries can coexist.
+// Table of the OpenGL 3.3 core functions, loaded by the context. The program does not link to GL, so it starts on
+// machines without GL, and contexts of different libraries can coexist.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -7,7 +7,7 @@
 
 namespace ciel::render {
 
-// NAME, TYPE of its pointer
+// X(NAME, TYPE) for each function: its name without "gl", and the type of its pointer.
 #define CIEL_GL_FUNCTIONS(X)                                                                                           \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
     X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
@@ -97,7 +97,7 @@ struct Gl {
 #undef CIEL_GL_MEMBER
     PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot report resets
 
-    Pacing* pacing = nullptr; // null: draws and uploads are not divided (pacing.hpp)
+    Pacing* pacing = nullptr; // null: draws and uploads are not divided into pieces (pacing.hpp)
 
     using Loader = std::function<void (*(const char* name))()>;
     // Throws Error naming the first function that is missing.

@@ -15,7 +15,7 @@ public:
     }
 
 private:
-    [[nodiscard]] void* address(const char* symbol) const; // throws Error when it is missing
+    [[nodiscard]] void* address(const char* symbol) const; // throws Error when the symbol is missing
     std::string name_;
     void* handle_;
 };

@@ -8,9 +8,9 @@ namespace ciel::render {
 namespace {
 
 constexpr std::chrono::duration<double> between_waits{0.1}; // a cancelled picture stops after about this time
-constexpr std::size_t first_piece = 1536;                   // indices: whole points, lines and triangles
+constexpr std::size_t first_piece = 1536; // indices; a multiple of 2 and 3, for whole lines and triangles
 constexpr std::size_t most_growth = 4;
-constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes
+constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes per glBufferSubData
 
 void draw_piece(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base) {
     gl.DrawElementsBaseVertex(primitive, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
@@ -37,7 +37,7 @@ void Pacing::pass() {
 }
 
 std::size_t Pacing::piece_of(std::size_t count) const {
-    constexpr std::size_t whole = 6; // indices of whole lines and triangles
+    constexpr std::size_t whole = 6; // indices; a multiple of 2 and 3: pieces have whole lines and triangles
     const std::size_t left = (until_wait_ - drawn_ + whole - 1) / whole * whole;
     return std::min(count, left);
 }

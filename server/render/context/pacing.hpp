@@ -1,6 +1,6 @@
 // Cancels a picture that is no longer wanted. Drawing code calls check_wanted regularly, and divides large draws and
-// uploads into pieces. The GL accepts commands much faster than it executes them, so Pacing waits for it now and then;
-// otherwise the checks would come too early.
+// uploads into pieces. The GL accepts commands much faster than it executes them. So Pacing waits for the GL now and
+// then; without these waits, all checks would come before the GL has drawn anything.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -18,14 +18,14 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // Starts a picture with its Frame::check_wanted. Empty: no check, no wait, no pieces.
-    // begin(), pass() and drawn() pass on what it throws.
+    // Starts a picture with its Frame::check_wanted. If that is empty, there are no checks, waits and pieces. begin(),
+    // pass() and drawn() pass on exceptions of check_wanted.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
-    // Call between two passes. Begins with a small piece again: the next pass may be much slower.
+    // Call between two drawing passes. The next piece is small again, because the next pass may be much slower.
     void pass();
     [[nodiscard]] bool is_asking() const { return static_cast<bool>(check_wanted_); }
-    // Returns how many of `count` indices to draw now. Call drawn() with this number afterwards.
+    // Returns how many of `count` indices to draw now. Call drawn() with this number after drawing them.
     [[nodiscard]] std::size_t piece_of(std::size_t count) const;
     void drawn(std::size_t count);
 
@@ -35,11 +35,11 @@ private:
 
     const Gl& gl_;
     std::function<void()> check_wanted_;
-    Clock::time_point waited_;               // time of the last wait
-    std::size_t drawn_ = 0, until_wait_ = 0; // indices since the last wait
+    Clock::time_point waited_;               // time of the last wait for the GL
+    std::size_t drawn_ = 0, until_wait_ = 0; // indices drawn since the last wait; number at which to wait
 };
 
-// Calls Pacing::pass, if the GL has a pacing.
+// Calls Pacing::pass() if `gl.pacing` is set.
 void next_pass(const Gl& gl);
 
 // Calls work(begin, end) for consecutive pieces of [0, count), a few milliseconds each, and next_pass after each.
@@ -53,10 +53,10 @@ void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     }
 }
 
-// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does; in pieces if the GL's pacing is asking.
-// If cancelled, the buffer holds only a part of the data.
+// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does. Uploads in pieces while
+// Pacing::is_asking(). If cancelled, the buffer holds only a part of the data.
 void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data);
-// Draws as glDrawElementsBaseVertex does, with indices of type Index; in pieces if the GL's pacing is asking.
+// Draws as glDrawElementsBaseVertex does, with indices of type Index. Draws in pieces while Pacing::is_asking().
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base = 0);
 
 // Occlusion query: whether any sample drawn during its lifetime passes the depth test.

@@ -14,11 +14,11 @@
 
 namespace ciel::render {
 
-// Vertex shader: one triangle that covers the picture.
+// Vertex shader of one triangle that covers the whole viewport; needs no attributes.
 extern const char* const cover_vertex;
 
-using Stage = std::pair<GLenum, std::string>; // kind and source of a shader
-// Throws Error with the compiler's message.
+using Stage = std::pair<GLenum, std::string>; // kind and source text of a shader
+// Links a program from shaders. Throws Error with the compiler's or the linker's message.
 [[nodiscard]] GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages);
 
 class ShaderProgram {
@@ -47,9 +47,9 @@ private:
     GLuint id_ = 0;
 };
 
-// Each throws Error with the compiler's message.
+// The make functions throw Error with the compiler's or the linker's message.
 [[nodiscard]] ShaderProgram make_shader_program(const Gl& gl, const std::string& vertex, const std::string& fragment);
-// Runs for every pixel of the picture: call DrawArrays with three vertices and no attributes.
+// The program runs `fragment` for every pixel of the viewport: call glDrawArrays with three vertices and no attributes.
 [[nodiscard]] ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment);
 
 } // namespace ciel::render

@@ -15,7 +15,7 @@ struct VertexArrays { // names of GL objects, which live as long as their contex
 struct VertexMember {
     GLuint attribute = 0;
     int components = 1;
-    std::size_t offset = 0; // in the struct, bytes
+    std::size_t offset = 0; // of the member in the vertex struct, in bytes
 };
 
 [[nodiscard]] VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,

@@ -20,37 +20,39 @@ inline constexpr std::size_t most_clip_planes = 6;
 // Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
 struct Primitives {
     std::span<const Vec3f> positions; // offsets from the frame's origin
-    std::span<const Vec3f> normals;   // triangles are counterclockwise around them; empty: flat shading
-    std::span<const float> scalars;   // empty: solid color
+    std::span<const Vec3f> normals;   // one per vertex; triangles are counterclockwise around them; empty: flat shading
+    std::span<const float> scalars;   // one per vertex; empty: solid color
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
-    bool on_opaque = false;                  // lines on an opaque surface: slopes of transparent surfaces are ignored
-    color::ColorScale scale;                 // of the scalars
+    bool on_opaque = false;  // the lines lie on an opaque surface: slopes of transparent ones are ignored
+    color::ColorScale scale; // maps the scalars to colors
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colors
-    std::uint64_t revision = 0;                      // same non-zero revision: same buffers, may be kept on the GPU
-    std::uint64_t identity = 0;                      // which layer the buffers belong to
+    std::uint64_t revision = 0;                      // 0: always uploaded; else only when identity or revision change
+    std::uint64_t identity = 0;                      // unique number of the drawable that the arrays come from
     bool lit = true;
 };
 
-struct Frame : annotations::AnnotatedPicture { // positions are offsets from its origin
+struct Frame : annotations::AnnotatedPicture { // positions of primitives and volumes are offsets from `origin`
     // Drawn in this order: opaque triangles, opaque points, lines, transparent triangles of all meshes sorted back to
     // front. With several samples, volumes, or transparent lines or points, the transparent triangles are peeled
     // instead, with lines and points among the layers (depth_peeling.hpp).
     std::vector<Primitives> primitives;
-    // In depth order with the primitives; overlapping volumes are mixed. All must have the same normal.
+    // Volumes are drawn in depth order with the primitives; overlapping volumes are mixed. All must have the same
+    // normal.
     std::vector<Volume> volumes;
-    int samples = 1; // 4: multisampled, for stills
-    // At most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 are drawn, and found by pick on meshes.
+    int samples = 1; // samples per pixel; 4 for stills
+    // Clip planes, at most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 for every plane are drawn.
+    // pick() finds only such positions.
     std::vector<std::array<float, 4>> clip;
-    Lighting lighting;   // of lit primitives
-    Occlusion occlusion; // of lit opaque triangles
-    // Called regularly while the picture is drawn, on the drawing thread. May throw to cancel the picture; draw passes
-    // the exception on.
+    Lighting lighting;   // lights of `lit` primitives
+    Occlusion occlusion; // ambient occlusion of `lit` opaque triangles
+    // Called regularly while the picture is drawn, on the drawing thread. May throw to cancel the picture;
+    // Renderer::draw passes the exception on.
     std::function<void()> check_wanted;
 };
 
-// Rows from the top, RGB, 8 bits, no padding.
+// Picture as RGB with 8 bits per channel, rows from top to bottom, without padding.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;

@@ -7,14 +7,15 @@
 
 namespace ciel::render {
 
-// Layers beyond this count are dropped; fewer are drawn while something moves.
+// Largest numbers of peeled transparent layers; farther layers are dropped. most_moving_layers is for frames with one
+// sample, unless they have volumes and no transparent points.
 inline constexpr int most_layers = 32, most_moving_layers = 8;
 
-// Number of indices of one primitive.
+// Returns the number of indices per primitive.
 [[nodiscard]] inline std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
-[[nodiscard]] bool is_transparent(const Primitives& mesh); // triangles or points
-[[nodiscard]] bool is_opaque(const Primitives& mesh);      // triangles, and there are some
-[[nodiscard]] bool is_overlay(const Primitives& mesh);     // lines or points, and there are some
+[[nodiscard]] bool is_transparent(const Primitives& mesh); // triangles or points of opacity < 1
+[[nodiscard]] bool is_opaque(const Primitives& mesh);      // triangles of opacity 1, at least one
+[[nodiscard]] bool is_overlay(const Primitives& mesh);     // lines or points, at least one
 [[nodiscard]] bool is_opaque_points(const Primitives& mesh);
 
 template <typename Is>
@@ -23,14 +24,15 @@ template <typename Is>
                                [&](const Primitives& mesh) { return !mesh.indices.empty() && is(mesh); });
 }
 
-[[nodiscard]] float widest_line(const Frame& frame); // 0 without lines
+[[nodiscard]] float widest_line(const Frame& frame); // width in pixels; 0 without lines
 [[nodiscard]] bool has_transparent_lines(const Frame& frame);
 [[nodiscard]] bool has_transparent_overlays(const Frame& frame);
-// True for stills, for frames with volumes, which may contain surfaces, and with transparent lines or points. Triangles
-// sorted by their centres are in the wrong order where they cross or enclose each other. Without peeling, joints of
-// transparent lines would be blended twice, and transparent points would have no order.
+// Returns whether transparent primitives are drawn by depth peeling: in stills, in frames with volumes, and in frames
+// with transparent lines or points. Triangles sorted by their centers are in the wrong order where they cross or
+// enclose each other. Without peeling, joints of transparent lines would be blended twice, and transparent points would
+// have no order.
 [[nodiscard]] bool is_peeled(const Frame& frame);
-// True if lines and points are among the peeled layers.
+// Returns whether lines and points are among the peeled layers.
 [[nodiscard]] bool has_overlays_in_layers(const Frame& frame);
 
 } // namespace ciel::render

@@ -3,16 +3,16 @@
 
 namespace ciel::render {
 
-// Strengths; 0 is off.
+// Strengths of the lights; 0 is off.
 struct Lighting {
-    float ambient = 1;   // from everywhere
-    float headlight = 1; // at the eye
-    float key_light = 1; // over the viewer's left shoulder
+    float ambient = 1;   // light from all directions
+    float headlight = 1; // light at the eye
+    float key_light = 1; // light over the viewer's left shoulder
 };
 
-// Darkens lit opaque surfaces where others block the ambient light (ambient_occlusion.hpp).
+// Darkens lit opaque surfaces where nearby surfaces block the ambient light (ambient_occlusion.hpp).
 struct Occlusion {
-    double radius = 0; // length within which surfaces shade each other; 0: none
+    double radius = 0; // largest distance at which surfaces shade each other, in world units; 0: off
     float strength = 1;
 };
 

@@ -11,16 +11,18 @@ namespace ciel::render {
 
 struct AtlasGlyph {
     int u = 0, v = 0, width = 0, height = 0; // texels
-    int left = 0, top = 0;                   // as in GlyphImage
+    int left = 0, top = 0;                   // pixels from the pen to the glyph, as in fonts::GlyphImage
 };
 
 class GlyphAtlas {
 public:
     GlyphAtlas(const Gl& gl, fonts::Font& font);
 
-    // Returns null when the texture is full. Then call clear() and add the frame's text again.
+    // Returns the glyph, rasterized if it is new; null when the texture is full. Then call clear() and find all glyphs
+    // of the frame again.
     [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
-    // Removes all glyphs and doubles the texture's side. Returns false if it has the largest side already.
+    // Removes all glyphs and doubles the texture's side. At the largest side, only removes the glyphs and returns
+    // false.
     bool clear();
     // Uploads new glyphs, and binds the texture to the active unit.
     void bind();
@@ -34,10 +36,10 @@ private:
     fonts::Font& font_;
     GLuint texture_ = 0;
     int side_ = 0;
-    std::vector<std::uint8_t> texels_;                     // two bytes each, as in GlyphImage
-    std::unordered_map<std::uint64_t, AtlasGlyph> glyphs_; // by size and glyph
-    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // of the row of glyphs being filled
-    int changed_top_ = 0, changed_bottom_ = 0;             // rows not uploaded yet
+    std::vector<std::uint8_t> texels_; // two bytes per texel: coverage of the letter, coverage with halo
+    std::unordered_map<std::uint64_t, AtlasGlyph> glyphs_; // key: size in pixels << 32 | glyph
+    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // row being filled, in texels
+    int changed_top_ = 0, changed_bottom_ = 0;             // range of texel rows not uploaded yet
 };
 
 } // namespace ciel::render

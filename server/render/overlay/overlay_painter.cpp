@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr float flat = 0, soft = 1, letter = 2, letter_halo = 3, plate = 4; // kinds of vertices
+constexpr float flat = 0, soft = 1, letter = 2, letter_halo = 3, plate = 4; // values of Vertex::kind
 
 constexpr const char* overlay_vertex = R"(#version 330 core
 layout(location = 0) in vec2 position;
@@ -42,7 +42,7 @@ out vec4 picture;
 void main() {
     float cover = 1.0;
     if (mark.style.x > 3.5) {
-        cover = 1.0 - smoothstep(0.0, 1.0, length(mark.place)); // the place: how far outside, in widths of the edge
+        cover = 1.0 - smoothstep(0.0, 1.0, length(mark.place)); // mark.place: distance outside the box, in edge widths
     } else if (mark.style.x > 1.5) {
         vec2 coverage = texelFetch(glyphs, ivec2(mark.place), 0).rg;
         cover = mark.style.x > 2.5 ? coverage.g : coverage.r;
@@ -88,7 +88,7 @@ void OverlayPainter::add_quad(const Vertex& vertex, const annotations::Box& box,
     }
 }
 
-// Adds the box, and four sides and four corners around it.
+// Adds the plate's box, and around it four sides and four corners that fade out.
 void OverlayPainter::add(const annotations::Plate& back) {
     const annotations::Box& box = back.box;
     const std::array<double, 4> xs{box.left - back.edge, box.left, box.right, box.right + back.edge};
@@ -118,7 +118,7 @@ void OverlayPainter::add(const annotations::Stroke& stroke, double width, const 
     if (!(length > 0)) return;
     const double reach = width / 2 + 0.5;
     const annotations::Place along{dx / length * width / 2,
-                                   dy / length * width / 2}; // square ends, so that strokes that meet leave no gap
+                                   dy / length * width / 2}; // square caps: strokes that meet leave no gap
     const annotations::Place across{-dy / length * reach, dx / length * reach};
     for (const auto& [end, side] : {std::pair(0, -1), {1, -1}, {1, 1}, {0, -1}, {1, 1}, {0, 1}}) {
         const annotations::Place at = end == 1 ? annotations::Place{stroke.to.x + along.x, stroke.to.y + along.y}
@@ -146,7 +146,7 @@ bool OverlayPainter::add(const annotations::Label& label, bool halo, const annot
     return true;
 }
 
-// Adds all halos first: the halo of a letter must not cover the letter before it.
+// Adds the halos of all letters before the letters: a halo must not cover the letter before it.
 bool OverlayPainter::add_labels(const annotations::Overlay& overlay) {
     for (const bool halo : {true, false})
         for (const annotations::Label& label : overlay.labels)
@@ -162,7 +162,8 @@ void OverlayPainter::build(const annotations::Overlay& overlay) {
     for (const annotations::Stroke& stroke : overlay.strokes) add(stroke, stroke.width, stroke.ink);
     for (const annotations::Triangle& triangle : overlay.triangles) add(triangle);
     const std::size_t marks = vertices_.size();
-    // Retries with a larger atlas. After the largest one, labels that do not fit are not drawn.
+    // When the atlas is full, all labels are added again with a larger atlas. With the largest atlas, labels that do
+    // not fit are not drawn.
     while (!add_labels(overlay)) {
         const bool may_fit = atlas_.clear();
         vertices_.resize(marks);

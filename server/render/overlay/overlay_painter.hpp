@@ -14,15 +14,17 @@ public:
     OverlayPainter(const OverlayPainter&) = delete;
     OverlayPainter& operator=(const OverlayPainter&) = delete;
 
-    // Lays the annotations out. Throws Error when the font is not installed.
+    // Computes the vertices of the frame's annotations. Throws Error when the font is not installed.
     void prepare(const Frame& frame);
-    void touch(TouchedTiles& touched, int height) const; // touches tiles of the prepared annotations
-    // Draws the prepared annotations onto the bound target, without its depth. Nothing if there are none.
+    void touch(TouchedTiles& touched, int height) const; // marks the annotations' tiles; `height`: of the picture
+    // Draws the prepared annotations onto the bound framebuffer, without depth test.
     void draw(const Frame& frame);
 
 private:
     struct Vertex {
-        float x, y, u, v; // pixels; texels of a glyph, or pixels across a stroke
+        // x, y: pixels from the top left. u, v: texels of a glyph, pixels across a stroke, or edge widths outside a
+        // plate.
+        float x, y, u, v;
         annotations::Ink ink;
         float kind, half_width;
         bool operator==(const Vertex&) const = default;
@@ -33,7 +35,7 @@ private:
     void add(const annotations::Stroke& stroke, double width, const annotations::Ink& ink);
     void add(const annotations::Triangle& triangle);
     [[nodiscard]] bool add(const annotations::Label& label, bool halo,
-                           const annotations::Ink& ink); // false when the atlas is full
+                           const annotations::Ink& ink); // add(label) returns false when the atlas is full
     [[nodiscard]] bool add_labels(const annotations::Overlay& overlay);
     void build(const annotations::Overlay& overlay);
 

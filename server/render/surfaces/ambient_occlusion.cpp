@@ -8,7 +8,7 @@
 namespace ciel::render {
 namespace {
 
-// The largest radius, as a share of the picture's height. The samples of a larger one would lie too far apart.
+// Largest radius in the picture, as a share of its height. With a larger radius, samples would lie too far apart.
 constexpr double most_reach = 0.25;
 
 enum Unit : int { found_unit = 0, depth_unit = 1, normals_unit = 2 };
@@ -31,8 +31,8 @@ void AmbientOcclusion::allocate(const Sheet& sheet, GLint format) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sheet.texture, 0);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot find the ambient occlusion of a picture of this size; ask for a smaller "
-                    "picture, or none of it");
+        throw Error("the GL driver cannot draw the ambient occlusion of a picture of this size; ask for a smaller "
+                    "picture, or switch ambient occlusion off");
 }
 
 void AmbientOcclusion::resize(int width, int height) {
@@ -43,7 +43,7 @@ void AmbientOcclusion::resize(int width, int height) {
         allocate(found_, GL_RGBA32F);
         allocate(even_, GL_RG32F);
     } catch (const Error&) {
-        width_ = height_ = 0; // not usable until they are known to be complete
+        width_ = height_ = 0; // the next call allocates again
         throw;
     }
 }

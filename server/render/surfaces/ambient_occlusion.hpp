@@ -1,11 +1,11 @@
-// Screen-space ambient occlusion of opaque surfaces, from the depth and normal of each pixel.
-// It finds the horizon along some lines through the pixel, and integrates the light above it in closed form.
-// After Jimenez, Wu, Pesce, Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016
-// courses. The sum is divided by that of an unoccluded plane. So such a plane has exactly all light, at any angle and
-// with any number of lines.
+// Screen-space ambient occlusion of opaque surfaces, from the depth and normal of each pixel. Finds the horizon along
+// some lines through the pixel, and integrates the light above the horizon in closed form. After Jimenez, Wu, Pesce,
+// Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016 courses.
+// The integral is divided by that of an unoccluded plane. So an unoccluded plane is fully lit, at any angle and with
+// any number of lines.
 //
-// 4 x 4 pixels rotate the lines through all angles, in a fixed pattern. The mean of any 4 x 4 pixels of one surface is
-// taken. So there is neither noise nor a change from frame to frame.
+// The lines are rotated by an angle that depends on the pixel's place in a fixed pattern of 4 x 4 pixels. The result is
+// averaged over 4 x 4 pixels of the same surface. So it has no noise, and does not change from frame to frame.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -15,20 +15,21 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; textures are reallocated when the size changes.
+// GL objects are freed only with their context. Textures are reallocated when the size changes.
 class AmbientOcclusion {
 public:
     explicit AmbientOcclusion(const Gl& gl);
     AmbientOcclusion(const AmbientOcclusion&) = delete;
     AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-    // Computes light() from `opaque`, which has depth and normals of the frame's size. Frames with one sample use half
-    // the resolution, which has the same mean. Throws Error when the GL cannot draw to this size.
+    // Computes light() from `opaque`, which must have depth and normals of the frame's size. Frames with one sample per
+    // pixel use half the resolution, which has the same mean brightness. Throws Error when the GL cannot draw to this
+    // size.
     // Needs blending off. Leaves another framebuffer and viewport bound, and depth test on.
     void find(const Frame& frame, const annotations::ViewTransform& transform, const OpaqueDepth& opaque);
 
-    // Input of make_occluded_program() (shaders.hpp). RG32F: share of the light, depth in units of the radius.
-    // stride(): picture pixels per texel along a side.
+    // Texture for make_occluded_program() (shaders.hpp), RG32F. R: share of the light that reaches the surface; G:
+    // depth in units of the radius. stride(): picture pixels per texel along a side.
     [[nodiscard]] GLuint light() const { return even_.texture; }
     [[nodiscard]] int stride() const { return stride_; }
 
@@ -44,7 +45,7 @@ private:
     ShaderProgram find_, even_out_;
     Sheet found_, even_;
     GLuint no_array_ = 0;
-    int stride_ = 1, width_ = 0, height_ = 0; // of the sheets
+    int stride_ = 1, width_ = 0, height_ = 0; // picture pixels per texel; texels per side
 };
 
 } // namespace ciel::render

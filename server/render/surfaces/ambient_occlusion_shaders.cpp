@@ -3,19 +3,20 @@
 namespace ciel::render {
 namespace {
 
-// No two of 4 x 4 pixels rotate their lines by the same angle, or begin at the same distance.
+// Within every 4 x 4 pixels, each pixel rotates its lines by a different angle, and takes its first samples at a
+// different distance.
 constexpr const char* occlusion_fragment = R"(#version 330 core
-uniform sampler2D depths;  // of the window, 1 where nothing is
-uniform sampler2D normals; // towards the viewer
-uniform int stride;       // pixels of it to one here
+uniform sampler2D depths;  // window depths of opaque surfaces, 1 where there is none
+uniform sampler2D normals; // in eye space, facing the viewer
+uniform int stride;       // pixels of `depths` per output pixel along a side
 uniform int lines;
-uniform int steps;        // along each half of a line
+uniform int steps;        // samples along each half of a line
 uniform float parallel;
-uniform vec2 corner;      // of the picture, per depth unless parallel
-uniform vec2 pixel;       // from one to the next, likewise
-uniform vec2 depth_row;   // of the projection: from -depth and 1
-uniform float reach;      // pixels of the radius, at depth 1 unless parallel
-uniform float most_reach; // pixels
+uniform vec2 corner;      // eye-space xy of the picture's lower left corner; perspective: at depth 1
+uniform vec2 pixel;       // eye-space xy from one pixel to the next; perspective: at depth 1
+uniform vec2 depth_row;   // (projection[2][2], projection[3][2]) for lengths in units of the radius
+uniform float reach;      // radius in pixels; perspective: at depth 1
+uniform float most_reach; // limit of the radius in pixels
 out vec4 found;
 const float half_turn = 3.14159265358979;
 const float quarter_turn = half_turn / 2.0;
@@ -32,7 +33,7 @@ vec3 place_of(ivec2 at, float window) {
     return vec3((corner + pixel * (vec2(at) + 0.5)) * (parallel > 0.5 ? 1.0 : depth), -depth);
 }
 
-// How much the plane's depth changes to a neighbour, whose ray differs by `side`.
+// Returns the change of depth on the plane with normal n, from this ray to the ray that differs by `side` in xy.
 float rise(vec3 ray, float depth, vec3 n, vec2 side) {
     float away = dot(n.xy, side);
     if (parallel > 0.5) return away / max(n.z, 0.01);
@@ -40,7 +41,8 @@ float rise(vec3 ray, float depth, vec3 n, vec2 side) {
     return depth * away / max(straight - away, 0.01);
 }
 
-// Cosine of the angle from the viewer to the highest thing along one half of a line; `low`: of the plane's own.
+// Returns the cosine of the angle between the viewer and the horizon along one half of a line. `low`: cosine of the
+// angle between the viewer and the surface's own plane.
 float horizon(ivec2 at, vec3 place, vec3 n, vec3 viewer, vec2 along, float length_of_half, float share, float low,
               float shrink) {
     float highest = low;
@@ -55,7 +57,7 @@ float horizon(ivec2 at, vec3 place, vec3 n, vec3 viewer, vec2 along, float lengt
         vec3 there = place_of(at + offset, window) - place;
         float squared = dot(there, there) * shrink * shrink;
         vec3 direction = there * inversesqrt(max(dot(there, there), 1e-20));
-        // What barely rises above the plane is the next facet of the same surface.
+        // A sample that barely rises above the plane is the next facet of the same surface: it does not count.
         float counts = max(1.0 - squared, 0.0) * smoothstep(0.02, 0.2, dot(n, direction));
         highest = max(highest, mix(low, dot(direction, viewer), counts));
     }
@@ -78,7 +80,7 @@ void main() {
                  rise(ray, -place.z, n, vec2(0.0, pixel.y) * float(stride)));
 
     float pixels = reach / (parallel > 0.5 ? 1.0 : -place.z);
-    float shrink = max(pixels / most_reach, 1.0); // then the radius is a smaller one, and lengths are longer
+    float shrink = max(pixels / most_reach, 1.0); // factor by which the radius is reduced
     pixels /= shrink;
     if (pixels < 1.5) return;
     int x = here.x & 3, y = here.y & 3;
@@ -118,7 +120,7 @@ void main() {
     float sum = 0.0;
     float weights = 0.0;
     for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) { // the mean of the four ways to lay 4 x 4 over this one
+        for (int x = -2; x <= 2; ++x) { // mean of the four 4 x 4 windows around this texel
             float ways = (abs(x) == 2 ? 0.5 : 1.0) * (abs(y) == 2 ? 0.5 : 1.0);
             vec4 other = texelFetch(found, clamp(here + ivec2(x, y), ivec2(0), last), 0);
             float off = abs(other.g - own.g - own.b * float(x) - own.a * float(y));
@@ -133,8 +135,8 @@ void main() {
 } // namespace
 
 const char* const occluded_glsl = R"(
-uniform sampler2D occlusion;    // light, depth
-uniform float occlusion_stride; // pixels of the picture to one of it
+uniform sampler2D occlusion;    // R: share of the light, G: depth
+uniform float occlusion_stride; // picture pixels per texel of `occlusion` along a side
 uniform float occlusion_strength;
 
 float light_from_everywhere(float depth) {
@@ -150,8 +152,9 @@ float light_from_everywhere(float depth) {
             vec2 far = vec2(middle + ivec2(x, y)) - at;
             vec2 near = max(1.5 - abs(far), 0.0);
             vec2 found = texelFetch(occlusion, texel, 0).rg;
-            // Of another surface, as seen by the other samples of a pixel on an edge. What is nearly as deep counts
-            // where nothing is: on the steep rim of a ball, whose slope differs from pixel to pixel.
+            // `off` is large for texels of another surface, which pixels on an edge have beside them. The term with
+            // 1e-3 counts texels of similar depth where no texel fits: on the steep rim of a ball, the slope differs
+            // from pixel to pixel.
             float off = abs(found.g - depth - dot(slope, far));
             float weight = near.x * near.y * (max(1.0 - off * 10.0, 0.0) + 1e-3 * max(1.0 - off, 0.0));
             sum += weight * found.r;

@@ -2,11 +2,14 @@
 
 namespace ciel::render {
 
-// The scale's origin (ScaleRow) is subtracted from values, from `low`, and from the limits of the inside.
-// A row of scale_rules: (low, 1 / width, steps, way), (lowest inside, highest inside), below, above, NaN.
-// way: 0 linear; 1 logarithmic; negative: logarithmic on both sides of zero, -way is the width of the nearly linear
-// part. For the last two, `low` and `width` are logarithms to base 2.
-// Missing values are detected by their bits: compilers may assume that x != x never holds.
+// A row of the texture scale_rules has five texels:
+//   (low, 1 / width, steps, way),
+//   (smallest, largest value inside the range),
+//   the colors of values below the range, of values above it, and of missing values.
+// way: 0: linear; 1: logarithmic; negative: logarithmic on both sides of zero, and nearly linear within -way of zero.
+// If not linear, `low` and `width` are logarithms to base 2.
+// ScaleRow::origin is already subtracted from `low`, from the values inside, and from the argument `value`.
+// Missing values (NaN and infinite ones) are detected by their bits: compilers may assume that x != x never holds.
 const char* const color_scale_glsl = R"(
 uniform sampler2D scale_colors;
 uniform sampler2D scale_rules;

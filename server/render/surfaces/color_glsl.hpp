@@ -1,5 +1,5 @@
-// color_scale.hpp's rule in GLSL 3.30: `vec3 scale_color(float value, float row)`, and `base_color`, which returns
-// the solid color for a negative row. Needs the two textures that ColorScales binds.
+// The rule of color_scale.hpp in GLSL 3.30. `vec3 scale_color(float value, float row)` returns the color of a value.
+// `base_color` returns the solid color for a negative row. Needs the two textures that ColorScales binds.
 #pragma once
 
 namespace ciel::render {

@@ -9,7 +9,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr int row_size = 1024; // texels per scale; limits how close color points may lie
+constexpr int row_size = 1024; // texels per color scale: its resolution
 constexpr int rule_size = 5;
 static_assert(color::most_color_steps <= row_size);
 
@@ -26,7 +26,7 @@ GLuint make_texture(const Gl& gl, GLint filter) {
 
 void append_colors(std::vector<std::uint8_t>& pixels, const color::ColorScale& scale) {
     auto colors = color::color_row(scale, row_size);
-    colors.resize(row_size, color::Rgb8{}); // stepped scales are read up to their last step
+    colors.resize(row_size, color::Rgb8{}); // rows of stepped scales are shorter; the shader does not read the rest
     for (const color::Rgb8& color : colors) pixels.insert(pixels.end(), {color[0], color[1], color[2], 255});
 }
 
@@ -35,7 +35,8 @@ void append_color(std::vector<float>& rules, const color::Rgb8& color) {
     rules.push_back(1);
 }
 
-constexpr double largest_factor = 3e38; // 1 / a subnormal width is infinite, and 0 times that is NaN
+// Limit of 1 / width. For a subnormal width, 1 / width is infinite, and 0 times infinity is NaN.
+constexpr double largest_factor = 3e38;
 
 float origin_of(const color::ColorScale& scale) {
     constexpr double farthest = 1e37; // beyond it, value - origin may overflow a float
@@ -52,7 +53,7 @@ void append_rule(std::vector<float>& rules, const color::ColorScale& scale) {
     const double origin = origin_of(scale);
     double low = scale.range[0];
     double width = 0;
-    double way = 0; // linear
+    double way = 0; // as in color_glsl.cpp; 0: linear
     if (color::is_log_of_both_signs(scale)) {
         low = -std::log2(1 + 1 / color::linear_share);
         width = color::has_width(scale) ? -2 * low : 0;

@@ -9,10 +9,10 @@
 
 namespace ciel::render {
 
-// The color scale of a mesh. `origin` is subtracted from values before they are interpolated to the pixels.
-// Otherwise a small range at a large offset, such as 101,325 and a little, would lose its digits.
+// Color scale of a mesh. `origin` is subtracted from values before they are interpolated to the pixels. Otherwise
+// floats would have too few digits for a small range at a large offset, such as 101,325 to 101,326.
 struct ScaleRow {
-    float row = -1; // in the frame's ColorScales; -1: a solid mesh
+    float row = -1; // row in the textures of ColorScales; -1: the mesh has a solid color
     float origin = 0;
     bool operator==(const ScaleRow&) const = default;
 };
@@ -24,7 +24,7 @@ struct ScaledPrimitives {
 
 class ColorScales {
 public:
-    explicit ColorScales(const Gl& gl); // the context is current, here and in every other call
+    explicit ColorScales(const Gl& gl); // the GL context must be current in all calls
     ColorScales(const ColorScales&) = delete;
     ColorScales& operator=(const ColorScales&) = delete;
 
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] ScaleRow row_of(const color::ColorScale& scale);
     // Call after the last row_of(). Uploads the rows unless they equal the last upload.
     void upload();
-    // To texture units 0 and 1, for the samplers scale_colors and scale_rules.
+    // Binds the textures of the samplers scale_colors and scale_rules to texture units 0 and 1.
     void bind() const;
 
 private:

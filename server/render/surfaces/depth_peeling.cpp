@@ -10,18 +10,19 @@
 namespace ciel::render {
 namespace {
 
-// Layers take up to 32 bytes per pixel without records: 1.06 GB at twice this resolution.
+// Largest picture whose layers have twice its resolution. Layers take up to 32 bytes per layer pixel (without records),
+// for such a picture 1.06 GB.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Returns whether the volumes in front of a layer are drawn for it. Other layers reuse the last picture of the volumes:
-// little of their light comes through.
+// Returns whether the volumes in front of the layer are drawn for it. For other layers the last picture of the volumes
+// is used again: little light comes through to the eye from these layers.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
 }
 
-// Programs of surfaces, lines and points have color scales in 0 and 1, and surface_slopes.cpp in 4 and 5. Full-screen
-// programs have neither.
+// Texture units. In programs of surfaces, lines and points, color scales have the units 0 and 1, and surface_slopes.cpp
+// has 4 and 5. Full-screen programs have neither, so only these use 0 and 1 here.
 enum Unit : int {
     layer_unit = 0,
     opaque_unit = 1,
@@ -77,15 +78,16 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
-    // A framebuffer with depth only is just the target of copies, which require less.
+    // The status of a framebuffer without color is not checked: it is only the target of depth copies.
     if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw transparent surfaces to a picture of this size; ask for a smaller one");
+        throw Error(
+            "the GL driver cannot draw transparent surfaces in a picture of this size; ask for a smaller picture");
 }
 
 void DepthPeeling::resize(const Scene& scene) {
     const int factor = has_finer_layers(scene.width, scene.height, scene.samples) ? 2 : 1;
     if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
-    factor_ = 0; // not usable until it is known to be complete
+    factor_ = 0; // if this call throws, the next one allocates again
     width_ = scene.width;
     height_ = scene.height;
     allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
@@ -93,11 +95,11 @@ void DepthPeeling::resize(const Scene& scene) {
     allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
     attach(color_framebuffer_, color_, 0);
     for (const Layer& layer : layers_) {
-        // 32 bits: exactly the depth that the program compares.
+        // 32 bits hold exactly the depth that the peeling programs compare.
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
         attach(layer.framebuffer, color_, layer.depth);
     }
-    // Not RGBA16F: with many layers, each would lose up to a bit.
+    // RGBA16, because with RGBA16F each of many layers would lose up to a bit.
     allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
     attach(sum_framebuffer_, sum_, 0);
     factor_ = factor;
@@ -116,11 +118,12 @@ void DepthPeeling::record(bool on) {
             filter(gl_, GL_NEAREST);
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.record, 0);
         }
-        if (!on && recorded_width_ != 0 && !has_size) // a smaller attachment clips all drawing
+        if (!on && recorded_width_ != 0 && !has_size) // detach: a smaller attachment clips all drawing
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
         gl_.DrawBuffers(on ? 2 : 1, both);
         if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error("the GL driver cannot draw transparent lines to a picture of this size; ask for a smaller one");
+            throw Error(
+                "the GL driver cannot draw transparent lines in a picture of this size; ask for a smaller picture");
     }
     if (on || !has_size) {
         recorded_width_ = on ? width : 0;
@@ -167,7 +170,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
         const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
         if (scene.draw_between) add_between(scene, layer);
         if (!any) break;
-        was_cut_ = i == scene.most_layers; // this layer is drawn only to detect the cut
+        was_cut_ = i == scene.most_layers; // this layer is only drawn to detect dropped layers
         if (was_cut_) break;
         if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
@@ -175,7 +178,8 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     put_on(scene, target, volumes(0, 0));
 }
 
-// Returns opaque depth in the middle of the layers' pixels. A multisampled target has its depth elsewhere.
+// Returns a texture of opaque depths at the middles of layer pixels. The samples of a multisampled target lie
+// elsewhere.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     if (scene.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -189,8 +193,8 @@ GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
 }
 
-// Returns opaque depth where all layer pixels of a picture pixel are on the same side of an outline.
-// Compositing per sample requires that.
+// Returns a texture of opaque depths in which all layer pixels of a picture pixel are on the same side of an outline,
+// as draw_per_sample() requires.
 GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);
@@ -204,7 +208,7 @@ GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
     return kept_opaque_.texture();
 }
 
-// Returns false when nothing is seen behind the nearer layer.
+// Draws the layer behind `nearer`. Returns false if this layer is empty.
 bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
@@ -226,7 +230,7 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.DepthFunc(GL_LESS);
     bind(gl_, nearer_unit, nearer.depth);
     if (recorded_) bind(gl_, lines_unit, nearer.record);
-    bind(gl_, own_lines_unit, 0); // its texture is drawn to
+    bind(gl_, own_lines_unit, 0); // unbinds the layer's record, which is drawn to
     AnySamples drawn(gl_, query_);
     scene.draw_surfaces();
     const bool any = drawn.passed();
@@ -256,7 +260,7 @@ void DepthPeeling::begin_sum() const {
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-// Adds the points in front of the layer and behind the nearer one, whose depth is still bound.
+// Blends the points between the layer and the nearer one into the sum. The nearer layer's depth is still bound.
 void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
     begin_sum();
     bind(gl_, farther_unit, layer.depth);

@@ -1,4 +1,4 @@
-# protocol/lighting.glsl, which the browser draws with too, becomes a .cpp of this library.
+# Writes protocol/lighting.glsl, which the web page uses too, into lighting_glsl.cpp of this library.
 set(lighting ${CMAKE_SOURCE_DIR}/protocol/lighting.glsl)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lighting})
 file(READ ${lighting} formulas)

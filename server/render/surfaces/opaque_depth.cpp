@@ -25,14 +25,14 @@ void OpaqueDepth::allocate(GLuint texture, GLint format, int width, int height) 
 
 void OpaqueDepth::resize(int width, int height, bool with_normals) {
     const bool has_size = width_ == width && height_ == height;
-    width_ = 0; // not usable until it is known to be complete
+    width_ = 0; // if this call throws, the next one allocates again
     if (!has_size) allocate(texture_, GL_DEPTH_COMPONENT24, width, height);
     if (with_normals) allocate(normals_, GL_RGBA16F, width, height);
     if (!with_normals) gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     gl_.DrawBuffer(with_normals ? GL_COLOR_ATTACHMENT0 : GL_NONE);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the GL driver cannot draw the depth of a picture of " + std::to_string(width) + " x " +
-                    std::to_string(height) + " pixels; ask for a smaller one");
+                    std::to_string(height) + " pixels; ask for a smaller picture");
     width_ = width;
     height_ = height;
     has_normals_ = with_normals;

@@ -1,22 +1,22 @@
-// The depth of opaque surfaces in the middle of each pixel, and optionally their normals. Drawn separately: the samples
-// of the picture's own depth are elsewhere.
+// The depth of opaque surfaces in the middle of each pixel, and optionally their normals. Drawn separately, because the
+// samples of a multisampled picture do not lie in the middles of its pixels.
 #pragma once
 
 #include "render/context/gl.hpp"
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size reallocates them behind the same names.
+// GL objects are freed only with their context. A change of size reallocates the textures under the same GL names.
 class OpaqueDepth {
 public:
     explicit OpaqueDepth(const Gl& gl);
     OpaqueDepth(const OpaqueDepth&) = delete;
     OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
-    // Binds and clears it: draws go to it until another framebuffer is bound. Throws Error when the GL cannot draw to
-    // this size.
+    // Binds and clears the framebuffer. Draws go to it until another framebuffer is bound. Throws Error when the GL
+    // cannot draw to this size.
     void begin(int width, int height, bool with_normals);
-    void go_on() const;                                       // binds it again without clearing
+    void go_on() const;                                       // binds the framebuffer again without clearing
     [[nodiscard]] GLuint texture() const { return texture_; } // window depths, GL_DEPTH_COMPONENT24
     [[nodiscard]] GLuint normals() const { return normals_; } // RGBA16F; valid after begin() with normals
 

@@ -5,11 +5,13 @@
 namespace ciel::render {
 namespace {
 
-// A surface's own slope is the lesser slope to either side, also at its outline.
+// Puts all layer pixels of a picture pixel on the same side of an outline. `rise` is how far the surface's depth
+// changes within the pixel. It uses the smaller of the slopes to both sides: at an outline, the larger one is not of
+// the surface.
 constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
-uniform sampler2D middles; // of the picture's pixels
-const float least_step = 1e-2; // what per_sample.cpp takes for an outline
+uniform sampler2D middles; // window depths at the middles of picture pixels
+const float least_step = 1e-2; // smallest step of an outline; least_bend in per_sample.cpp
 float middle_at(ivec2 pixel) { return texelFetch(middles, clamp(pixel, ivec2(0), textureSize(middles, 0) - 1), 0).r; }
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy) / 2;
@@ -23,13 +25,13 @@ void main() {
 }
 )";
 
-// A layer coincident with opaque faces is drawn over them, despite rounding.
+// Adds a rounding margin to opaque depth, so that a layer coincident with opaque faces is drawn over them.
 constexpr const char* depth_copy_fragment = R"(#version 330 core
 uniform sampler2D opaque;
-uniform sampler2D sum; // of the nearer layers
+uniform sampler2D sum; // nearer layers; A: their transmittance
 uniform vec2 viewport;
 const float rounding = 1e-6;
-const float least_share = 1.0 / 512.0; // of the light: half of a step of the picture's colors
+const float least_share = 1.0 / 512.0; // transmittance: half a step of an 8-bit color
 void main() {
     float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;
     gl_FragDepth = through < least_share ? 0.0 : min(texture(opaque, gl_FragCoord.xy / viewport).r + rounding, 1.0);
@@ -39,12 +41,12 @@ void main() {
 constexpr const char* layer_sum_fragment = R"(#version 330 core
 uniform sampler2D layer;
 uniform sampler2D volumes;
-uniform sampler2D depths; // of the layer
-uniform int factor;       // pixels of the layer to one of the volumes
+uniform sampler2D depths; // window depths of the layer
+uniform int factor;       // layer pixels per pixel of `volumes` along a side
 out vec4 picture;
 float depth_of_ray(ivec2 pixel) { return texelFetch(depths, factor * pixel + factor / 2, 0).r; }
-// The volumes have one ray a pixel, which ended on the layer or went past it: of another pixel's where that did what
-// this one would.
+// Returns the pixel of `volumes` whose ray ended nearest to the depth of this layer pixel. At an outline of the layer,
+// the ray of this picture pixel may have ended on another surface.
 ivec2 pixel_of_volumes() {
     ivec2 here = ivec2(gl_FragCoord.xy), pixel = here / factor, found = pixel;
     ivec2 side = (here & 1) * 2 - 1, last = textureSize(volumes, 0) - 1;
@@ -67,7 +69,7 @@ void main() {
 }
 )";
 
-// With 2 x 2 layer pixels per picture pixel, the texture filter takes their mean.
+// If layers have 2 x 2 pixels per picture pixel, the texture filter of `sum` takes their mean.
 constexpr const char* layers_picture_fragment = R"(
 uniform sampler2D sum;
 uniform sampler2D volumes;

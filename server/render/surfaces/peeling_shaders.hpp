@@ -5,9 +5,10 @@
 
 namespace ciel::render {
 
-// Writes opaque depth at twice the picture's resolution; across an outline, the depth near the pixel's middle.
+// Writes opaque depth at the resolution of the peeled layers, 2 x 2 layer pixels per picture pixel. A layer pixel that
+// an outline separates from the middle of its picture pixel gets about the depth of that middle.
 [[nodiscard]] ShaderProgram make_kept_to_outlines_program(const Gl& gl);
-// Writes opaque depth at the layers' resolution; 0, the nearest, where the nearer layers hide what is behind them.
+// Writes opaque depth at the layers' resolution; 0 (nearest) where the nearer layers hide everything behind them.
 [[nodiscard]] ShaderProgram make_depth_copy_program(const Gl& gl);
 // Writes one layer seen through the volumes in front of it, to be blended behind the nearer layers.
 [[nodiscard]] ShaderProgram make_layer_sum_program(const Gl& gl);

@@ -12,8 +12,8 @@ layout(location = 4) in vec4 color;
 layout(location = 5) in vec3 style;
 uniform mat4 view;
 uniform mat4 projection;
-uniform float point_pixels; // of what is drawn to one of the picture
-uniform vec4 clip[6];       // counts only where the painter has enabled it
+uniform float point_pixels; // framebuffer pixels per picture pixel along a side
+uniform vec4 clip[6];       // a plane clips only if the painter has enabled it
 out float gl_ClipDistance[6];
 out Disc {
     flat float value;
@@ -25,24 +25,25 @@ void main() {
     gl_Position = projection * (view * vec4(position, 1.0));
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
     disc.value = scalar - style.z;
-    disc.size = max(size, 1.0) * point_pixels; // a thinner one would miss most pixels
+    disc.size = max(size, 1.0) * point_pixels; // a smaller disc would miss most pixels
     disc.color = color;
     disc.style = style.xy;
-    gl_PointSize = disc.size + 1.0; // room for a soft edge
+    gl_PointSize = disc.size + 1.0; // one pixel more for a soft edge
 }
 )";
 
-// Points that lie on no surface keep their depth, less a rounding margin.
+// Points that lie on no surface keep their depth, except for a rounding margin.
 constexpr const char* free_glsl = R"(
 const float least = 5e-7;
 uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
 
-// A point on a surface comes before the lines that meet in it, however much these come nearer.
+// A point on a surface is moved nearer than the lines that meet in the point, which are moved nearer themselves.
+// `line_reach`: half the width of the widest line and half a pixel, in framebuffer pixels; 0 without lines.
 constexpr const char* lying_glsl = R"(
 uniform float point_pixels;
-uniform float line_reach; // of the widest lines: half of their width, and of a pixel; 0 without lines
+uniform float line_reach; // half the width of the widest line and half a pixel; 0 without lines
 float depth_of_disc(vec2 place) {
     float give;
     float reach = disc.size * 0.5 + 0.5 + line_reach, slack = 0.75 + 0.5 * line_reach;
@@ -57,7 +58,7 @@ in Disc {
     flat vec4 color;
     flat vec2 style;
 } disc;
-// To the right and up from its centre, in pixels.
+// Returns the fragment's offset from the disc's center, in pixels to the right and up.
 vec2 from_center() { return (gl_PointCoord - 0.5) * (disc.size + 1.0) * vec2(1.0, -1.0); }
 vec4 color_of_disc(vec2 place, float cover) {
     vec3 base = base_color(disc.value, disc.color.rgb, disc.style.x);
@@ -66,11 +67,11 @@ vec4 color_of_disc(vec2 place, float cover) {
 }
 )";
 
-// Points are cut per sample, as surfaces are. A soft edge that writes depth would hide everything behind it; one that
-// writes no depth would hide too little.
+// Opaque points have hard edges, cut per sample as those of surfaces are. A soft edge that writes depth would hide
+// everything behind it. A soft edge that writes no depth would hide too little.
 constexpr const char* opaque_fragment = R"(
 uniform int sample_count;
-uniform vec2 sample_places[8]; // from the middle of a pixel
+uniform vec2 sample_places[8]; // offsets from the middle of a pixel, in pixels
 out vec4 picture;
 void main() {
     vec2 place = from_center();
@@ -86,8 +87,9 @@ void main() {
 }
 )";
 
-// Points of a layer. Opaque ones have hard edges, whose pixels are small in stills. Behind each soft edge there would
-// be another layer, so dense clouds would have too many. depth_of_disc() only moves a point nearer.
+// Points of a peeled layer. Opaque points have hard edges, whose steps are small in stills. Each soft edge would need
+// another layer behind it, so dense clouds would need too many. depth_of_disc() only moves a point nearer, so the first
+// test may discard fragments by gl_FragCoord.z.
 constexpr const char* layer_fragment = R"(
 layout(location = 0) out vec4 picture;
 void main() {
@@ -106,10 +108,10 @@ void main() {
 }
 )";
 
-// Points between two layers, blended front to back.
+// Transparent points between two layers, blended front to back.
 constexpr const char* between_fragment = R"(
 uniform sampler2D nearer;
-uniform sampler2D farther; // nothing is seen where it is 0
+uniform sampler2D farther; // depth of the layer behind the points; 0: nothing is visible there
 out vec4 picture;
 void main() {
     vec2 place = from_center();

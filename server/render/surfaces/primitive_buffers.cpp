@@ -15,9 +15,10 @@ void check_primitives(const Primitives& mesh) {
     if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
         (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % corners_of(mesh) != 0 ||
         (!mesh.indices.empty() && largest >= vertices)) {
-        throw Error("a mesh to draw has arrays that do not fit together: " + std::to_string(vertices) + " vertices, " +
+        throw Error("the arrays of a mesh to draw do not match: " + std::to_string(vertices) + " vertices, " +
                     std::to_string(mesh.normals.size()) + " normals, " + std::to_string(mesh.scalars.size()) +
-                    " scalars, " + std::to_string(mesh.indices.size()) + " indices up to " + std::to_string(largest));
+                    " scalars, " + std::to_string(mesh.indices.size()) + " indices, the largest " +
+                    std::to_string(largest));
     }
 }
 
@@ -44,7 +45,7 @@ void PrimitiveBuffers::attribute(GLuint index, GLuint buffer, int components, st
 void PrimitiveBuffers::load(const Primitives& mesh) {
     if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
     check_primitives(mesh);
-    revision_ = 0; // until the upload is complete: it may be given up
+    revision_ = 0; // until the upload is complete: cancelling may interrupt it
     gl_.BindVertexArray(array_);
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());

@@ -9,20 +9,21 @@
 
 namespace ciel::render {
 
-// Throws Error when the mesh's arrays do not fit together: the GL would read past their ends.
+// Throws Error when sizes or indices of the mesh's arrays do not match. The GL would read past the arrays' ends.
 void check_primitives(const Primitives& mesh);
 
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
     // Uploads the mesh unless the buffers hold this identity and revision already; revision 0 is always uploaded.
-    // Throws as check_primitives(), and may be given up between pieces (pacing.hpp); then call load() before draw().
+    // Throws like check_primitives(). Cancelling (pacing.hpp) may interrupt an upload; then call load() again before
+    // draw().
     void load(const Primitives& mesh);
     // `mesh`: the loaded mesh; color, point size and lighting may differ from those at load().
     void draw(const Primitives& mesh, const ScaleRow& scale) const;
     [[nodiscard]] std::uint64_t identity() const {
         return identity_;
-    } // of the mesh that was loaded; 0 before the first
+    } // identity(): Primitives::identity of the loaded mesh; 0 before the first load()
 
 private:
     void upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data);

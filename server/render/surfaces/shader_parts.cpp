@@ -7,12 +7,13 @@
 namespace ciel::render {
 
 const char* const surface_block = R"( Surface {
-    vec3 place; // in the eye's axes, in units of the bounds' diagonal: derivatives of small scenes must not underflow
+    // In eye space, in units of the bounds' diagonal: derivatives of small scenes must not underflow.
+    vec3 place;
     vec3 normal;
     float value;
     flat vec4 color;
     flat vec2 style;
-    vec3 position; // for the lines' clip distances
+    vec3 position; // for clip distances in geometry shaders
 } surface)";
 
 const std::string surface_vertex = R"(#version 330 core
@@ -24,7 +25,7 @@ layout(location = 5) in vec3 style;
 uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
-uniform vec4 clip[6]; // counts only where the painter has enabled it
+uniform vec4 clip[6]; // a plane clips only if the painter has enabled it
 out float gl_ClipDistance[6];
 out)" + std::string(surface_block) +
                                    R"(;
@@ -47,15 +48,19 @@ uniform sampler2D nearer;
 bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
 )";
 
-// A pixel of a line or point lies beside its centre. At the centre's depth, a rising surface would hide it, so it comes
-// nearer by that rise. Surfaces pushed back instead would go behind what is behind them, most of all at outlines.
-// The rise to one side is the smaller of two steps, because one step may cross an outline.
+// depth_on_surface() moves lines and points nearer than the surface on which they lie. At the depth of its center, a
+// line or point would be hidden beside the center where the surface rises towards the eye. So its pixels are moved
+// nearer by the rise. Surfaces pushed back instead would be hidden by objects behind them, above all at outlines. The
+// rise to each side is the smaller of two steps, because one step may cross an outline.
 const char* const on_surface_glsl = R"(
 uniform vec2 viewport;
-uniform float on_opaque; // 1: on no sheet
-uniform sampler2D opaque_depth; // of the window, of what is opaque, in the picture's pixels
-uniform sampler2D sheet_slopes; // depth a pixel of the steepest transparent surface, and as far as its triangle rises
-const float least = 5e-7;       // of 24 bits the last few, and what rounding takes
+uniform float on_opaque; // 1: lies on an opaque surface; sheet_slopes is not used
+// Window depths of opaque surfaces, at the picture's resolution.
+uniform sampler2D opaque_depth;
+// Of transparent surfaces ("sheets"). R: largest slope, in depth per pixel; G: largest slope limited by its triangle's
+// extent in depth.
+uniform sampler2D sheet_slopes;
+const float least = 5e-7;       // rounding margin of 24-bit depths
 float opaque_at(ivec2 pixel) {
     return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
 }
@@ -66,9 +71,10 @@ float rise_along(ivec2 pixel, ivec2 axis) {
     float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
     return abs(ahead) > abs(behind) ? ahead : behind;
 }
-// Of the pixels beside as well: a sheet that ends within the pixel may have missed its middle. Where an outline runs along
-// a face that is seen from its edge, that fills a pixel now and then, or a row of them, with a slope that is nothing
-// else's: so slopes count that more than three of nine have, and any other no further than its triangle rises in all.
+// Returns the slope of transparent surfaces in 3 x 3 pixels: a surface that ends within a pixel may have missed its
+// middle. A face seen edge-on at an outline fills single pixels, or rows of them, with its very large slope. So the
+// result is the fourth largest of the nine slopes, or the largest slope limited by its triangle's extent if that is
+// larger.
 float slope_around(ivec2 pixel) {
     vec4 steepest = vec4(0.0);
     float most = 0.0;
@@ -84,9 +90,11 @@ float slope_around(ivec2 pixel) {
     }
     return max(steepest.w, most);
 }
-// `beside`: the place, from that of the line or point, at most `reach` away; `slack`: by how much that is unsure. Pixels.
-// `most`: of these; farther off it would come before what is well before it.
-// `back`: whether it may go back, so that all lines on one surface are as deep. `give`: by how much they may yet differ.
+// Returns the depth of a fragment at the offset `beside` from the middle of its line or point.
+// `reach`: largest length of `beside`. `slack`: uncertainty of `beside`. All lengths are in pixels.
+// `most`: limit of both; with more, the fragment would be moved in front of nearer objects.
+// `back`: the depth may also grow, so that all lines on one surface get the same depth.
+// `give`: by how much the depths of two lines on one surface may still differ.
 float depth_on_surface(vec2 beside, float reach, float slack, float most, bool back, out float give) {
     vec2 size = vec2(textureSize(opaque_depth, 0));
     beside *= min(1.0, most / (reach + slack));
@@ -95,7 +103,7 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
     float shift = dot(rise, beside);
     float depth = gl_FragCoord.z + (back ? shift : min(shift, 0.0)) - slack * length(rise) - least;
     give = 0.0;
-    if (on_opaque > 0.5 || depth > opaque_at(pixel)) return depth; // hidden, whatever sheets are there
+    if (on_opaque > 0.5 || depth > opaque_at(pixel)) return depth; // transparent surfaces do not matter
     vec2 sheets = vec2(textureSize(sheet_slopes, 0)) / viewport;
     pixel = ivec2(gl_FragCoord.xy * sheets);
     float slope = slope_around(pixel) * sheets.x;
@@ -104,18 +112,20 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// is_seen() where lines of less than full opacity are among the layers. Segments overlap in a joint, and each would
-// absorb light there. So layers pass on the last line at a pixel. A segment of the same mesh at the same depth, within
-// the rise of both in a joint, belongs to the same line. Its nearest segment is the layer's. The second time, segments
-// raise alpha to the largest of theirs.
+// is_seen() for layers with transparent lines. Segments of a line overlap in joints, and each would absorb light there.
+// So each layer records, at every pixel, the last line and the depth to which its joint reaches. A fragment of the same
+// mesh up to that depth belongs to the same line, and is discarded. The nearest segment of a line is in the layer. The
+// segments are then drawn a second time, and raise alpha to the largest one of all.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED
 uniform sampler2D nearer;
 uniform sampler2D nearer_lines;
-uniform sampler2D own_lines; // of the layer itself, the second time
-uniform sampler2D behind;    // window depths of what is opaque, as the layers end on it
-layout(location = 1) out vec2 record; // number of the last line, and how far back it is that; -1: nothing is seen behind
+uniform sampler2D own_lines; // record of the layer being drawn, in the second pass
+uniform sampler2D behind;    // window depths of opaque surfaces, at which the layers end
+// R: number of the last line's mesh, 0: none, -1: nothing is visible behind. G: depth to which the line's joint
+// reaches.
+layout(location = 1) out vec2 record;
 bool is_seen(float depth) {
     record = texelFetch(nearer_lines, ivec2(gl_FragCoord.xy), 0).rg;
     return record.x >= 0.0 && depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r;

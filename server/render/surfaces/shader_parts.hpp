@@ -9,15 +9,15 @@ namespace ciel::render {
 // GLSL block `surface`, to follow "in" or "out": the output of surface_vertex for lines and triangles.
 extern const char* const surface_block;
 extern const std::string surface_vertex;
-// depth_on_surface() of lines and points.
+// GLSL of depth_on_surface(), for lines and points.
 extern const char* const on_surface_glsl;
-// is_seen() of peeled programs; recorded_glsl also has the record of a layer.
+// GLSL of is_seen(), for peeling programs. recorded_glsl also declares the layer's record of lines.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;
 
-// Throws Error with the compiler's message.
+// Links a program and looks up its uniforms. Throws Error with the compiler's or the linker's message.
 [[nodiscard]] Program link(const Gl& gl, const std::vector<Stage>& stages);
-// Returns a fragment shader: `defines`, then base_color(), the lighting, and `body`.
+// Returns the text of a fragment shader: `defines`, then base_color(), the lighting, and `body`.
 [[nodiscard]] std::string with_color_scale(const std::string& body, const std::string& defines = "");
 
 } // namespace ciel::render

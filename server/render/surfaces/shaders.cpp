@@ -6,8 +6,8 @@
 namespace ciel::render {
 namespace {
 
-// The most common mesh: one color, normals of its own, no clip plane. Each interpolated number costs time in a software
-// rasteriser, so only the normal is interpolated. The ray follows from the pixel's coordinates.
+// Program of the most common mesh: one color, normals per vertex, no clip plane. Each interpolated number costs time in
+// a software rasterizer, so only the normal is interpolated. The viewing ray is computed from the pixel's coordinates.
 const std::string plain_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -37,17 +37,18 @@ void main() {
 }
 )";
 
-// Lines are drawn again after the volumes, then only in front of them. A line on the boundary counts as in front, but a
-// steep face may be nearer in the middle of the pixel. So the slope of one pixel is tolerated.
+// is_seen() of lines that are drawn again after the volumes, only in front of the volumes. A line on a volume's
+// boundary counts as in front. But a steep boundary face may be nearer in the middle of the pixel, so the face's rise
+// over one pixel is tolerated.
 constexpr const char* before_volume_glsl = R"(
-uniform float before_volume; // 1: only what is in front of the volume
+uniform float before_volume; // 1: only fragments in front of the volumes are visible
 uniform sampler2D volume_limits;
 float first_depth(ivec2 pixel) {
     return texelFetch(volume_limits, clamp(pixel, ivec2(0), textureSize(volume_limits, 0) - 1), 0).a;
 }
 bool is_seen(float depth) {
     if (before_volume < 0.5) return true;
-    const float most = 5e-3; // beside an outline
+    const float most = 5e-3; // limit of the slope, which is too large beside an outline
     ivec2 pixel = ivec2(gl_FragCoord.xy / viewport * vec2(textureSize(volume_limits, 0)));
     float own = first_depth(pixel), slope = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
@@ -71,7 +72,7 @@ vec3 facing_normal(vec3 viewer) {
     float plane_length = length(plane);
     float normal_length = length(surface.normal);
     if (normal_length > 1e-6) return seen_normal(surface.normal / normal_length, viewer);
-    if (plane_length <= 1e-30) return viewer; // a sliver without a plane of its own: never black
+    if (plane_length <= 1e-30) return viewer; // a degenerate triangle has no plane; never black
     return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
 }
 
@@ -95,7 +96,7 @@ void main() {
 }
 )";
 
-// Writes (slope, slope limited by the triangle's extent in depth), in depth per pixel.
+// Writes (slope, slope limited by the triangle's extent in depth), in window depth per pixel.
 const std::string slopes_geometry = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -109,7 +110,7 @@ void main() {
     float high = -1.0;
     for (int i = 0; i < 3; ++i) {
         vec4 place = gl_in[i].gl_Position;
-        float depth = place.w > 0.0 ? place.z / place.w : -1.0; // behind the eye
+        float depth = place.w > 0.0 ? place.z / place.w : -1.0; // -1: behind the eye
         low = min(low, depth);
         high = max(high, depth);
     }
@@ -132,7 +133,7 @@ void main() {
 }
 )";
 
-// A line becomes a rectangle of the asked width in pixels with soft edges: core profiles may refuse wide lines.
+// A line becomes a rectangle of the requested width in pixels, with soft edges: core profiles may refuse wide lines.
 const std::string line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -145,13 +146,13 @@ in)" + std::string(surface_block) +
 out Line {
     float value;
     noperspective float across;
-    flat vec2 side; // of unit length, in pixels: where `across` runs to
-    flat float joint; // depth within which it meets others
+    flat vec2 side; // unit vector in pixels, in which `across` grows
+    flat float joint; // range of depth in which the segment overlaps others at its ends
     flat vec4 color;
     flat vec2 style;
 } line;
 
-// `along`: where between the two vertices.
+// `along`: position between the two vertices, from 0 to 1.
 void corner(vec4 end, float value, float along, vec2 offset, vec2 side, float across, float joint) {
     vec3 position = mix(surface[0].position, surface[1].position, along);
     for (int i = 0; i < 6; ++i) gl_ClipDistance[i] = dot(clip[i].xyz, position) + clip[i].w;
@@ -170,7 +171,8 @@ void main() {
     vec4 b = gl_in[1].gl_Position;
     float value_a = surface[0].value;
     float value_b = surface[1].value;
-    float in_a = a.z + a.w; // behind the nearest plane when negative: cut there, a point behind the eye has no pixel
+    // in_a, in_b: negative behind the near plane. The line is cut there: a point behind the eye has no projection.
+    float in_a = a.z + a.w;
     float in_b = b.z + b.w;
     float from = 0.0;
     float to = 1.0;
@@ -190,7 +192,7 @@ void main() {
     along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x);
     float edge = half_width + 0.5;
-    vec2 cap = along * half_width * 0.5; // so that lines that meet leave no notch
+    vec2 cap = along * half_width * 0.5; // lengthens both ends, so that segments that meet leave no notch
     corner(a, value_a, from, edge * side - cap, side, edge, joint);
     corner(a, value_a, from, -edge * side - cap, side, -edge, joint);
     corner(b, value_b, to, edge * side + cap, side, edge, joint);
@@ -199,9 +201,10 @@ void main() {
 }
 )";
 
-// A line's coverage of a pixel, in the part being drawn.
+// A line's coverage of a pixel in the pass being drawn (Painter::draw_lines). cover_part 0: all; 1: coverage below one
+// half, else 0; 2: coverage of one half or more counts as 1, else 0.
 constexpr const char* cover_glsl = R"(
-uniform float cover_part; // 0: all; 1: only where it is less than half; 2: only where it is more, and that is then whole
+uniform float cover_part; // 0: coverage; 1: coverage below one half, else 0; 2: 1 where it is one half or more, else 0
 float cover_drawn(float cover) {
     if (cover_part > 1.5) return cover < 0.5 ? 0.0 : 1.0;
     return cover_part > 0.5 && cover >= 0.5 ? 0.0 : cover;
@@ -220,14 +223,15 @@ in Line {
 } line;
 layout(location = 0) out vec4 picture;
 #ifdef RECORDED
-uniform float number;  // of lines that are the same where they meet; 0: of none
-uniform float joining; // 1: the second time
+// Number of the mesh, from 1, for transparent lines: segments of one mesh join where they meet. 0 for opaque lines.
+uniform float number;
+uniform float joining; // 1: second pass, which joins segments
 #endif
 void main() {
     float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
-    if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+    if (cover < 0.02) discard; // an invisible edge must not write depth
     float give;
-    float slack = 0.5 + 0.5 * half_width; // a pixel's half, and the caps
+    float slack = 0.5 + 0.5 * half_width; // half a pixel, and the caps
     float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, 6.0, true, give);
     if (!is_seen(depth)) discard;
 #ifdef RECORDED

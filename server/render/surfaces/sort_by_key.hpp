@@ -10,14 +10,14 @@
 
 namespace ciel::render {
 
-// Returns an unsigned integer that sorts as the float does.
+// Returns unsigned integers that have the same order as the floats.
 [[nodiscard]] inline std::uint32_t sortable(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-// Sorts by ascending `key`; `other` is scratch memory. May be given up between pieces (pacing.hpp): the contents of
-// both are then unspecified.
+// Sorts by ascending `key`; `other` is scratch memory. Cancelling (pacing.hpp) may interrupt the sort: the contents of
+// both vectors are then unspecified.
 template <typename Item>
 void sort_by_key(const Gl& gl, std::vector<Item>& items, std::vector<Item>& other) {
     constexpr unsigned bits = 11;

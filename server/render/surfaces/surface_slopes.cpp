@@ -3,7 +3,7 @@
 namespace ciel::render {
 namespace {
 
-enum Unit : int { opaque_unit = 4, sheets_unit = 5 }; // not used otherwise by line and point programs
+enum Unit : int { opaque_unit = 4, sheets_unit = 5 }; // texture units that lines and points do not use otherwise
 
 GLuint single_texel(const Gl& gl, float value) {
     GLuint texture = 0;

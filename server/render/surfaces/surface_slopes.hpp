@@ -1,5 +1,5 @@
-// The depth of opaque surfaces and the slopes of transparent ones. Lines and points on a surface come nearer by its
-// rise under their width (on_surface_glsl in shader_parts.cpp).
+// The depth of opaque surfaces and the slopes of transparent ones. Lines and points on a surface are moved nearer by
+// the surface's rise under their width (on_surface_glsl in shader_parts.cpp).
 #pragma once
 
 #include "render/surfaces/shaders.hpp"
@@ -10,14 +10,14 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size reallocates them behind the same names.
+// GL objects are freed only with their context. A change of size reallocates the textures under the same GL names.
 class SurfaceSlopes {
 public:
     explicit SurfaceSlopes(const Gl& gl);
     SurfaceSlopes(const SurfaceSlopes&) = delete;
     SurfaceSlopes& operator=(const SurfaceSlopes&) = delete;
 
-    void begin(); // resets to no surfaces
+    void begin(); // forgets the surfaces of the last frame
     // Copies the depth of the target, on which only opaque surfaces have been drawn. Leaves the target bound.
     void copy_opaque(Target& target, int width, int height);
     // Finds the slopes of transparent surfaces. `draw` uses program(), sets its uniforms, and draws all transparent
@@ -31,7 +31,7 @@ private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // the last two: for no surface
+    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // far_, flat_: used where there is no surface
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;
 };

@@ -1,5 +1,5 @@
-// Transparent triangles of all layers in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
-// the depth of their centres. Sorting is correct where triangles do not cross or enclose each other; layers may cross.
+// Transparent triangles of all meshes in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
+// the depth of their centers. Sorting is correct where triangles do not cross or enclose each other; whole meshes may.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -16,9 +16,9 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // Uploads the vertices if a part has changed, and the order if a part, `sorted` or a sorted depth_row has.
-    // depth_row: the row of the view matrix that gives -depth; larger is nearer. `sorted`: from far to near.
-    // May be given up between pieces (pacing.hpp); then call load() before draw().
+    // Uploads the vertices if a mesh has changed. Uploads the order if a mesh, `sorted`, or (when sorted) depth_row has
+    // changed. depth_row: the row of the view matrix that gives -depth; larger is nearer. `sorted`: from far to near.
+    // Cancelling (pacing.hpp) may interrupt an upload; then call load() again before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
@@ -31,10 +31,10 @@ private:
         std::array<float, 2> style;
     };
     struct Triangle {
-        std::uint32_t key; // grows with nearness
+        std::uint32_t key; // larger is nearer
         std::array<Index, 3> corners;
     };
-    struct Held { // inputs of a part's vertices
+    struct Held { // inputs of the vertices of one mesh
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -53,7 +53,7 @@ private:
     bool is_sorted_ = false, is_ordered_ = false; // the uploaded order fits depth_row_ and is_sorted_
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_; // in the order of the parts, which decides ties
+    std::vector<Triangle> triangles_; // in the order of the meshes, which decides ties of depth
     std::vector<Triangle> sorted_;    // in draw order
     std::vector<Triangle> other_;
     std::vector<Index> indices_;

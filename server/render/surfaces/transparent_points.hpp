@@ -1,5 +1,5 @@
-// Transparent points of all layers in one buffer, sorted from near to far. A disc faces the viewer and has the depth of
-// its centre everywhere, so this order is correct at every pixel.
+// Transparent points of all meshes in one buffer, sorted from near to far. A disc faces the viewer and has the depth of
+// its center everywhere, so this order is correct at every pixel.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -12,14 +12,14 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context.
+// GL objects are freed only with their context.
 class TransparentPoints {
 public:
     explicit TransparentPoints(const Gl& gl);
 
-    // Uploads the vertices if a part has changed, and the order if a part or depth_row has.
-    // depth_row: the row of the view matrix that gives -depth. Throws Error when arrays of a mesh do not fit together.
-    // May be given up between pieces (pacing.hpp); then call load() before draw().
+    // Uploads the vertices if a mesh has changed, and the order if a mesh or depth_row has changed. depth_row: the row
+    // of the view matrix that gives -depth. Throws Error when arrays of a mesh do not fit together. Cancelling
+    // (pacing.hpp) may interrupt an upload; then call load() again before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;
@@ -32,10 +32,10 @@ private:
         std::array<float, 2> style;
     };
     struct Point {
-        std::uint32_t key; // grows with the distance
+        std::uint32_t key; // larger is farther
         Index vertex;
     };
-    struct Held { // inputs of a part's vertices
+    struct Held { // inputs of the vertices of one mesh
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -54,7 +54,7 @@ private:
     glm::vec4 depth_row_{};
     bool is_ordered_ = false; // the uploaded order fits depth_row_
     std::vector<Held> held_;
-    std::vector<Vertex> vertices_; // one per point, in the order of the parts, which decides ties
+    std::vector<Vertex> vertices_; // one per point, in the order of the meshes, which decides ties of depth
     std::vector<Point> sorted_, other_;
     std::vector<Index> order_;
 };

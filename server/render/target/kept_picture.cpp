@@ -8,7 +8,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr double most_by_tiles = 0.6; // share of the picture; beyond it one full clear is faster
+constexpr double most_by_tiles = 0.6; // share of tiles; if more are dirty, one full clear is faster
 
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
@@ -18,7 +18,7 @@ out vec4 picture;
 void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
 )";
 
-// Full and partial clears may round differently, so colors are rounded here.
+// Rounds to a multiple of 1/255: full and scissored clears may round other values differently.
 float as_byte(float channel) { return std::round(std::clamp(channel, 0.0F, 1.0F) * 255) / 255; }
 
 void copy(const Image& from, const PixelBox& box, Image& to) {
@@ -41,7 +41,7 @@ KeptPicture::KeptPicture(const Gl& gl, Target& target)
 
 void KeptPicture::begin(const Background& background, const TouchedTiles& touched) {
     const bool again = is_drawn_ && background == background_ && background.samples <= 1;
-    is_drawn_ = false; // if this throws
+    is_drawn_ = false; // remains false if begin() throws
     target_.begin(background.width, background.height, background.samples);
     background_ = background;
     touched_ = touched;
@@ -57,7 +57,8 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Called for the second frame with the same background only: stills and single pictures do not need it.
+// Reads the cleared target into clean_. Called for the second of two frames with the same background: stills and single
+// pictures do not need clean_.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();
@@ -66,7 +67,7 @@ void KeptPicture::keep_background() {
     is_clean_known_ = true;
 }
 
-// Clears the boxes, or the whole target if there are none.
+// Clears the boxes, or the whole target if `boxes` is empty.
 void KeptPicture::clear(const std::vector<PixelBox>& boxes) {
     const auto& bottom = background_.bottom;
     gl_.ClearColor(as_byte(bottom[0]), as_byte(bottom[1]), as_byte(bottom[2]), 1);

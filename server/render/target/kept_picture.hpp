@@ -1,4 +1,4 @@
-// Keeps the picture of the last frame, so that the next one clears, reads and converts only the changed tiles.
+// Keeps the picture of the last frame, so that the next frame clears, reads and converts only the changed tiles.
 // Outside the touched tiles the target holds the background and the farthest depth.
 #pragma once
 
@@ -30,10 +30,10 @@ private:
     GLuint program_ = 0, no_array_ = 0;
     GLint top_ = -1, bottom_ = -1, height_ = -1;
     Background background_{};
-    bool is_drawn_ = false;       // the target holds background_ outside dirty_
-    bool is_clean_known_ = false; // clean_ has the pixels of background_, and so has picture_ outside shown_
+    bool is_drawn_ = false;       // the target holds background_ outside the tiles of dirty_
+    bool is_clean_known_ = false; // clean_ is valid, and picture_ equals it outside the tiles of shown_
     TouchedTiles dirty_, shown_, touched_;
-    Image clean_, picture_; // the background alone; the last frame
+    Image clean_, picture_; // pixels of background_ alone; picture of the last frame
 };
 
 } // namespace ciel::render

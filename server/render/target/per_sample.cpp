@@ -5,15 +5,18 @@
 namespace ciel::render {
 namespace {
 
-// Window depths are linear on a plane, so an outline is where they bend. Bends of less than a hundredth of the depth
-// range are ignored: so little of a volume is not visible, and the inside of a ball bends less.
-// A surface is steep at its outline, so a sample of it may be far behind the pixel's middle. The border between front
-// and back samples is therefore close to the back, and next to it where the back is the background.
+// Finds outlines of opaque surfaces. Window depth is linear on a plane, so a large second difference of depths means an
+// outline. Second differences below 1 % of the depth range are ignored: they occur inside the outline of a ball, and a
+// piece of a volume that is so thin is not visible.
+// A surface is steep at its outline, so its samples may lie far behind the pixel's middle. So gl_FragDepth, which
+// separates samples of the surface from samples behind it, is close to the depth behind: at 80 % of the gap, or at
+// 99.99 % where only the background is behind.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
-uniform float behind; // 1: samples that see past what ends there, and all where nothing does; 0: the others
+// 1: draws samples behind the surface of an outline, and all samples where there is no outline; 0: the other samples
+uniform float behind;
 const float least_bend = 1e-2;
-const float least_turn = 0.5; // of how steep it is
+const float least_turn = 0.5; // of an outline: second difference, as a share of the first
 const ivec2 around[8] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1),
                                 ivec2(-1, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1));
 vec2 seen_from() {

@@ -10,15 +10,16 @@
 namespace ciel::render {
 
 // Returns GLSL to put before a fragment shader. Its seen_from() returns the place in the picture, in pixels, to take
-// the color from. `of_samples`, for draw_per_sample(): the nearest pixel that fits; otherwise the fragment's own place.
+// the color from. `of_samples`, for draw_per_sample(): the nearest pixel whose ray hit or missed the surface as the
+// samples do. Otherwise the fragment's own place.
 [[nodiscard]] const char* seen_from_glsl(bool of_samples);
 
 struct PerSample {
     GLuint opaque = 0; // window depths at which the picture's rays end; same size as the picture
-    int unit = 0;      // texture unit for it
+    int unit = 0;      // texture unit for `opaque`
 };
-// Calls `draw` twice, with `program` in use and the target bound. Tests the depth of the target's samples and does not
-// write it. Leaves the depth test on.
+// Calls `draw` for samples behind outlines, then for samples in front. The caller has `program` in use and the target
+// bound. Tests the depth of the target's samples, but does not write it. Leaves the depth test on.
 void draw_per_sample(const Gl& gl, const ShaderProgram& program, const PerSample& what,
                      const std::function<void()>& draw);
 

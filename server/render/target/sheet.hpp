@@ -1,18 +1,19 @@
-// A texture to draw to and to read from.
+// A color texture with a framebuffer to draw to it.
 #pragma once
 
 #include "render/context/gl.hpp"
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context.
+// GL objects of a Sheet are freed only with their context.
 class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // Reallocates behind the same names if size or format change. Throws Error when the GL cannot draw to this size.
+    // Reallocates the texture under the same GL name if size or format change. Throws Error when the GL cannot draw to
+    // this size.
     void size(GLint format, int width, int height);
-    void begin() const; // binds it for drawing, with a viewport of its size
+    void begin() const; // binds the framebuffer, with a viewport of the texture's size
     [[nodiscard]] GLuint texture() const { return texture_; }
 
 private:
@@ -22,7 +23,7 @@ private:
     GLint format_ = 0;
 };
 
-// Sets the filter of the bound texture, and clamping to its edge.
+// Sets both filters of the bound 2D texture, and clamping to its edge.
 void filter(const Gl& gl, GLint how);
 void bind(const Gl& gl, int unit, GLuint texture);
 

@@ -8,9 +8,10 @@
 namespace ciel::render {
 namespace {
 
-constexpr int band_rows = 32; // read at a time, so that a band is in the cache when its alpha is dropped
+constexpr int band_rows = 32; // rows per glReadPixels: a band is still in the cache when its alpha is dropped
 
-// Stores 8 and 4 bytes: assembling them in memory from smaller stores would stall.
+// Converts four pixels from RGBA to RGB, with one store of 8 bytes and one of 4. Assembling the bytes in memory by
+// smaller stores would stall.
 void drop_alpha_of_four(const std::uint8_t* rgba, std::uint8_t* rgb) {
     static_assert(std::endian::native == std::endian::little);
     std::array<std::uint64_t, 2> pairs{};
@@ -56,7 +57,7 @@ void Target::allocate(Layer& layer, int width, int height, int samples) {
     layer.samples = -1; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw Error("the GL driver cannot draw a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels; ask for a smaller one");
+                    " pixels; ask for a smaller picture");
     }
     layer.width = width;
     layer.height = height;

@@ -1,4 +1,4 @@
-// Render target: color and depth, multisampled or not.
+// Framebuffer of the picture: color and depth, multisampled or not.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -10,35 +10,39 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context; a change of size reallocates behind the same names.
+// GL objects of a Target are freed only with their context. A change of size reallocates the buffers under the same GL
+// names.
 class Target {
 public:
     explicit Target(const Gl& gl);
 
-    // Binds it for drawing. Throws Error when the GL cannot draw this size.
+    // Binds the framebuffer for drawing, with at most `samples` samples per pixel. Throws Error when the GL cannot draw
+    // this size.
     void begin(int width, int height, int samples);
-    // Reads these pixels into the image, which is resized to the whole picture.
+    // Reads the pixels of the box into the image, which is resized to the whole picture.
     void read(const PixelBox& box, Image& image);
-    // Depth at a pixel counted from the top left, 1 where nothing was drawn.
+    // Returns the window depth at a pixel counted from the top left; 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
-    // Returns the sample positions of a pixel, from its middle to the right and up; (0, 0) for a single sample.
+    // Returns the positions of a pixel's samples: offsets from its middle to the right and up, in pixels. (0, 0) for a
+    // single sample.
     [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
     // Copies the depth of one sample per pixel to another framebuffer of this size with GL_DEPTH_COMPONENT24.
     void copy_depth(GLuint framebuffer);
 
 private:
-    struct Layer { // one framebuffer with its two buffers
+    struct Layer { // a framebuffer with its color and depth buffers
         GLuint framebuffer = 0, color = 0, depth = 0;
         int width = 0, height = 0, samples = -1;
     };
     void allocate(Layer& layer, int width, int height, int samples);
-    Layer& resolved(GLbitfield what); // the layer to read from
+    Layer& resolved(GLbitfield what); // returns single_, with the resolved buffers `what`
 
     const Gl& gl_;
     Layer single_, multisampled_;
     Layer* drawn_ = nullptr;
-    std::vector<std::uint8_t> rgba_; // a band; from llvmpipe, reading RGBA and dropping A is ten times as fast as RGB
+    // A band of rows. llvmpipe reads RGBA ten times as fast as RGB, even with A dropped afterwards.
+    std::vector<std::uint8_t> rgba_;
 };
 
 } // namespace ciel::render

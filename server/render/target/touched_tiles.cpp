@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-struct Span { // tiles, both ends included
+struct Span { // range of tile indices, both ends included
     std::uint16_t left, bottom, right, top;
 };
 
@@ -18,7 +18,7 @@ Span joined(const Span& a, const Span& b) {
     return {std::min(a.left, b.left), std::min(a.bottom, b.bottom), std::max(a.right, b.right), std::max(a.top, b.top)};
 }
 
-// Finds the tiles of a vertex with `reach` pixels around it.
+// Projects vertices, and finds the tiles within `reach` pixels of each.
 class Spans {
 public:
     Spans(const annotations::ViewTransform& transform, int width, int height, float reach)
@@ -37,7 +37,8 @@ public:
         return true;
     }
 
-    // Divides a line into short pieces: a slanted line touches few tiles of its bounding box.
+    // Calls `function` with the tiles of short pieces of a line: a slanted line touches few tiles of its bounding box
+    // `whole`.
     template <class Function>
     void for_pieces(const Vec3f& from, const Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);
@@ -61,7 +62,7 @@ private:
     float half_width_, half_height_, most_x_, most_y_, reach_;
 };
 
-// Returns the primitive's extent around a vertex, in pixels, with a margin for rounding.
+// Returns how far a primitive extends around its vertices, in pixels, with a margin for rounding.
 float reach_of(const Primitives& mesh) {
     if (mesh.points) return mesh.point_size / 2 + 2;
     return mesh.lines ? mesh.line_width + 2 : 1;

@@ -1,4 +1,4 @@
-// The tiles of a picture that something is drawn on. Others need not be cleared, read and converted.
+// Set of the tiles of a picture that a frame draws on. Other tiles need not be cleared, read and converted.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -8,31 +8,32 @@
 
 namespace ciel::render {
 
-// Pixels from the lower left, as OpenGL counts them.
+// Box in pixels from the lower left, as OpenGL counts them.
 struct PixelBox {
     int left, bottom, width, height;
 };
 
 class TouchedTiles {
 public:
-    static constexpr int side = 64; // pixels, as llvmpipe's own tiles
+    static constexpr int side = 64; // pixels; llvmpipe's tiles have the same size
 
     TouchedTiles() = default;
-    TouchedTiles(int width, int height); // none is touched
+    TouchedTiles(int width, int height); // no tile is touched
 
     void touch_all();
-    // Touches every tile that the box may overlap, in pixels from the lower left; all if it is not finite.
+    // Marks every tile that the box may overlap, in pixels from the lower left; all tiles if the box is not finite.
     void touch(float left, float bottom, float right, float top);
-    // Touches every tile that the mesh may have a pixel in; all if a vertex is behind the near plane or not finite.
+    // Marks every tile that the mesh may have a pixel in; all tiles if a vertex is behind the near plane or not finite.
     void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
 
-    void add(const TouchedTiles& other); // of the same size
+    void add(const TouchedTiles& other); // marks the tiles of `other`, which has the same size
     [[nodiscard]] bool is_of(int width, int height) const { return width_ == width && height_ == height; }
-    [[nodiscard]] double share() const; // of all tiles
+    [[nodiscard]] double share() const; // touched share of all tiles
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    // Returns disjoint boxes that cover the touched tiles without those of `except`. Equal rows of tiles are merged.
+    // Returns disjoint boxes that cover the touched tiles without those of `except`. Consecutive rows with the same
+    // touched tiles share boxes.
     [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
 
 private:

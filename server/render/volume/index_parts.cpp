@@ -5,7 +5,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr std::size_t most_corners = 3 * std::size_t{256}; // fewer are not worth a draw call
+constexpr std::size_t most_corners = 3 * std::size_t{256}; // indices per part; smaller parts are not worth a draw call
 
 IndexPart part_of(std::span<const Index> corners, const std::function<const Vec3f&(Index)>& at) {
     IndexPart part{{}, at(corners[0]), at(corners[0])};

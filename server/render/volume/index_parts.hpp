@@ -19,10 +19,11 @@ struct IndexRange {
 
 struct IndexPart {
     IndexRange range;
-    Vec3f low, high; // of positions
+    Vec3f low, high; // box of the part's positions
 };
 
-// Splits `triangles`, which the index buffer holds at `range`, in order. `at` returns the position of a vertex.
+// Splits `triangles`, which the index buffer holds at `range`, into consecutive parts. `at` returns the position of a
+// vertex.
 [[nodiscard]] std::vector<IndexPart> parts_of(const IndexRange& range, std::span<const Index> triangles,
                                               const std::function<const Vec3f&(Index)>& at);
 

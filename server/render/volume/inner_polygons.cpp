@@ -13,13 +13,14 @@
 namespace ciel::render {
 namespace {
 
-constexpr int cells = 256;             // per side of the grid over a slab
-constexpr double worth_splitting = 40; // length of a triangle in cells
+constexpr int cells = 256;             // per side of the grid that covers the mesh along the slabs
+constexpr double worth_splitting = 40; // extent in cells from which triangles are split
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 
-// Coordinates of positions: across the slabs, and along them in cells, from 0 to `cells` over the mesh's boundary.
+// Coordinates of positions: across the slabs as a length, and along the slabs in cells, from 0 to `cells` over the
+// mesh's boundary.
 class Places {
 public:
     Places(const Volume& volume) : across_(vector_of(volume.normal)) { // NOLINT(google-explicit-constructor)
@@ -64,7 +65,7 @@ struct Box {
 
 int cell_of(double place) { return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0; }
 
-// Returns i of the longest edge, from corner i to the next.
+// Returns the corner at which the longest edge begins; edge i joins corners i and i + 1.
 std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     const auto length = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
     std::size_t longest = 0;
@@ -73,7 +74,7 @@ std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     return longest;
 }
 
-// The cells of a row, one bit each.
+// Set of cells in one row of the grid, one bit each.
 class RowOfCells {
 public:
     void mark(int first, int last) {
@@ -97,7 +98,7 @@ private:
     std::array<std::uint64_t, cells / 64> words_{};
 };
 
-// The cells of one slab in which rays may meet the boundary.
+// Set of grid cells in which a ray may meet the mesh's boundary within one slab.
 class NearBoundary {
 public:
     NearBoundary(const Places& places, double middle, double half)
@@ -136,15 +137,15 @@ public:
     }
 
 private:
-    static constexpr double tolerance = 1.1; // rounding, here and in the programs
-    struct Span {                            // of a row
+    static constexpr double tolerance = 1.1; // factor on half the slab, for rounding here and in the shaders
+    struct Span {                            // range of x in a row of cells
         double low = 1e300, high = -1e300;
     };
     struct Polygon { // a triangle cut by two planes
         std::array<Point, 5> corners;
         std::size_t count;
 
-        // Returns the part with height >= 0.
+        // Returns the part of the polygon where `height` >= 0.
         template <class Height>
         [[nodiscard]] Polygon cut(const Height& height) const {
             Polygon kept{{}, 0};
@@ -191,11 +192,11 @@ private:
     double low_, high_;
     glm::dvec2 margin_;
     std::array<RowOfCells, cells> rows_{};
-    std::array<Span, cells> spans_; // of the triangle that is being added
+    std::array<Span, cells> spans_; // per row, of the triangle that is being added
     int first_row_ = cells, last_row_ = -1;
 };
 
-// Sorts the triangles of one slice.
+// Sorts the triangles of one slice into outer and inner ones.
 class Sorter {
 public:
     Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {
@@ -257,7 +258,7 @@ private:
 
     const SlabMesh& slice_;
     const NearBoundary& near_;
-    std::vector<glm::dvec2> places_; // of the vertices, in cells
+    std::vector<glm::dvec2> places_; // coordinates of the vertices along the slabs, in cells
     SortedSlice sorted_;
     std::vector<Index> inner_;
 };

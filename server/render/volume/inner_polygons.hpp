@@ -9,10 +9,10 @@ namespace ciel::render {
 // The triangles of a slice, the inner ones last. Large triangles near the boundary are split, so that most of their
 // area is inner.
 struct SortedSlice {
-    const SlabMesh* slice = nullptr; // has the first vertices; borrowed
+    const SlabMesh* slice = nullptr; // borrowed; has the first vertices
     std::vector<SlabVertex> more;    // vertices from splits, after those of the slice
     std::vector<Index> triangles;
-    std::size_t outer = 0; // number of entries before the first inner one
+    std::size_t outer = 0; // number of indices in `triangles` before the first inner triangle
 };
 
 // Tangent of the widest angle between a ray and the volume's normal for which inner triangles are valid.

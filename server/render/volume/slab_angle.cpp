@@ -13,7 +13,8 @@ using Corners = std::array<glm::dvec3, 8>;
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Infinite unless all rays are on one side of the plane across the normal. Rays between them are no wider.
+// Returns the largest tangent of the angle between the normal and a ray; infinite unless all rays are on one side of
+// the plane across the normal. Rays between the given ones have no larger angle.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
     double widest = 0;
     for (const glm::dvec3& ray : rays) {

@@ -1,15 +1,19 @@
-// Assigns each piece of a ray to one fragment. The middle planes of the slabs cut the mesh into slices. A ray meets
-// slices, and enters and leaves the mesh through boundary faces, at any place between. Inside the mesh,
-//   a slice has the piece within its slab that contains it: from the slab's front or the last entry to the slab's back
-//     or the next exit;
-//   a front face has the piece within its slab that begins on it, unless the piece contains a slice;
-//   a back face has the piece within its slab that ends on it, if it begins with the slab and contains no slice.
-// So every piece belongs to one fragment, which knows the property and its gradient at one place of the piece.
-// Where an entry or exit is nearly on a slice, rounding decides which pixels the slice covers. There the face has the
-// slice's piece. An opaque surface has no property: a piece that ends on it before the slice belongs to the fragment of
-// the slab in front. The piece from an eye inside the mesh to the first slice belongs to the fragment of the slab
-// behind. Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. This
-// is one stretch of the ray, because the kept space is convex.
+// Shaders that draw a volume's slabs. Each piece of a ray within a slab is drawn by exactly one fragment. The middle
+// planes of the slabs cut the mesh into slices. A ray meets slices, and enters and leaves the mesh through boundary
+// faces at any place between slices. Inside the mesh,
+//   a fragment of a slice draws the piece within its slab that contains the slice: from the slab's front or the last
+//     entry to the slab's back or the next exit;
+//   a fragment of a front face draws the piece within its slab that begins on the face, unless the piece contains a
+//     slice;
+//   a fragment of a back face draws the piece within its slab that ends on the face, if the piece begins with the slab
+//     and contains no slice.
+// So a fragment knows the property and its gradient at one place of its piece.
+// Where an entry or exit is nearly on a slice, rounding decides which pixels the slice covers. There the fragment of
+// the face draws the slice's piece.
+// An opaque surface has no property: a piece that ends on an opaque surface before the slice is drawn in the slab in
+// front. The piece from an eye inside the mesh to the first slice is drawn in the slab behind.
+// Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. That part is
+// one stretch of the ray, because the kept space is convex.
 //
 // Constants of a slab come to the fragments through the vertices: llvmpipe looks up a uniform for each pixel, which
 // took a third of the time of these programs.
@@ -22,8 +26,8 @@
 namespace ciel::render {
 namespace {
 
-// Outputs values as places in the table, and gradients along the eye's axes per scaled length.
-// `scale` is there because squares of lengths in a galaxy's metres overflow a float.
+// Outputs values as places in the transfer table, from 0 to 1, and gradients in eye space per scaled length. Lengths
+// are multiplied by `scale`, because squares of lengths of a galaxy in meters overflow a float.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in float value;
@@ -37,7 +41,8 @@ uniform float scale;
 out vec4 property;
 flat out vec4 cell;
 #ifdef INNER
-uniform vec4 half_of; // half a slab along a ray: so much, and so much of the way from the eye
+// Half of the slab along a ray: xyz + w * position in eye space.
+uniform vec4 half_of;
 out vec3 half_piece;
 #else
 uniform vec4 rays;
@@ -78,16 +83,19 @@ void main() {
 )";
 
 constexpr const char* ray = R"(
-flat in vec4 ray_row;    // sideways per depth: at the picture's corner, and per pixel
-flat in vec4 across_row; // across the slabs per depth: at the picture's corner, and per pixel
-flat in vec4 start_row;  // a parallel ray's place across the slabs at depth 0: at the picture's corner, and per pixel
+// Eye-space xy along a ray per depth. xy: at the picture's corner, zw: change per pixel.
+flat in vec4 ray_row;
+// Distance across the slabs along a ray per depth. x: at the picture's corner, yz: change per pixel.
+flat in vec4 across_row;
+// Place of a ray across the slabs at depth 0. x: at the picture's corner, yz: change per pixel (parallel rays).
+flat in vec4 start_row;
 const float never = 1e30;
 
-vec3 ray_along() { return vec3(ray_row.xy + ray_row.zw * gl_FragCoord.xy, -1.0); } // per depth
+vec3 ray_along() { return vec3(ray_row.xy + ray_row.zw * gl_FragCoord.xy, -1.0); } // in eye space, per depth
 float ray_across() { return across_row.x + dot(across_row.yz, gl_FragCoord.xy); }
 float ray_start() { return start_row.x + dot(start_row.yz, gl_FragCoord.xy); }
 
-// The first part of a ray, and how far opaque surfaces let one see.
+// Returns depths of a ray: entry and exit of its first part inside the mesh, and the opaque surface.
 #ifdef OPAQUE
 uniform sampler2D limits;
 vec3 limits_of(vec2 place) { return texture(limits, place).xyz; }
@@ -95,31 +103,34 @@ vec3 limits_of(vec2 place) { return texture(limits, place).xyz; }
 uniform sampler2D first_part;
 vec3 limits_of(vec2 place) {
     vec2 part = texture(first_part, place).xy;
-    return vec3(part.x > part.y ? -never : part.x, part.y, never); // the eye is inside
+    return vec3(part.x > part.y ? -never : part.x, part.y, never); // entry behind the exit: the eye is inside the mesh
 }
 #endif
 )";
 
 constexpr const char* light = R"(
 uniform sampler2D table;
-in vec4 property;   // its slope, and itself
-flat in vec4 cell;  // its least and most there, the light lost per scaled length, and the scale
+in vec4 property;   // xyz: gradient per scaled length, w: place in the table
+// Of the mesh's cell: smallest and largest place in the table; then the density per scaled length, and `scale`.
+flat in vec4 cell;
 out vec4 picture;
 
-// Of a piece of a ray: by how much the property rises along `way`, of which `length` is so many that the piece is
-// `length` long; the property at its ends.
+// Returns the light and opacity of a piece of a ray, premultiplied. `way`: vector along the ray.
+// `rise`: change of the property along `way`. `first`, `last`: property at the piece's ends.
+// `length`: scaled length of the piece.
 vec4 light(vec3 way, float rise, float first, float last, float length) {
     float a = clamp(first, cell.x, cell.y);
     float b = clamp(last, cell.x, cell.y);
     vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
     float loss = mean.a * length * cell.z;
-    // exp alone has too few digits where thin slabs add up.
+    // A series for small losses: 1 - exp(-loss) has too few digits where many thin slabs add up.
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
     vec3 color = mean.rgb;
 #ifdef CLIPPED
-    // Pieces of any length end on a plane. What is far behind it in a dense one is not seen: one so much shorter, from
-    // which all is seen alike, has its middle where the light that comes out has its own.
+    // A clip plane shows dense pieces that are cut open. Only the front of such a piece is visible.
+    // So the color is the mean over the front `share` of the piece. The middle of that share is the mean depth
+    // from which the visible light comes.
     float share = loss < 0.01 ? 1.0 - loss / 6.0 : 2.0 / loss - 2.0 / (exp(min(loss, 80.0)) - 1.0);
     float end = mix(a, b, share);
     color = texture(table, vec2(0.5 * (a + end), (abs(end - a) * (ROWS - 1.0) + 0.5) / ROWS)).rgb;
@@ -127,7 +138,7 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
 #ifdef SHADED
     float steep = dot(property.xyz, property.xyz);
     float facing = min(rise * rise / max(steep * dot(way, way), 1e-30), 1.0);
-    // Where it changes by less than a third of its range along the whole mesh there is no surface to light.
+    // Where the property changes by less than a third of its range along the whole mesh, there is no surface to light.
     float part = steep / (steep + 0.1 / (TABLE_WIDTH * TABLE_WIDTH));
     float shine = facing * facing;
     shine *= shine;
@@ -139,7 +150,7 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
 )";
 
 constexpr const char* inner_fragment = R"(
-in vec3 half_piece; // from the slice to the back of the slab
+in vec3 half_piece; // along the ray from the slice to the back of the slab
 void main() {
     float rise = dot(property.xyz, half_piece);
     picture = light(half_piece, rise, property.w - rise, property.w + rise, 2.0 * sqrt(dot(half_piece, half_piece)));
@@ -153,7 +164,7 @@ vec2 span_at(vec2 place) { return texture(between_planes, place).xy; }
 #endif
 )";
 
-// Depths become places along the ray, in half slabs from the slice: its slab is from -1 to 1.
+// Depths are converted to places along the ray, in half slabs from the slice: its slab is from -1 to 1.
 constexpr const char* slice_fragment = R"(
 void main() {
     float per_depth = ray_across();
@@ -179,11 +190,11 @@ void main() {
 }
 )";
 
-// Works with depths: these differ between places of a ray that runs along a slab, too.
+// Uses depths, not places across the slab: on a ray that runs along the slab, all places across the slab are equal.
 constexpr const char* edge_fragment = R"(
-flat in vec4 slab_row; // the slab, the last one, and the size of a pixel
+flat in vec4 slab_row; // index of the slab, index of the last slab, 1 / picture size
 #ifdef PARALLEL
-uniform vec2 parallel_depths; // nearest, and from there to the farthest
+uniform vec2 parallel_depths; // nearest depth, and difference from it to the farthest
 #endif
 bool is_in_slab(float place) {
     return clamp(floor(place / (2.0 * across_row.w)), 0.0, slab_row.y) == slab_row.x;
@@ -192,11 +203,11 @@ bool yields(float slice, vec2 part, float half_depth) {
     float margin = 0.3 * half_depth;
     return slice - part.x < margin || part.y - slice < margin || slice <= 0.0;
 }
-// The front of the slab, or the eye.
+// Returns the depth where the slab begins; 0 (the eye) if the eye is inside the mesh and within a slab of the slice.
 float front(float slice, vec2 part, float half_depth) {
     return part.x < 0.0 && slice < 2.0 * half_depth ? 0.0 : max(slice - half_depth, 0.0);
 }
-// The back of the slab, or what ends the ray before the next slice.
+// Returns the depth of the next exit, of an opaque surface before the next slice, or of the slab's back.
 float back(float slice, vec2 part, float half_depth, float sight) {
     return min(part.y, sight < slice + 2.0 * half_depth ? sight : slice + half_depth);
 }
@@ -224,7 +235,7 @@ void main() {
     } else {
         part.y = t;
         float begin = front(slice, part, half_depth);
-        bool begins_here = part.x >= 0.0 && is_in_slab(start + across * part.x); // then that belongs to the entry
+        bool begins_here = part.x >= 0.0 && is_in_slab(start + across * part.x); // the entry's face draws the piece
         if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
         to = min(t, first.z);
     }
@@ -240,7 +251,8 @@ void main() {
 }
 )";
 
-// Returns the text that selects a fragment's part: for slices the part around it, for faces the part that they bound.
+// Returns GLSL that selects the ray's part in the mesh: for a slice the part that contains the slice, for a face the
+// part that begins or ends on the face.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

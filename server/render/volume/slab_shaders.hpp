@@ -16,17 +16,17 @@ enum VolumeAttribute : GLuint {
 
 // Variant of a slab program. Slices draw a ray's piece in their slab; boundary faces draw pieces without a slice.
 struct SlabProgramKind {
-    int parts = 1; // of a ray inside the mesh
+    int parts = 1; // number of parts of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;
     int table_rows = 1;
-    double table_width = 1;                                   // in ranges of the color scale
+    double table_width = 1;                                   // extent of the table, in ranges of the color scale
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
-// For inner polygons: their slab has only the mesh, without a boundary, clip plane, opaque surface or eye.
-// `kind` has one part and is not clipped.
+// For inner polygons (inner_polygons.hpp): around them, the slab has no boundary face, clip plane, opaque surface or
+// eye. `kind` must have one part and no clipping.
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
-// For boundary faces.
+// Draws the pieces without a slice, by boundary faces.
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 
 } // namespace ciel::render

@@ -10,11 +10,11 @@ namespace ciel::render {
 
 class VolumeBuffers {
 public:
-    struct Bounds { // of positions
+    struct Bounds { // box of the boundary's positions
         Vec3f low, high;
     };
     struct Slice {
-        IndexRange outer, inner; // triangles
+        IndexRange outer, inner; // triangles (inner_polygons.hpp)
     };
 
     explicit VolumeBuffers(const Gl& gl);
@@ -27,16 +27,17 @@ public:
     void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
     void draw(const IndexRange& range) const;
 
-    // Per slab of `stride` slices: its slice's triangles, and the boundary triangles that intersect it.
+    // Per slab of `stride` slices: the triangles of its middle slice, and the boundary triangles that intersect the
+    // slab.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
-    // The same triangles split into parts, in order.
+    // Triangles of a slab's slice or boundary, split into consecutive parts.
     [[nodiscard]] const std::vector<IndexPart>& parts_of_slice(std::size_t slab) const { return slice_parts_[slab]; }
     [[nodiscard]] const std::vector<IndexPart>& parts_of_boundary(std::size_t slab) const {
         return boundary_parts_[slab];
     }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
-    [[nodiscard]] const Bounds& bounds() const { return bounds_; } // of the boundary
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; } // box of the boundary
     // Hash of the boundary's positions and triangles, independent of the property.
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 

@@ -1,6 +1,7 @@
-// A ray meets the clipped mesh at a face between the clip planes, or at a clip plane inside the mesh. A point of a
-// plane is inside if behind it the ray leaves the mesh once more often than it enters. Counted as for shadow volumes,
-// after F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977.
+// Coverage of pixels by the clipped mesh. A ray meets the clipped mesh at a boundary face between the clip planes, or
+// at a clip plane inside the mesh. A point of a clip plane is inside the mesh if the ray behind the point leaves the
+// mesh once more often than it enters. Exits and entries are counted as for shadow volumes, after F. Crow, "Shadow
+// algorithms for computer graphics", SIGGRAPH 1977.
 #include "render/volume/volume_coverage.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ void main() {
 constexpr const char* facet_vertex = R"(#version 330 core
 uniform mat4 transform;
 uniform vec4 planes[6];
-uniform vec3 middle; // of a square
-uniform vec3 across; // from there to its sides
+uniform vec3 middle; // of a square on the clip plane
+uniform vec3 across; // from the middle to one side of the square
 uniform vec3 up;
 out float gl_ClipDistance[6];
 void main() {
@@ -72,8 +73,8 @@ void VolumeCoverage::allocate(int width, int height, int samples) {
     attach(samples_buffer_, GL_R8, GL_COLOR_ATTACHMENT0);
     attach(depth_buffer_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw the outline of a volume to " + std::to_string(width) + " x " +
-                    std::to_string(height) + " pixels; ask for a smaller picture");
+        throw Error("the GL driver cannot draw the outline of a volume in a picture of " + std::to_string(width) +
+                    " x " + std::to_string(height) + " pixels; ask for a smaller picture");
     width_ = width;
     height_ = height;
     samples_ = samples;
@@ -97,7 +98,7 @@ void VolumeCoverage::begin(const VolumeView& view) {
 void VolumeCoverage::add(const VolumeBuffers& buffers) const {
     const std::size_t planes = view_.frame->clip.size();
     for (std::size_t i = 0; i < planes; ++i) gl_.Enable(clip_plane(i));
-    gl_.Enable(GL_DEPTH_CLAMP); // a face beyond the frame's bounds counts
+    gl_.Enable(GL_DEPTH_CLAMP); // faces beyond the near and far planes count, too
     draw_boundary(buffers, planes_but({}));
     for (std::size_t i = 0; i < planes; ++i) draw_cut(buffers, i);
     gl_.Disable(GL_DEPTH_CLAMP);
@@ -120,7 +121,8 @@ void VolumeCoverage::draw_boundary(const VolumeBuffers& buffers, const Planes& p
     buffers.draw(buffers.whole_boundary());
 }
 
-// Covers a clip plane inside the mesh: draws the plane's depth, counts the faces behind it, draws where some remain.
+// Covers the part of a clip plane that is inside the mesh: draws the plane's depth, counts the faces behind the plane
+// in the stencil buffer, and draws the plane where the count is not zero.
 void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) const {
     gl_.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -143,7 +145,7 @@ void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) c
     gl_.Disable(GL_STENCIL_TEST);
 }
 
-// Draws the part of the plane that may be inside the mesh's box, clipped by the other planes.
+// Draws the part of the clip plane that may be inside the mesh's box, clipped by the other planes.
 void VolumeCoverage::draw_facet(const VolumeBuffers& buffers, std::size_t plane) const {
     const auto& [low, high] = buffers.bounds();
     const glm::dvec3 from(low[0], low[1], low[2]), to(high[0], high[1], high[2]), middle = 0.5 * (from + to);

@@ -1,5 +1,5 @@
-// The share of each pixel of a still that the clipped meshes of volumes cover.
-// Volumes have one ray per pixel, so without it the outline of a dense volume would have steps.
+// The share of each pixel of a still that the clipped meshes of volumes cover. Volumes have one ray per pixel, so
+// without coverage the outline of a dense volume would have steps.
 #pragma once
 
 #include "render/frame/frame.hpp"
@@ -11,23 +11,24 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context.
+// GL objects are freed only with their context.
 class VolumeCoverage {
 public:
     explicit VolumeCoverage(const Gl& gl);
     VolumeCoverage(const VolumeCoverage&) = delete;
     VolumeCoverage& operator=(const VolumeCoverage&) = delete;
 
-    // Throws Error when the GL cannot draw to this size. Leaves another framebuffer bound.
+    // Clears the coverage of the picture of `view`. Throws Error when the GL cannot draw to this size. Leaves another
+    // framebuffer bound.
     void begin(const VolumeView& view);
     void add(const VolumeBuffers& buffers) const;
     void finish();
-    [[nodiscard]] GLuint texture() const { return shares_.texture(); } // R8
+    [[nodiscard]] GLuint texture() const { return shares_.texture(); } // R8: share of each pixel
 
 private:
     void allocate(int width, int height, int samples);
     using Planes = std::array<glm::vec4, most_clip_planes>;
-    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // of the frame
+    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // the frame's clip planes except one
     void draw_boundary(const VolumeBuffers& buffers, const Planes& planes) const;
     void draw_cut(const VolumeBuffers& buffers, std::size_t plane) const;
     void draw_facet(const VolumeBuffers& buffers, std::size_t plane) const;
@@ -37,7 +38,7 @@ private:
     Sheet shares_;
     GLuint framebuffer_ = 0, samples_buffer_ = 0, depth_buffer_ = 0, no_array_ = 0;
     int width_ = 0, height_ = 0, samples_ = 0;
-    // Of the picture being drawn.
+    // View of the picture being drawn.
     VolumeView view_;
 };
 

@@ -10,16 +10,16 @@
 namespace ciel::render {
 namespace {
 
-constexpr double rounding = 1e-6; // of a slab's thickness
+constexpr double rounding = 1e-6; // as a share of a slab's thickness
 
 struct Piece {
     SlabOfVolume of;
-    double middle = 0;     // place along the rows
-    bool is_odd = false;   // alternates from slab to slab
-    bool is_below = false; // below the eye
+    double middle = 0;     // coordinate along the slabs' normal
+    bool is_odd = false;   // alternates along the normal; reverses the order of coincident pieces
+    bool is_below = false; // its coordinate is below the eye's
 };
 
-// Sorts coincident pieces by volume, in reverse order where they are odd.
+// Sorts coincident pieces by volume, in reverse order if is_odd.
 void take_turns(std::vector<Piece>& sorted, std::span<const SlabRow> rows) {
     for (auto begin = sorted.begin(); begin != sorted.end();) {
         const double middle = begin->middle, near = rounding * rows[begin->of.volume].thickness;
@@ -71,7 +71,8 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     return all;
 }
 
-// Returns the interval that a slice represents: its slab. One that is next to the eye begins or ends at the eye.
+// Returns the interval along the normal that a slice represents: its slab, or from the eye to the slab's far end if the
+// eye is within a slab of the slice.
 std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     const double middle = middle_of(row, slab), half = row.thickness / 2;
     const double last = row.first + static_cast<double>(row.count) * row.thickness;
@@ -80,7 +81,7 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// Returns the slab whose slice represents a place; none outside all slabs.
+// Returns the slab whose slice represents a place along the normal; none outside all slabs.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

@@ -24,13 +24,14 @@ struct SlabPieces {
     std::size_t most = 1;
 };
 
-// Returns the slabs from back to front, for every ray through the eye. Rays run up on one side of it and down on the
-// other. `eye` is its place along the rows, infinite for parallel rays.
-// Slabs of different thickness are ordered by their middles: half of a thick slab's neighbours are in front of it.
-// Coincident slabs mix their light in the same place, so the first and the last volume alternate at being in front.
-// Where slabs absorb enough for the order to show, they are divided at each other's borders and into pieces.
-// The pieces alternate, so the error falls with the square of their length: G. Strang, "On the construction and
-// comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
+// Returns the slabs from back to front, in an order that holds for every ray through the eye. `eye`: coordinate of the
+// eye along the slabs' normal, infinite for parallel rays. Slabs below the eye come first, upwards; then those above
+// the eye, downwards.
+// Slabs of different thickness are ordered by their middles: half of a thick slab's neighbors are in front of it.
+// Coincident slabs of two volumes mix their light in the same place, so their order alternates from slab to slab.
+// Where slabs absorb enough for the order to show, they are divided at each other's borders and into pieces. The pieces
+// alternate, so the error falls with the square of their length: G. Strang, "On the construction and comparison of
+// difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 

@@ -15,12 +15,15 @@
 namespace ciel::render {
 namespace {
 
-constexpr int table_unit = 1;                                                             // not used by VolumeRays
-enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // for compositing
+// Texture unit of the transfer table, which VolumeRays does not use.
+constexpr int table_unit = 1;
+// Texture units of the compositing programs.
+enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 };
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns (a, b): value * a + b is 0 to 1 over the table's extent. An empty range maps all values to its middle.
+// Returns (a, b): value * a + b is 0 to 1 over the table's extent. For an empty range it maps all values to the middle
+// of the range.
 glm::vec2 normalisation(const color::ColorScale& scale) {
     const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
@@ -30,7 +33,8 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// The picture of all volumes is faded by this. A volume with less opacity has a thinner table.
+// Returns the factor of the picture of all volumes. The transfer table of a volume with less opacity has less
+// extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -51,9 +55,10 @@ GLint format_of_picture(const Frame& frame) {
 void check_directions(const Frame& frame) {
     for (const Volume& volume : frame.volumes) {
         if (volume.normal != frame.volumes[0].normal)
-            throw Error("the volumes of one picture have slabs across different directions; they need the same");
+            throw Error(
+                "the volumes of one picture are sliced in different directions; give all volumes the same direction");
         if (!std::isfinite(volume.first) || !std::isfinite(volume.thickness))
-            throw Error("a volume to draw has slabs at places that are not finite");
+            throw Error("the slices of a volume have a position or a distance that is not a finite number");
     }
 }
 
@@ -192,13 +197,13 @@ void VolumePainter::set_rays(const ShaderProgram& program, const Volume& volume)
 
 VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const {
     const VolumeView::Rays rays = view_.rays_of_pixels();
-    const glm::dvec3 normal = glm::dmat3(view_.transform->view) * vector_of(volume.normal); // along the eye's axes
+    const glm::dvec3 normal = glm::dmat3(view_.transform->view) * vector_of(volume.normal); // in eye space
     const glm::dvec2 sideways(normal);
     return {{glm::dot(sideways, rays.corner) - normal.z, sideways * rays.step},
             {view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner), sideways * rays.side_step}};
 }
 
-// Sets the uniforms of all three slab programs. `program` must be in use.
+// Sets the uniforms that all three slab programs have. `program` must be in use.
 void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
     program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
     program.set("view", glm::mat4(view_.transform->view));
@@ -208,12 +213,12 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("table", int{table_unit});
 }
 
-// True for stills: several samples and full resolution.
+// Returns whether outlines of volumes are smoothed by coverage: in stills (several samples, full resolution).
 bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
     Covered wanted{view_.places(), frame.samples, frame.clip, {}};
-    std::vector<const VolumeBuffers*> buffers; // one per boundary
+    std::vector<const VolumeBuffers*> buffers; // one per distinct boundary
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
         const VolumeBuffers* own = slot_of(i).buffers;
         if (!wanted.boundaries.empty() && wanted.boundaries.back() == own->boundary_places()) continue;
@@ -273,10 +278,11 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// Returns a subdivision that hides the order of coincident slabs. The order shows by the product of two pieces' losses.
+// Returns a subdivision that hides the order of coincident slabs. The error of the order is the product of the optical
+// depths of two pieces.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
-    constexpr double least_loss = 0.1, widest = 3; // a tangent
-    double first = 0, second = 0;                  // largest extinctions across the slabs
+    constexpr double least_loss = 0.1, widest = 3; // optical depth of a piece; largest tangent to consider
+    double first = 0, second = 0;                  // the two largest extinctions per length
     bool moving = false;
     auto slot = slots_.begin();
     for (const Volume& volume : frame.volumes) {
@@ -310,7 +316,7 @@ void VolumePainter::draw_parts(const VolumeBuffers& buffers, const std::vector<I
     buffers.draw(together);
 }
 
-// Draws only the parts that may be in front of the layer.
+// Draws only the parts of a slab that may be in front of the layer.
 void VolumePainter::draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     use_edge(volume, slot, slab, place);
@@ -341,7 +347,8 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Sets the lengths along a ray in half slabs: per depth, and from the eye to the slice.
+// Sets `across` and `start` of the slice program: places along a ray in half slabs, per depth and from the eye to the
+// slice.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
@@ -350,10 +357,11 @@ void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume
     program.set("start", glm::vec3(half_slabs * (glm::dvec3(place, 0, 0) - start)));
 }
 
-// Returns whether inner polygons have only the mesh in their slab.
+// Returns whether the inner program may draw the inner polygons of a slab. `from_eye`: from the eye to the slice, along
+// the normal.
 bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
     if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
-    // The slab of an eye inside the mesh is shared with the next one.
+    // Within a slab of an eye inside the mesh, pieces begin at the eye, not at the front of the slab.
     return view_.frame->camera.parallel || std::abs(from_eye) > 1.01 * thickness_of(volume);
 }
 
@@ -364,7 +372,7 @@ glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) con
     return {0, 0, -half / static_cast<float>(std::abs(normal.z)), 0};
 }
 
-// Returns the eye's place along the volumes' normal, infinite for parallel rays.
+// Returns the eye's coordinate along the volumes' normal, infinite for parallel rays.
 double VolumePainter::eye_across(const Frame& frame) const {
     const Vec3d& normal = frame.volumes[0].normal;
     if (!frame.camera.parallel) return view_.eye_along(normal);

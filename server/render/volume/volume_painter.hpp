@@ -1,5 +1,5 @@
-// Draws volumes over the current picture. Finds where rays are inside the mesh, blends the slabs of all volumes from
-// back to front in floats (in bytes for benchmarks), and composites the result onto the picture.
+// Draws volumes over the current picture. Finds which parts of the rays are inside the meshes, blends the slabs of all
+// volumes from back to front in floats (in bytes for benchmarks), and composites the result onto the picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -17,20 +17,20 @@
 
 namespace ciel::render {
 
-// Its GL objects live as long as their context.
+// GL objects are freed only with their context.
 class VolumePainter {
 public:
     explicit VolumePainter(const Gl& gl);
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // Sets the texture of window depths at which rays end from now on; 0: volumes are in front of everything.
+    // Sets the texture of window depths at which rays end from now on; 0: rays do not end.
     void end_on(GLuint depth) { surfaces_ = depth; }
-    // Leaves the target bound, and depth test and blending on. Throws Error when the volumes' normals differ, when
-    // their slabs are at places that are not finite, and as VolumeBuffers::load().
+    // Draws the volumes onto the target. Leaves the target bound, and depth test and blending on. Throws Error when the
+    // volumes' normals differ, when their slabs are at places that are not finite, and as VolumeBuffers::load().
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // Returns a picture of all volumes in front of `layer`, valid where the layer is and until the next call.
-    // Without a layer: all volumes as far as draw() shows them, valid everywhere.
+    // Returns a picture of all volumes in front of `layer`, valid where the layer is and until the next call. Without a
+    // layer: of all volumes in front of opaque surfaces, valid everywhere.
     // RGBA32F, premultiplied, on a transparent background. Throws as draw(). Leaves another framebuffer and viewport
     // bound, depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
@@ -42,25 +42,28 @@ private:
     struct Table {
         GLuint texture = 0;
         bool is_made = false;
-        color::ColorScale scale; // with the next two: inputs of the texture
+        color::ColorScale scale; // scale, opacity_points, share: inputs of the texture
         std::vector<std::array<double, 2>> opacity_points;
         double share = 1;
         double densest = 0; // largest extinction per unit length
     };
-    struct Slot { // of one volume
+    struct Slot { // GL objects of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
-        // All slices, and those drawn while the camera moves. Two sets, so that starting and stopping uploads nothing.
+        // Buffers of all slices, and of those drawn while something moves. With two sets, starting and stopping a
+        // movement uploads nothing.
         VolumeBuffers all, some;
         Table table;
-        // Programs with this volume's uniforms.
+        // Programs in which this volume's uniforms are set.
         std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs, edge_programs;
-        // Of the frame being drawn.
+        // Set for the frame being drawn.
         VolumeBuffers* buffers = nullptr;
         const RaySheets* rays = nullptr;
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
-    struct RaysAcross { // place across slabs = start + depth * per_depth; each: (at the corner, per pixel x, y)
+    // Coordinate along the slabs' normal at a depth of a ray: start + depth * per_depth. Both members are (value at the
+    // picture's corner, change per pixel in x, change per pixel in y).
+    struct RaysAcross {
         glm::dvec3 per_depth, start;
     };
 
@@ -86,7 +89,7 @@ private:
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
-    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // for the inner program
+    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // uniform of the inner program
     [[nodiscard]] double eye_across(const Frame& frame) const;
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
@@ -95,7 +98,7 @@ private:
     VolumeRays rays_;
     VolumeReach reach_;
     VolumeCoverage coverage_;
-    struct Covered { // inputs of the coverage
+    struct Covered { // inputs of the coverage, to reuse it
         RayPlaces places;
         int samples = 0;
         std::vector<std::array<float, 4>> clip;
@@ -106,7 +109,7 @@ private:
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // window depths of opaque surfaces, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
-    // Of the frame being drawn.
+    // Set for the frame being drawn.
     VolumeView view_;
     double slab_angle_ = 0; // result of slab_angle()
 };

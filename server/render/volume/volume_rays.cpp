@@ -9,10 +9,10 @@
 namespace ciel::render {
 namespace {
 
-constexpr float never = 1e30F; // as in the programs
+constexpr float never = 1e30F; // depth behind everything; `never` in the shaders
 
 enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = first_part_unit + most_ray_parts };
-static_assert(kept_unit < 16); // every GL has 16 units per program
+static_assert(kept_unit < 16); // OpenGL guarantees 16 texture units per program stage
 
 void set_later_parts(const ShaderProgram& program) {
     for (int i = 1; i < most_ray_parts; ++i) program.set(("part_" + std::to_string(i)).c_str(), first_part_unit + i);
@@ -42,7 +42,7 @@ void VolumeView::set_rays(const ShaderProgram& program) const {
 
 glm::vec2 VolumeView::parallel_depths() const {
     if (!frame->camera.parallel) return {0, 0};
-    // z = a * -depth + b runs from -1 to 1.
+    // NDC z = b - a * depth runs from -1 (nearest depth) to 1 (farthest depth).
     const double a = transform->projection[2][2], b = transform->projection[3][2];
     return {static_cast<float>((b + 1) / a), static_cast<float>(-2 / a)};
 }
@@ -51,7 +51,8 @@ double VolumeView::eye_along(const Vec3d& normal) const {
     return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
 }
 
-// An inner wall in front of an eye inside is an exit and an entry at the same depth, in either order.
+// Returns whether the eye may be inside a mesh. Then the entries of rays are moved back where boundary faces coincide
+// (part_fragment in volume_shaders.cpp).
 bool VolumeView::eye_is_in_bounds() const {
     const Vec3d& eye = frame->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -79,7 +80,7 @@ PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
         from = glm::min(from, at);
         to = glm::max(to, at);
     }
-    constexpr double beside = 2; // pixels, for rounding and for programs that read a pixel's neighbours
+    constexpr double beside = 2; // pixels, for rounding and for programs that read neighbors of a pixel
     const glm::ivec2 first(glm::clamp(glm::floor(from - beside), glm::dvec2(0), size));
     const glm::ivec2 last(glm::clamp(glm::ceil(to + beside), glm::dvec2(first), size));
     return {first.x, first.y, last.x - first.x, last.y - first.y};
@@ -105,7 +106,7 @@ const RaySheets& VolumeRays::find(const VolumeBuffers& buffers) {
                                     [&](const RaySheets& rays) { return rays.boundary == buffers.boundary_places(); });
     if (found != end) return *found;
     RaySheets& rays = end != sheets_.end() ? *end : sheets_.emplace_back(gl_);
-    // The layers of one frame have the same parts.
+    // All transparent layers of one frame have the same ray parts, which are found once.
     if (const RayPlaces places = view_.places(); rays.boundary != buffers.boundary_places() || rays.places != places) {
         rays.boundary = 0; // not valid if anything below throws
         find_parts(buffers, rays);

@@ -25,17 +25,17 @@ struct VolumeView {
     const Frame* frame = nullptr;
     const annotations::ViewTransform* transform = nullptr;
     GLuint opaque = 0;         // texture of window depths that end rays, or 0
-    int width = 0, height = 0; // in rays
+    int width = 0, height = 0; // of the volumes' picture, one ray per pixel
     // Box of all volumes' meshes: offsets from the frame's origin.
     Vec3d low{}, high{};
 
-    // Ray of pixel p: sideways per depth = corner + step * p, sideways at depth 0 = side_corner + side_step * p.
+    // Ray of pixel p in eye space: xy at a depth = side_corner + side_step * p + depth * (corner + step * p).
     struct Rays {
         glm::dvec2 corner, step, side_corner, side_step;
     };
     [[nodiscard]] Rays rays_of_pixels() const;
-    void set_rays(const ShaderProgram& program) const; // program must be in use
-    [[nodiscard]] glm::vec2 parallel_depths() const;   // (nearest, span); zero for a perspective
+    void set_rays(const ShaderProgram& program) const; // `program` must be in use
+    [[nodiscard]] glm::vec2 parallel_depths() const;   // (nearest, farthest - nearest depth); zero for a perspective
     [[nodiscard]] double eye_along(const Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
@@ -49,14 +49,14 @@ struct RaySheets {
     explicit RaySheets(const Gl& gl) : limits(gl) {
         for (int i = 0; i < most_ray_parts; ++i) parts.emplace_back(gl);
     }
-    std::vector<Sheet> parts; // output of make_part_program(); `count` are valid
+    std::vector<Sheet> parts; // output of make_part_program(); the first `count` are valid
     Sheet limits;             // output of make_limits_program()
     int count = 0;
     std::uint64_t boundary = 0;
     RayPlaces places; // inputs of the parts
 };
 
-// Its GL objects live as long as their context.
+// GL objects are freed only with their context.
 class VolumeRays {
 public:
     explicit VolumeRays(const Gl& gl);
@@ -66,14 +66,14 @@ public:
     void begin(const VolumeView& view);
     // Returns the sheets of the boundary, valid until the next begin(). Volumes with the same boundary share them.
     const RaySheets& find(const VolumeBuffers& buffers);
-    // Sets the texture units of a slab program, which must be in use.
+    // Sets the sampler uniforms of a slab program, which must be in use.
     static void set_units(const ShaderProgram& program);
-    void bind(const RaySheets& rays) const; // to these units, which are 0 and from 3 on
+    void bind(const RaySheets& rays) const; // binds the textures to the units of set_units(): 0, and from 3 on
     // Call after the last find(): makes begin_of_all() from the limits of all boundaries.
     void finish();
     [[nodiscard]] GLuint begin_of_all() const {
         return begins_;
-    } // RGBA32F as limits, only A is valid; 0 before finish()
+    } // begin_of_all(): RGBA32F, only A is valid: window depth where volumes begin; 0 before finish()
 
 private:
     void find_kept();
@@ -84,7 +84,7 @@ private:
 
     const Gl& gl_;
     ShaderProgram first_part_, next_part_, kept_program_, copy_program_;
-    std::map<int, ShaderProgram> limits_programs_; // by the number of parts
+    std::map<int, ShaderProgram> limits_programs_; // key: number of ray parts
     Sheet kept_, nearest_;
     std::list<RaySheets> sheets_;
     std::size_t in_use_ = 0; // number of sheets_ in use

@@ -18,7 +18,7 @@ uniform sampler2D color;
 uniform vec2 viewport;
 out float any;
 void main() {
-    vec2 size = vec2(textureSize(color, 0)) / viewport; // of a ray, in the layer's pixels
+    vec2 size = vec2(textureSize(color, 0)) / viewport; // layer pixels per ray
     ivec2 from = ivec2(floor((gl_FragCoord.xy - 0.5) * size));
     ivec2 to = min(ivec2(ceil((gl_FragCoord.xy + 0.5) * size)), textureSize(color, 0));
     float most = 0.0;
@@ -28,15 +28,16 @@ void main() {
 }
 )";
 
-// Includes the neighbours of the layer's rays, because compositing reads them too. The depth is one slab behind the
-// layer: a fragment represents at most one slab of the ray before it.
+// Writes the depth buffer: a depth one slab behind the layer, and 0 where neither the ray nor a neighbor meets the
+// layer. Neighbors count because compositing reads them. The depth is one slab behind, because a fragment behind the
+// layer may draw a piece that begins up to a slab before the fragment.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;
 uniform vec2 viewport;
-uniform vec2 depth_row; // of the projection: from -depth and 1
+uniform vec2 depth_row; // projection[2][2] and projection[3][2]
 uniform float parallel;
-uniform vec3 slabs; // along a ray, per depth: at the picture's corner, and per pixel
+uniform vec3 slabs; // number of slabs along a ray per depth: at the picture's corner, and change per pixel
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(pixels, 0) - 1;
     float wanted = 0.0;
@@ -89,8 +90,9 @@ void VolumeReach::size(const VolumeView& view, GLuint picture) {
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
     width_ = 0; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw volumes between transparent surfaces to " + std::to_string(view.width) +
-                    " x " + std::to_string(view.height) + " pixels; ask for a smaller picture");
+        throw Error("the GL driver cannot draw volumes between transparent surfaces in a picture of " +
+                    std::to_string(view.width) + " x " + std::to_string(view.height) +
+                    " pixels; ask for a smaller picture");
     width_ = view.width;
     height_ = view.height;
 }
@@ -158,7 +160,7 @@ bool VolumeReach::meets(const Vec3f& low, const Vec3f& high) const {
         const glm::dvec4 place((corner & 1U) != 0 ? high[0] : low[0], (corner & 2U) != 0 ? high[1] : low[1],
                                (corner & 4U) != 0 ? high[2] : low[2], 1);
         const glm::dvec4 clip = to_clip_ * place;
-        if (!(clip.w > 0)) return true; // beside or behind the eye
+        if (!(clip.w > 0)) return true; // the corner is beside or behind the eye
         const glm::dvec3 at = 0.5 + 0.5 * glm::dvec3(clip) / clip.w;
         first = glm::min(first, at);
         last = glm::max(last, at);

@@ -16,17 +16,19 @@ invariant gl_Position;
 void main() { gl_Position = transform * vec4(position, 1.0); }
 )";
 
-// Depth of a fragment.
+// fragment_depth() returns the depth of a fragment: its distance from the eye along the view's axis.
 constexpr const char* depth = R"(
-uniform vec2 parallel_depths; // nearest, and from there to the farthest; none for a perspective
+// Nearest depth, and difference from it to the farthest; (0, 0) for a perspective.
+uniform vec2 parallel_depths;
 float fragment_depth() {
     return parallel_depths.y > 0.0 ? parallel_depths.x + gl_FragCoord.z * parallel_depths.y : 1.0 / gl_FragCoord.w;
 }
 )";
 
-// An inner wall is an exit and an entry at once, of two triangles whose corners are rounded to shares of a pixel. The
-// steeper the view, the farther apart their depths are. In a ray's first part, an entry behind the exit means that the
-// eye is inside. So for an eye within the bounds the entry is moved back by the largest rounding.
+// Finds a part of a ray inside the mesh: an entry and an exit. Where two boundary faces coincide, a ray leaves and
+// enters the mesh at once. The corners of the two triangles are rounded to fractions of a pixel, so their depths
+// differ; more so on steeply seen faces. In a ray's first part, an entry behind the exit means that the eye is inside
+// the mesh. So for an eye within the bounds, entries are moved back by the largest rounding.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
@@ -41,7 +43,7 @@ void main() {
     float apart = rounding + 0.05 * fwidth(t);
 #ifdef NEXT
     vec2 last = texelFetch(before, ivec2(gl_FragCoord.xy), 0).xy;
-    if (last.x > last.y) last.x = -never; // the eye was inside
+    if (last.x > last.y) last.x = -never; // an entry behind the exit: the eye is inside the mesh
     if (gl_FrontFacing ? t <= max(last.y - apart, last.x + rounding) : t <= last.y + rounding) discard;
     float entry = t;
 #else
@@ -52,14 +54,14 @@ void main() {
 )";
 
 constexpr const char* ray_uniforms = R"(
-uniform vec2 ray_corner; // sideways per depth at the picture's corner
-uniform vec2 ray_step;   // and per pixel
-uniform vec2 side_corner; // where a parallel ray starts
+uniform vec2 ray_corner; // eye-space xy along a ray per depth, at the picture's corner
+uniform vec2 ray_step;   // change of ray_corner per pixel
+uniform vec2 side_corner; // eye-space xy of a ray at depth 0, at the picture's corner; 0 in a perspective
 uniform vec2 side_step;
 )";
 
 constexpr const char* kept_fragment = R"(
-uniform vec4 planes[6]; // along the eye's axes; (0, 0, 0, 1) keeps everything
+uniform vec4 planes[6]; // in eye space; (0, 0, 0, 1) keeps everything
 out vec4 kept;
 const float never = 1e30;
 void main() {
@@ -84,11 +86,11 @@ uniform float has_planes;
 uniform sampler2D opaque;
 uniform float has_opaque;
 uniform vec2 viewport;
-uniform vec2 depth_row; // of the projection: from -depth and 1
+uniform vec2 depth_row; // projection[2][2] and projection[3][2]
 uniform float parallel;
 out vec4 limits;
 const float never = 1e30;
-// What of a part the planes keep; nothing where it begins behind its end.
+// Returns the stretch of `part` that the clip planes keep; it is empty if it begins behind its end.
 vec2 kept_of(vec2 part, vec2 kept) { return vec2(max(part.x, kept.x), min(part.y, kept.y)); }
 float window_depth(vec2 first) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -100,7 +102,7 @@ float window_depth(vec2 first) {
 }
 void main() {
     vec2 part = texelFetch(first_part, ivec2(gl_FragCoord.xy), 0).xy;
-    if (part.x > part.y) part.x = -never; // the eye is inside
+    if (part.x > part.y) part.x = -never; // an entry behind the exit: the eye is inside the mesh
     float window = window_depth(part);
     float sight = never;
     if (has_opaque > 0.5) {
@@ -118,7 +120,7 @@ out vec4 copy;
 void main() { copy = texelFetch(limits, ivec2(gl_FragCoord.xy), 0); }
 )";
 
-// Returns the text that goes to the first later part that the clip planes do not remove.
+// Returns GLSL that selects the first part of a ray that the clip planes do not remove.
 std::string next_parts_seen(int parts) {
     std::string text;
     for (int i = 1; i < parts; ++i) {
@@ -128,15 +130,15 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
-// A ray for several pixels ends on one side of an outline of an opaque surface. A pixel beside the outline takes, of
-// the four rays around it, the one that ends at the nearest depth. Window depth is linear over a plane, so a difference
-// from the depth interpolated between the rays indicates an outline. Differences below 1 % of the depth range hide too
-// little of a volume to be seen.
+// seen_from() where a ray serves several pixels. Such a ray ends on one side of an outline of an opaque surface. So a
+// pixel beside the outline takes, of the four rays around it, the ray that ends at the nearest depth. Window depth is
+// linear over a plane, so a difference from the depth interpolated between the rays means an outline. Differences below
+// 1 % of the depth range hide too little of a volume to be seen.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;
 vec2 seen_from() {
-    vec2 pixels = vec2(textureSize(opaque, 0)) / vec2(textureSize(volume, 0)); // of a ray
+    vec2 pixels = vec2(textureSize(opaque, 0)) / vec2(textureSize(volume, 0)); // pixels per ray
     vec2 place = gl_FragCoord.xy / pixels - 0.5, corner = floor(place), share = place - corner;
     float own = texelFetch(opaque, ivec2(gl_FragCoord.xy), 0).r, between = 0.0, least = 2.0;
     vec2 nearest = corner;
@@ -155,9 +157,10 @@ vec2 seen_from() {
 }
 )";
 
-// A pixel that the clipped mesh covers in part has the light of that part. The mesh is thin at its outline, and a dense
-// one is nearly opaque a pixel farther inward. So the optical depth is taken to rise linearly inward, as it does from
-// this pixel's ray to the next one's. Where this ray misses the mesh, the next two rays give the rise.
+// Composites the volumes onto the picture. A pixel that the clipped mesh covers in part has the light of the covered
+// part. A mesh is thin at its outline, but a dense one is nearly opaque a pixel farther inward. So the optical depth is
+// taken to rise linearly inward, as it does from this pixel's ray to the next one's. Where this pixel's ray misses the
+// mesh, the next two rays give the rise.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;
@@ -169,7 +172,7 @@ bool misses(ivec2 pixel) { return texelFetch(limits, pixel, 0).a >= 1.0; }
 vec2 beside(vec2 place) {
     ivec2 pixel = ivec2(place), last = textureSize(limits, 0) - 1;
     if (!misses(pixel)) return place;
-    for (int reach = 1; reach <= 2; ++reach) // beside first, then across a corner
+    for (int reach = 1; reach <= 2; ++reach) // neighbors at a side first, then at a corner
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x)
                 if (abs(x) + abs(y) == reach && !misses(clamp(pixel + ivec2(x, y), ivec2(0), last)))
@@ -192,7 +195,7 @@ vec4 light_of_part(vec2 place, float share) {
     vec4 light = texelFetch(volume, is_met ? pixel : next, 0);
     vec4 inner = texelFetch(volume, is_met ? next : second, 0);
     float loss = loss_of(light), rate = loss_of(inner) - loss;
-    vec2 ways = share * gauss_points - (is_met ? share - 0.5 : share + 0.5); // inward of that ray
+    vec2 ways = share * gauss_points - (is_met ? share - 0.5 : share + 0.5); // pixels inward from the ray of `light`
     vec2 opacity = 1.0 - exp(-max(loss + rate * ways, 0.0));
     vec4 hue = light.a > 0.01 ? light : inner;
     return hue * (dot(opacity, vec2(0.5)) / max(hue.a, 1e-6));

@@ -26,7 +26,7 @@ std::shared_ptr<Cache::Slot> Cache::slot(const std::string& key) {
 
 void Cache::account(const std::string& key, const Slot& made) {
     const std::lock_guard lock(mutex_);
-    // Dropped, or dropped and asked for again, while it was being made: then it is not kept.
+    // If the entry was dropped while its value was being made, the cache does not hold the value and must not count it.
     if (const auto found = entries_.find(key); found != entries_.end() && found->second.slot.get() == &made) {
         found->second.bytes = made.made.bytes;
         bytes_ += made.made.bytes;

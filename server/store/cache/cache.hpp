@@ -1,4 +1,4 @@
-// Least recently used, by bytes. Thread-safe.
+// Cache: keeps values up to a budget in bytes and drops the least recently used ones. Thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,9 @@ public:
 
     explicit Cache(std::size_t budget_bytes) : budget_(budget_bytes) {}
 
-    // What is kept under `key`, else what `make` returns: called once even when several threads ask, and outside any
-    // lock that another key needs. What somebody still uses lives on after it was dropped from here.
+    // Returns the value kept under `key`, or the result of `make`. If several threads ask for a key, one calls `make`
+    // and the others wait; threads that ask for other keys do not wait. A value lives as long as a caller holds it,
+    // also after the cache has dropped it.
     template <typename T>
     [[nodiscard]] std::shared_ptr<const T> get(const std::string& key, const std::function<Made()>& make) {
         return std::static_pointer_cast<const T>(get_erased(key, make));
@@ -45,7 +46,7 @@ private:
 
     mutable std::mutex mutex_;
     std::size_t budget_, bytes_ = 0;
-    std::list<std::string> ages_; // newest first
+    std::list<std::string> ages_; // keys, the most recently used first
     std::unordered_map<std::string, Entry> entries_;
 };
 

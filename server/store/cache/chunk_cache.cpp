@@ -21,7 +21,7 @@ std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::s
         MappedFile mapped(file, bytes, any_lost_);
         if (!sum.empty() && checksum(mapped.bytes()) != sum)
             refuse(file,
-                   "does not have its checksum; the dataset is damaged: restore the file or import the data again");
+                   "does not match its checksum; the dataset is damaged: restore the file or import the data again");
         if (verify) verify(mapped.as<float>());
         entry->file = std::move(mapped);
         entry->ready = true;

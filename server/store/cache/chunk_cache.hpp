@@ -1,4 +1,5 @@
-// Chunks mapped and verified at first touch, once for all refreshes of a dataset. Thread-safe.
+// ChunkCache: maps the chunk files of a dataset and verifies each file at its first use. All refreshes of the dataset
+// share one ChunkCache. Thread-safe.
 #pragma once
 
 #include "store/cache/mapped_file.hpp"
@@ -14,8 +15,9 @@ namespace ciel::store {
 class ChunkCache {
 public:
     explicit ChunkCache(AnyLost any_lost) : any_lost_(std::move(any_lost)) {}
-    // Maps `file` on the first call, compares it with `checksum` (empty: not known) and calls `verify`; when one of
-    // them throws, the next call tries again. Throws Error when the chunk was lost.
+    // Returns the values in `file`. The first call maps the file, compares it with `checksum` (empty: not known) and
+    // calls `verify`. If one of these throws, the next call tries again. Throws Error when the file was truncated or
+    // rewritten since it was mapped.
     [[nodiscard]] std::span<const float> get(const std::filesystem::path& file, std::size_t bytes,
                                              const std::string& checksum,
                                              const std::function<void(std::span<const float>)>& verify = {});
@@ -26,7 +28,7 @@ private:
     void for_each(const std::function<void(const MappedFile&)>& visit) const;
 
     struct Entry {
-        std::mutex mutex; // of its own: a slow disk under one chunk must not hold up the others
+        std::mutex mutex; // one per chunk, so that a slow read of one chunk does not block others
         MappedFile file;
         bool ready = false;
     };

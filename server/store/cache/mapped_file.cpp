@@ -82,7 +82,7 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
 void MappedFile::check_size() const {
     check_intact();
     struct stat status {};
-    // A missing file was replaced or deleted: the mapping keeps its content.
+    // If no file is at the path any more, it was deleted, and the mapping keeps its content.
     if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
     if (static_cast<std::size_t>(status.st_size) < size_) refuse_shrunken(path_);
 }
@@ -109,7 +109,7 @@ void MappedFile::accept_touch() {
 
 void MappedFile::refuse() const {
     if (watched_ != nullptr) note_change(*watched_);
-    check_intact(); // it may have been lost in another way before
+    check_intact(); // throws, unless the file is empty and not watched
     refuse_changed(path_);
 }
 

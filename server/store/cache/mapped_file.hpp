@@ -1,8 +1,9 @@
-// A file mapped for reading, of exactly the expected size.
+// MappedFile: a file of a known size, mapped for reading.
 //
-// Whoever changes a dataset replaces files (new file + rename) and never truncates or rewrites them in place; a mapping
-// of a replaced or deleted file stays valid. A file that shrinks all the same reads as zeros from then on; one that is
-// rewritten reads as whatever is written. check_intact says so once either was noticed (watched_mappings.hpp).
+// Programs that change a dataset must replace its files (new file + rename), and never truncate or rewrite them in
+// place. A mapping of a replaced or deleted file stays valid. If a mapped file shrinks all the same, its mapping reads
+// as zeros from then on. If it is rewritten, the mapping shows the new content. In both cases the mapping is lost:
+// check_intact throws as soon as the change has been noticed (watched_mappings.hpp).
 #pragma once
 
 #include <atomic>
@@ -16,18 +17,18 @@ namespace ciel::store {
 
 struct WatchedMapping; // watched_mappings.hpp
 
-// Whether any of a dataset's mapped files was lost: as long as none was, nobody needs to ask for each.
+// Shared by the mapped files of a dataset. True once one of them is lost; until then no single file must be checked.
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
 // Throws Error when `file` is missing, not a regular file, or of another size.
 void check_file_size(const std::filesystem::path& file, std::size_t bytes);
 
-// Thread-safe but for moving.
+// Thread-safe, except moving and accept_touch.
 class MappedFile {
 public:
     MappedFile() = default;
-    // Throws Error when it is missing, not a regular file, or of another size. Zero bytes: nothing is opened.
+    // Throws Error when `file` is missing, not a regular file, or not `bytes` long. If `bytes` is 0, opens no file.
     MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost());
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
@@ -42,22 +43,23 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
-    // Throws Error when the file has shrunk under a reader, or at the path is a shorter one.
+    // Throws Error when the mapping is lost, or when the file at the path is shorter than the mapping.
     void check_size() const;
-    // Throws Error when it was lost: what was read since is worthless.
+    // Throws Error when the mapping is lost. Then everything that was read from it must be discarded.
     void check_intact() const;
-    // Whether somebody may have written to the mapped file since it was opened or since accept_touch: its inode
-    // changed.
+    // Returns whether the times of the mapped file's inode have changed since it was opened or since accept_touch: its
+    // content may have changed.
     [[nodiscard]] bool was_touched() const;
-    void accept_touch(); // it holds what it held. Not together with was_touched
-    // Throws Error: it holds what it did not hold when it was opened. It is lost from now on.
+    // Makes was_touched return false until the next change. Must not run at the same time as was_touched.
+    void accept_touch();
+    // Marks the mapping as lost, because its content has changed, and throws Error.
     [[noreturn]] void refuse() const;
 
 private:
     std::filesystem::path path_;
     void* data_ = nullptr;
     std::size_t size_ = 0;
-    struct stat opened_ {}; // the inode, as it was when its content was last known
+    struct stat opened_ {}; // status of the file when it was opened or at the last accept_touch
     AnyLost any_lost_;
     WatchedMapping* watched_ = nullptr;
 };

@@ -33,7 +33,7 @@ bool is_cell_type(std::uint8_t type) {
     return false;
 }
 
-// Branch-free, so that a pass over tens of millions of indices costs what reading them costs.
+// Has no branches, so that a pass over tens of millions of indices takes hardly longer than reading them.
 Index highest(std::span<const Index> ids) {
     Index result = 0;
     for (const Index id : ids) result = std::max(result, id);
@@ -97,7 +97,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
     if (vertex_count_ == 0 || cell_count() == 0 || faces == 0)
         refuse(directory_, std::string("is an empty mesh") + damaged);
     if (vertex_count_ >= none || cell_count() >= none || faces >= none)
-        refuse(directory_, "has more vertices, faces or cells than 32 bits can number");
+        refuse(directory_, "has more than 4,294,967,294 vertices, faces or cells, the most that a mesh can have");
     const auto expect = [&](const char* name, std::size_t have, std::size_t want) {
         if (have != want)
             refuse(array(name).path(),
@@ -105,7 +105,8 @@ MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
     };
     if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
         attributes_.info.faces != faces)
-        refuse(attributes, std::string("counts other vertices, faces or cells than the arrays hold") + damaged);
+        refuse(attributes,
+               std::string("declares other numbers of vertices, faces or cells than the arrays hold") + damaged);
     expect("original_cell", original_cell().size(), cell_count());
     expect("neighbour", array("neighbour").as<Index>().size(), faces);
     expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
@@ -143,7 +144,7 @@ void MappedMesh::verify_checksums() const {
             if (!attributes_.checksums.contains(*name))
                 refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + *name + "'" + damaged);
             if (!has_its_checksum(*name, *file))
-                refuse(file->path(), std::string("does not have its checksum") + damaged);
+                refuse(file->path(), std::string("does not match its checksum") + damaged);
         }
     });
 }
@@ -152,7 +153,7 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
     return checksum(file.bytes()) == attributes_.checksums.at(name);
 }
 
-// An array of the boundary's faces has as many values as the attributes count faces.
+// Checks the number of boundary faces in the attributes, because it is the size of arrays on boundary faces.
 void MappedMesh::verify_boundary() const {
     const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
     if (count != attributes_.info.boundary_faces)
@@ -191,13 +192,14 @@ FaceMeshView MappedMesh::view(std::span<const float> positions) const {
                           {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
 }
 
-// A contradiction shows in another array than the one that changed: the checksums tell which.
+// Throws Error that names the array whose checksum no longer matches. A contradiction between two arrays is found in
+// one of them, `suspected`, but the other one may have changed.
 void MappedMesh::refuse_changed(const std::string& suspected) const {
-    check_intact(); // many threads may meet it
+    check_intact(); // throws if another thread has found the changed array already
     if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();
     for (const auto& [name, file] : arrays_)
         if (!has_its_checksum(name, file)) file.refuse();
-    array(suspected).refuse(); // it holds again what it held
+    array(suspected).refuse(); // all checksums match: the change was undone meanwhile
 }
 
 void MappedMesh::check_unchanged() {
@@ -205,7 +207,7 @@ void MappedMesh::check_unchanged() {
     for (auto& [name, file] : arrays_) {
         file.check_size();
         if (!file.was_touched()) continue;
-        file.accept_touch(); // first: what is written from now on is another touch
+        file.accept_touch(); // before the checksum, so that a write during it is found by the next call
         if (!has_its_checksum(name, file)) file.refuse();
     }
 }

@@ -1,4 +1,4 @@
-// One mesh's topology, mapped and verified: what every refresh of a dataset shares.
+// MappedMesh: the topology arrays of one mesh, mapped and verified. All refreshes of a dataset share it.
 #pragma once
 
 #include "store/cache/mapped_file.hpp"
@@ -13,8 +13,8 @@ class MappedMesh {
 public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;
-    // Maps and verifies everything but positions and values: checksums, and that no index leads out of its array.
-    // Throws Error naming the file. Files can change afterwards: views check each index that they read.
+    // Maps the arrays of a mesh except positions and values. Verifies their checksums, and that all indices are in
+    // range. Throws Error that names the file. Files may change afterwards, so views check each index that they read.
     MappedMesh(std::filesystem::path directory, AnyLost any_lost);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
@@ -24,12 +24,13 @@ public:
     [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
     [[nodiscard]] std::span<const Index> original_vertex() const { return array("original_vertex").as<Index>(); }
     [[nodiscard]] std::span<const Index> original_cell() const { return array("original_cell").as<Index>(); }
-    // Empty where the source has none.
+    // Ids that the solver gave to vertices and cells, -1 where it gave none; empty if the source has no such ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return optional_array("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return optional_array("solver_cell"); }
-    // The topology with these positions.
+    // Returns the mesh with these positions, which are offsets from its origin.
     [[nodiscard]] FaceMeshView view(std::span<const float> positions) const;
-    // Throws Error when a file shrank or was written to and has not its checksum any more. One stat call a file.
+    // Throws Error when a file has shrunk, or was written to and no longer has its checksum. Makes a stat call per
+    // file.
     void check_unchanged();
     void check_intact() const;
 
@@ -40,7 +41,7 @@ private:
         return found == arrays_.end() ? std::span<const std::int64_t>() : found->second.as<std::int64_t>();
     }
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
-    // What the views say when an index of this array is wrong, or contradicts another array's. Any thread.
+    // Throws the Error of views when an index of this array is out of range or contradicts another array. Any thread.
     class Keeper final : public ArrayKeeper {
     public:
         Keeper(const MappedMesh& mesh, std::string name) : mesh_(mesh), name_(std::move(name)) {}
@@ -61,11 +62,11 @@ private:
 
     std::filesystem::path directory_;
     AnyLost any_lost_;
-    std::mutex checking_; // of what was touched
+    std::mutex checking_; // held by check_unchanged: was_touched and accept_touch must not run at the same time
     MeshAttributes attributes_;
     std::uint64_t vertex_count_ = 0;
     std::map<std::string, MappedFile> arrays_; // by name; groups as "groups/<index>"
-    std::map<std::string, Keeper> keepers_;    // likewise
+    std::map<std::string, Keeper> keepers_;    // with the keys of arrays_
     std::vector<Group> groups_;
 };
 

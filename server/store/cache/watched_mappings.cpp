@@ -7,8 +7,8 @@
 
 namespace ciel::store {
 
-// A node of a list that only grows, so that the handler can walk it at any moment; a node without data is free for the
-// next mapping.
+// Node of a list of watched mappings. Nodes are never deleted, so the signal handler can walk the list at any time. A
+// node with begin == 0 is free for the next mapping.
 struct WatchedMapping {
     std::atomic<std::uintptr_t> begin{0};
     std::atomic<std::size_t> bytes{0};
@@ -32,14 +32,16 @@ void lose(WatchedMapping& mapping, Loss loss) {
     *mapping.any_lost.load() = true;
 }
 
-// Whether the mapping holds the address. A node that is given to another mapping meanwhile has another beginning.
+// Returns whether the address lies in the mapping. Reads `begin` twice, because another thread may give the node to
+// another mapping meanwhile.
 bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
     const std::uintptr_t begin = mapping.begin.load();
     const std::size_t bytes = mapping.bytes.load();
     return begin != 0 && address >= begin && address - begin < bytes && mapping.begin.load() == begin;
 }
 
-// Only what is allowed in a signal handler: atomics and system calls.
+// Marks the watched mapping with this address as lost and maps zeros over it. Returns false if no watched mapping has
+// the address. Runs in a signal handler, so it uses only atomics and system calls.
 bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
         if (!holds(*each, address)) continue;
@@ -52,9 +54,10 @@ bool replace_by_zeros(std::uintptr_t address) {
 }
 
 void on_bus_error(int number, siginfo_t* info, void*) {
-    // si_addr may be anywhere in the page behind the file's end, which lies in the mapping's last page at most.
+    // si_addr is the address whose access failed: an address of the mapping behind the file's new end.
     if (replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) return;
-    ::sigaction(number, &previous, nullptr); // not ours: the access is repeated, and whoever was there before gets it
+    // No watched mapping: restores the previous handler, which gets the signal when the access is repeated.
+    ::sigaction(number, &previous, nullptr);
 }
 
 void install_handler() {
@@ -68,7 +71,7 @@ void install_handler() {
 WatchedMapping* free_node() {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next)
         if (each->begin.load() == 0) return each;
-    auto* node = new WatchedMapping; // lives as long as the process: the handler may be looking at it
+    auto* node = new WatchedMapping; // never deleted: the signal handler may be reading it
     node->next = first.load();
     first = node;
     return node;

@@ -17,7 +17,7 @@
 namespace ciel::store {
 namespace {
 
-constexpr std::string_view beside_mark = ".new-"; // and the writer's process id
+constexpr std::string_view beside_mark = ".new-"; // in names of temporary files: FILE.new-PID
 
 Descriptor create(const std::filesystem::path& file) {
     Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
@@ -59,14 +59,15 @@ bool is_out_of_memory(const std::exception& error) {
         return failed->code() == std::errc::not_enough_memory ||
                failed->code() == std::errc::resource_unavailable_try_again;
     if (dynamic_cast<const Error*>(&error) != nullptr) return false;
-    // TBB tells of a thread that it cannot start in these words alone.
+    // TBB throws when it cannot start a thread, and only the message of its exception tells this error from others.
     return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
 }
 
 std::string sentence_for_clients(const std::exception& error) {
     if (const auto* of_file = dynamic_cast<const FileError*>(&error)) return of_file->for_clients();
     if (is_out_of_memory(error))
-        return "the server has not enough memory for this; ask for less at a time, or again when others have left";
+        return "the server does not have enough memory for the request; ask for less at a time, or try again when "
+               "other clients have left";
     return error.what();
 }
 
@@ -78,7 +79,7 @@ void refuse_errno(const std::filesystem::path& file, const std::string& what_fai
 }
 
 std::string read_text(const std::filesystem::path& file, std::size_t limit) {
-    // O_NONBLOCK: a FIFO put in the place of a file must not hang the server.
+    // O_NONBLOCK: if the file was replaced by a FIFO, opening it must not block.
     const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (in.get() < 0) {
         if (errno == ENOENT) refuse(file, "is missing");
@@ -88,7 +89,7 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit) {
     if (::fstat(in.get(), &status) != 0) refuse_errno(file, "cannot be examined");
     if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
     if (static_cast<std::size_t>(status.st_size) > limit)
-        refuse(file, "is longer than the " + std::to_string(limit) + " bytes such a file may have");
+        refuse(file, "is longer than " + std::to_string(limit) + " bytes, the limit for a file of its kind");
     std::string text(static_cast<std::size_t>(status.st_size), '\0');
     std::size_t filled = 0;
     while (filled < text.size()) {
@@ -109,11 +110,11 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     std::error_code error;
     if (const auto folder = file.parent_path(); !std::filesystem::is_directory(folder, error))
-        refuse(file, "cannot be written: there is no folder " + folder.string() + "; make it first");
+        refuse(file, "cannot be written: there is no folder " + folder.string() + "; make the folder first");
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
         const Descriptor out = create(beside);
-        // The lock tells a file in use from one left behind. A process id does not: each container counts its own.
+        // remove_left_beside skips locked files. It cannot go by process ids, because each container has its own.
         (void)::flock(out.get(), LOCK_EX | LOCK_NB);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");

@@ -1,4 +1,4 @@
-// Files as the store needs them: read whole, written whole, replaced atomically. Every failure is an Error that names
+// Reads, writes and atomically replaces whole files; makes and locks directories. Failures throw FileError, which names
 // the file.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace ciel::store {
 
-// An Error about a file. Who runs the program is told where the file lies; clients of a server are told only where in
-// which dataset.
+// An Error about a file. what() has the file's whole path, for the user who runs the program. for_clients() has only
+// the path from the dataset's directory on, for clients of a server.
 class FileError : public Error {
 public:
     FileError(const std::filesystem::path& file, const std::string& sentence);
@@ -24,29 +24,30 @@ private:
     std::string for_clients_;
 };
 
-// Whether it is what the libraries make of memory, or of a thread, that the system does not give.
+// Returns whether `error` was thrown because the system gave no more memory or could not start a thread.
 [[nodiscard]] bool is_out_of_memory(const std::exception& error);
-// What a client of a server may be told of an error: no folders of the machine, no names of the C++ library.
+// Returns the message for clients of a server: without directories of the machine, and without the C++ library's
+// wording when memory ran out.
 [[nodiscard]] std::string sentence_for_clients(const std::exception& error);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 
-// Throws when it is missing, not a regular file, or longer than `limit`.
+// Returns the content of a file. Throws FileError when it is missing, not a regular file, or longer than `limit` bytes.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t limit);
 
-// A new file; not flushed to the disk.
+// Writes a new file, without flushing it to the disk.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-// Written beside as FILE.new-PID, flushed and renamed over `file`: readers see the old or the new one, and a mapping of
-// the old one stays valid.
+// Writes FILE.new-PID, flushes it to the disk and renames it to `file`. Readers see the old or the new file, and a
+// mapping of the old file stays valid.
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-// Removes what killed calls of replace_file have left in `directory` and below it. The files of living ones are locked
-// and stay.
+// Removes the temporary files of killed calls of replace_file in `directory` and below it. Files of running calls are
+// locked and stay.
 void remove_left_beside(const std::filesystem::path& directory);
 
 void make_directory(const std::filesystem::path& directory); // and its parents
 void sync_directory(const std::filesystem::path& directory);
-// One flush for everything on the file system that holds `directory`: cheaper than one per chunk.
+// Flushes the whole file system that holds `directory`. This is faster than flushing each chunk.
 void sync_filesystem(const std::filesystem::path& directory);
 
 [[nodiscard]] inline std::span<const std::byte> bytes_of(std::string_view text) {
@@ -66,7 +67,7 @@ private:
     int fd_;
 };
 
-// A lock that ends with the process. Returns false when another process holds it.
+// Locks a directory until `lock` is destroyed or the process ends. Returns false when the directory is locked already.
 [[nodiscard]] bool lock_directory(const std::filesystem::path& directory, Descriptor& lock);
 
 } // namespace ciel::store

@@ -14,7 +14,7 @@ namespace {
     throw Error(sentence + " (" + std::strerror(number) + ")");
 }
 
-// Some file systems know no files without a name: there it has one for a moment.
+// For file systems without O_TMPFILE: creates a file with a name and unlinks it at once.
 Descriptor make_named(const std::filesystem::path& directory) {
     const std::string name = (directory / (".upload.new-" + std::to_string(::getpid()))).string();
     Descriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
@@ -25,7 +25,7 @@ Descriptor make_named(const std::filesystem::path& directory) {
 Descriptor make(const std::filesystem::path& directory) {
     Descriptor file(::open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (file.get() < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) file = make_named(directory);
-    if (file.get() < 0) fail_errno("nothing can be written to the dataset", errno);
+    if (file.get() < 0) fail_errno("no scratch file can be made in the dataset", errno);
     return file;
 }
 

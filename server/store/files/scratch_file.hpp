@@ -1,5 +1,5 @@
-// A file without a name: its place on the disk is reserved when it is made and given back with the process, however
-// that ends.
+// ScratchFile: a temporary file without a name. Its space on the disk is reserved at construction. The space is freed
+// when the object is destroyed or the process ends, even when the process is killed.
 #pragma once
 
 #include "store/files/files.hpp"
@@ -9,11 +9,11 @@ namespace ciel::store {
 // Not thread-safe.
 class ScratchFile {
 public:
-    // On the disk of `directory`. Throws Error, whose sentence names no path, when nothing can be made there or when
-    // the disk does not have `bytes`.
+    // Makes a file of `bytes` on the disk of `directory`. Throws Error when no file can be made there or the disk does
+    // not have `bytes` left. The message names no path, because clients of a server see it.
     ScratchFile(const std::filesystem::path& directory, std::uint64_t bytes);
 
-    // REQUIRES: the place lies within the file. Throw Error when the disk fails.
+    // REQUIRES: [offset, offset + bytes.size()) lies within the file. Both functions throw Error when the disk fails.
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
 

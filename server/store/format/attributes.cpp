@@ -50,7 +50,7 @@ Origin parse_origin(const JsonReader& value) {
 std::vector<std::string> parse_component_names(const JsonReader& value, std::uint64_t components) {
     std::vector<std::string> names;
     for (const JsonReader& name : value.items()) names.push_back(name.text());
-    if (names.size() != components) value.refuse("must name each of the components");
+    if (names.size() != components) value.refuse("must have one name per component");
     return names;
 }
 
@@ -98,10 +98,11 @@ constexpr std::array mesh_counts{Count{"vertices", &MeshInfo::vertices},
                                  Count{"components", &MeshInfo::components},
                                  Count{"cells", &MeshInfo::cells}};
 
-// Everything of ours is under "ciel": a foreign Zarr group is told apart by its absence.
+// Returns the member "ciel", which has all attributes that CIEL writes. Throws Error when it is absent: the directory
+// is then a Zarr group of another program.
 JsonReader ciel_member(const JsonReader& document, const std::filesystem::path& file) {
     if (!document.is_object() || !document.find("ciel"))
-        refuse(file, "has no 'ciel' attributes: this is a Zarr group, but not a CIEL dataset");
+        refuse(file, "has no 'ciel' attributes: the directory is a Zarr group, but not a CIEL dataset");
     return document.at("ciel");
 }
 
@@ -119,8 +120,9 @@ DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::
     DatasetInfo info;
     const std::uint64_t version = ciel.at("format_version").count();
     if (version > layout::format_version)
-        refuse(file, "was written by a newer CIEL (format " + std::to_string(version) + ", this one reads " +
-                         std::to_string(layout::format_version) + "): update CIEL");
+        refuse(file, "was written by a newer CIEL (format " + std::to_string(version) +
+                         ", but the installed CIEL reads format " + std::to_string(layout::format_version) +
+                         "); update CIEL");
     if (version == 0) ciel.at("format_version").refuse("must not be 0");
     info.format_version = static_cast<int>(version);
     info.id = ciel.at("id").text();

@@ -1,4 +1,4 @@
-// The .zattrs documents of a dataset, of a mesh and of an array of values.
+// Reads and writes the .zattrs documents of a dataset, of a mesh, of a group and of an array of values.
 #pragma once
 
 #include "store/format/dataset_info.hpp"
@@ -8,7 +8,7 @@
 
 namespace ciel::store {
 
-// The dataset's own attributes: format_version, id, source, created, length_units, input counts, notes.
+// Attributes of the whole dataset: format_version, id, source, created, length_units, input counts, notes.
 [[nodiscard]] DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string root_attributes_text(const DatasetInfo& info);
 
@@ -22,8 +22,8 @@ struct MeshAttributes {
     Vec3d origin{};
     MeshInfo info;
     std::vector<GroupName> groups;
-    std::map<std::string, std::string> checksums;  // of each topology array; of each group as "groups/<index>"
-    std::vector<std::string> coordinate_checksums; // shorter than the coordinate sets when some came by plain Zarr
+    std::map<std::string, std::string> checksums;  // by name of the topology array; groups as "groups/<index>"
+    std::vector<std::string> coordinate_checksums; // of the first coordinate sets; sets added with plain Zarr have none
 };
 [[nodiscard]] MeshAttributes parse_mesh_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const MeshAttributes& mesh);

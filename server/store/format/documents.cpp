@@ -16,9 +16,9 @@ void check_is_dataset(const fs::path& directory) {
     const auto status = fs::status(directory, error);
     if (!fs::exists(status)) refuse(directory, "does not exist");
     if (!fs::is_directory(status))
-        refuse(directory, "is a file, not a dataset directory; turn it into one with 'ciel import'");
+        refuse(directory, "is a file, not a dataset directory; make a dataset from the file with 'ciel import'");
     if (!fs::exists(directory / layout::group_document, error))
-        refuse(directory, "is not a CIEL dataset: it has no .zgroup; make one with 'ciel import'");
+        refuse(directory, "is not a CIEL dataset: the directory has no .zgroup; make a dataset with 'ciel import'");
 }
 
 } // namespace
@@ -29,7 +29,8 @@ Documents read_documents(const fs::path& directory) {
                marker = directory / layout::commit_marker;
     check_group_text(read_text(group, layout::document_bytes), group);
     std::error_code error;
-    if (!fs::exists(attributes, error)) refuse(directory, "is a Zarr group, but not a CIEL dataset: it has no .zattrs");
+    if (!fs::exists(attributes, error))
+        refuse(directory, "is a Zarr group, but not a CIEL dataset: the group has no .zattrs");
     Documents documents;
     documents.info = parse_root_attributes(read_text(attributes, layout::document_bytes), attributes);
     documents.marker = parse_marker(read_text(marker, layout::marker_bytes), marker);

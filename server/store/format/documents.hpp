@@ -1,4 +1,4 @@
-// The text files that say what a dataset holds now.
+// Reads the text files of a dataset that list its content: attributes and commit marker.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -6,11 +6,12 @@
 namespace ciel::store {
 
 struct Documents {
-    DatasetInfo info; // without arrays and meshes
+    DatasetInfo info; // `arrays` and `meshes` are empty
     Marker marker;
 };
 
-// Cheap: maps nothing. Throws Error naming the file when the directory is no dataset, damaged or of a newer version.
+// Reads the documents without opening an array. Throws Error that names the file when the directory is not a dataset,
+// is damaged or has a newer format version.
 [[nodiscard]] Documents read_documents(const std::filesystem::path& directory);
 
 } // namespace ciel::store

@@ -1,4 +1,5 @@
-// Checked access to JSON of unknown origin: every miss is an Error that names the file and the place in it.
+// JsonReader: checked access to JSON of unknown origin. A missing member or a wrong type throws Error that names the
+// file and the place in it.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +15,22 @@ namespace ciel::store {
 
 // Throws Error when `text` is not JSON.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
-// Bytes that are not UTF-8 become U+FFFD: what a file format hands over as a name may hold anything.
+// Returns `text` with bytes that are not UTF-8 replaced by U+FFFD. Names in imported files may hold any bytes.
 [[nodiscard]] std::string valid_utf8(const std::string& text);
 [[nodiscard]] std::string to_text(const nlohmann::json& json);
 
-// Borrows the document; `file` and `place` are for the sentences.
+// Refers to the document and to `file`, which must outlive it. Messages name `file` and `place` ("steps[3].time").
 class JsonReader {
 public:
     JsonReader(const nlohmann::json& value, const std::filesystem::path& file, std::string place = {})
         : value_(&value), file_(&file), place_(std::move(place)) {}
 
     [[nodiscard]] JsonReader at(const char* key) const;
-    [[nodiscard]] std::optional<JsonReader> find(const char* key) const; // null counts as absent
+    [[nodiscard]] std::optional<JsonReader> find(const char* key) const; // nullopt if the member is absent or null
     [[nodiscard]] std::vector<JsonReader> items() const;
     [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
 
-    [[nodiscard]] double number() const; // finite
+    [[nodiscard]] double number() const; // throws Error unless the value is a finite number
     [[nodiscard]] std::uint64_t count() const;
     [[nodiscard]] std::string text() const;
     [[nodiscard]] bool flag() const;

@@ -1,4 +1,4 @@
-// Where everything lies inside NAME.ciel (store/README.md is the whole format).
+// Names and paths of the files inside NAME.ciel (format: store/README.md).
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,26 @@ inline constexpr const char* group_document = ".zgroup";
 inline constexpr const char* attributes_document = ".zattrs";
 inline constexpr const char* array_document = ".zarray";
 
-// Limits on the text files, against a damaged or hostile size.
+// Largest accepted sizes of the text files, in bytes. They protect against damaged and hostile files.
 inline constexpr std::size_t document_bytes = std::size_t{1} << 24;
 inline constexpr std::size_t marker_bytes = std::size_t{1} << 28;
 
 [[nodiscard]] std::filesystem::path mesh(const std::filesystem::path& dataset, std::size_t mesh);
 [[nodiscard]] std::filesystem::path face_or_cell_group(const std::filesystem::path& mesh, std::size_t index);
 [[nodiscard]] std::filesystem::path values(const std::filesystem::path& mesh, const std::string& array);
-// The file of one chunk: "first.0.0" for an array of `rank` dimensions that is cut along its first.
+// Returns the file of chunk `first` of an array of `rank` dimensions that is divided along the first one only: for rank
+// 3, "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
-// An array's name as a directory: everything but A-Z a-z 0-9 _ - becomes %XX; a long one is cut and ends in its hash.
+// Returns the directory name of an array: each byte but A-Z a-z 0-9 _ - becomes %XX. A long name is truncated and ends
+// in its hash.
 [[nodiscard]] std::string encode_name(const std::string& name);
 
-// The topology arrays of a mesh that are one chunk each.
+// Topology arrays that every mesh has. Each is one chunk.
 inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     "face_vertex",  "owner",
                                                "neighbour",  "original_vertex", "original_cell"};
 
-// Those that a source may not have.
+// Arrays of solver ids, which a mesh has only if its source has them. Each is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
 
 } // namespace ciel::store::layout

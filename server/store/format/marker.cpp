@@ -92,8 +92,8 @@ Marker parse_marker(std::string_view text, const std::filesystem::path& file) {
     const JsonReader document(json, file);
     const JsonReader version = document.at("ciel_steps");
     if (version.count() != layout::format_version)
-        version.refuse("is " + std::to_string(version.count()) + ", this CIEL reads " +
-                       std::to_string(layout::format_version) + ": update CIEL");
+        version.refuse("is " + std::to_string(version.count()) + ", but the installed CIEL reads " +
+                       std::to_string(layout::format_version) + "; update CIEL");
     Marker marker;
     marker.meshes = document.at("meshes").count();
     if (marker.meshes == 0 || marker.meshes > most_meshes) document.at("meshes").refuse("must be 1 to 1000000");

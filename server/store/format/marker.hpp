@@ -1,5 +1,5 @@
-// The commit marker, steps.json: the list of steps that readers may see. Whatever else lies in the directory does not
-// exist for them. It is only ever replaced whole.
+// The commit marker, steps.json: the list of the steps that readers see. Readers ignore chunks that it does not list.
+// Writers only replace it as a whole.
 #pragma once
 
 #include "store/format/dataset_info.hpp"
@@ -12,9 +12,9 @@ namespace ciel::store {
 
 struct MarkedArray {
     std::uint64_t chunk = 0;
-    std::string checksum;                // empty: not given (written with plain Zarr)
-    std::optional<ArrayStep> statistics; // not given: the reader makes them
-    bool lazy = false;                   // the chunk may not be there yet
+    std::string checksum;                // empty if not given, as for chunks written with plain Zarr
+    std::optional<ArrayStep> statistics; // nullopt if not given; the reader then computes them
+    bool lazy = false;                   // the chunk may not be written yet
 };
 
 struct MarkedStep {
@@ -28,8 +28,8 @@ struct Marker {
     std::vector<MarkedStep> steps;
 };
 
-// Throws Error naming `file` and the place. Times must increase, meshes exist, chunks default to the number of earlier
-// steps on the same mesh.
+// Throws Error that names `file` and the place in it, also when times do not increase or a step is on a mesh that does
+// not exist. `chunk` defaults to the number of earlier steps on the same mesh.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 

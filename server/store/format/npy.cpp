@@ -23,7 +23,7 @@ struct Header {
 Header find_header(std::string_view text, const std::filesystem::path& file) {
     if (!text.starts_with(magic) || text.size() < 12) refuse(file, "is not a .npy file; save it with numpy.save");
     const auto byte = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(text[at])); };
-    // Version 1 has a length of two bytes, 2 and 3 of four.
+    // The length of the header has two bytes in version 1, four bytes in versions 2 and 3.
     const bool is_long = byte(6) >= 2;
     std::size_t length = byte(8) | byte(9) << 8;
     if (is_long) length |= byte(10) << 16 | byte(11) << 24;
@@ -32,7 +32,7 @@ Header find_header(std::string_view text, const std::filesystem::path& file) {
     return {text.substr(begin, length), begin + length};
 }
 
-// What follows 'key': in the Python dictionary.
+// Returns the text that follows 'key': in the Python dictionary of the header.
 std::string_view value_of(std::string_view dictionary, std::string_view key, const std::filesystem::path& file) {
     const std::string quoted = std::string("'").append(key).append("':");
     const auto at = dictionary.find(quoted);
@@ -45,12 +45,13 @@ std::string_view value_of(std::string_view dictionary, std::string_view key, con
 std::vector<std::size_t> parse_shape(std::string_view text, const std::filesystem::path& file) {
     std::vector<std::size_t> shape;
     const auto end = text.find(')');
-    if (!text.starts_with('(') || end == std::string_view::npos) refuse(file, "has a shape that cannot be read");
+    if (!text.starts_with('(') || end == std::string_view::npos)
+        refuse(file, "has a shape in its header that cannot be read");
     const char *at = text.data() + 1, *const stop = text.data() + end;
     while (at < stop) {
         std::size_t extent = 0;
         const auto [after, error] = std::from_chars(at, stop, extent);
-        if (error != std::errc()) refuse(file, "has a shape that cannot be read");
+        if (error != std::errc()) refuse(file, "has a shape in its header that cannot be read");
         shape.push_back(extent);
         at = std::find_if(after, stop, [](char c) { return c != ',' && c != ' '; });
     }
@@ -79,16 +80,17 @@ NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path
     if (!is_double && !value_of(header.dictionary, "descr", file).starts_with("'<f4'"))
         refuse(file, "holds neither float32 nor float64; convert it with astype('<f4')");
     if (!value_of(header.dictionary, "fortran_order", file).starts_with("False"))
-        refuse(file, "is in Fortran order; save numpy.ascontiguousarray of it");
+        refuse(file, "is in Fortran order; save numpy.ascontiguousarray of the array");
     NpyArray array{parse_shape(value_of(header.dictionary, "shape", file), file), {}};
 
     const std::string_view data = text.substr(header.data_begin);
     std::size_t bytes_left = data.size(), size = is_double ? sizeof(double) : sizeof(float);
     for (const std::size_t extent : array.shape) {
-        if (extent != 0 && size > bytes_left / extent) refuse(file, "is shorter than its shape says");
+        if (extent != 0 && size > bytes_left / extent)
+            refuse(file, "is shorter than its header declares; save the array again");
         size *= extent;
     }
-    if (size != bytes_left) refuse(file, "is not as long as its shape says");
+    if (size != bytes_left) refuse(file, "is longer than its header declares; save the array again");
     array.values = is_double ? convert<double>(data) : convert<float>(data);
     return array;
 }

@@ -1,4 +1,4 @@
-// NumPy's .npy files, as far as float arrays in C order go.
+// Reads NumPy's .npy files that hold float arrays in C order.
 // Format: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #pragma once
 
@@ -14,8 +14,8 @@ struct NpyArray {
     std::vector<float> values;
 };
 
-// float64 is narrowed. Throws Error naming `file` for anything else than little-endian float32 or float64 in C order of
-// one or two dimensions, and when the size does not fit the shape.
+// Reads an array of float32, or of float64, which is converted to float32. Throws Error that names `file` unless the
+// array is little-endian, in C order and of one or two dimensions, and its size fits its shape.
 [[nodiscard]] NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path& file);
 [[nodiscard]] NpyArray read_npy(const std::filesystem::path& file);
 

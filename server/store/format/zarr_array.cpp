@@ -27,7 +27,7 @@ ElementType parse_type(const JsonReader& value) {
     const std::string name = value.text();
     for (const TypeRow& r : type_table)
         if (name == r.name) return r.type;
-    value.refuse("is '" + name + "', which a dataset never holds");
+    value.refuse("is '" + name + "', which is not a type of a CIEL dataset");
 }
 
 std::vector<std::uint64_t> parse_extents(const JsonReader& value) {
@@ -41,7 +41,7 @@ void check_version(const JsonReader& document) {
     if (document.at("zarr_format").count() != 2) document.at("zarr_format").refuse("must be 2");
 }
 
-// zarr-python 3.0 writes the bare word, which is no JSON, where Zarr 2 has the text "NaN".
+// Puts the fill value NaN in quotes. zarr-python 3.0 writes it without quotes, which is not JSON; Zarr 2 requires them.
 std::string with_nan_as_text(std::string text) {
     constexpr std::string_view key = "\"fill_value\"", bare = "NaN", blank = " \t\r\n";
     const auto found = text.find(key);
@@ -59,12 +59,12 @@ std::string with_nan_as_text(std::string text) {
 std::size_t element_bytes(ElementType type) { return row(type).bytes; }
 
 std::size_t ZarrArray::chunk_bytes(const std::filesystem::path& file) const {
-    // An empty array still declares a chunk of one element (Zarr forbids zero), which is never written.
+    // An empty array has no chunk file, although it declares a chunk of one element, because Zarr forbids 0.
     if (std::find(shape.begin(), shape.end(), 0U) != shape.end()) return 0;
     std::uint64_t bytes = element_bytes(type);
     for (const std::uint64_t extent : chunks) {
         if (extent > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / bytes)
-            refuse(file, "declares a chunk larger than any memory; the file is damaged");
+            refuse(file, "declares a chunk of more than 2^63 bytes; the file is damaged");
         bytes *= extent;
     }
     return bytes;
@@ -79,9 +79,9 @@ ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& f
     const JsonReader document(json, file);
     check_version(document);
     if (const auto compressor = document.find("compressor"))
-        compressor->refuse("must be null: chunks are mapped, so they are stored raw");
+        compressor->refuse("must be null, because CIEL maps chunks and needs them uncompressed");
     if (const auto filters = document.find("filters"); filters && !filters->items().empty())
-        filters->refuse("must be null: chunks are mapped, so they are stored raw");
+        filters->refuse("must be null, because CIEL maps chunks and needs them uncompressed");
     if (document.at("order").text() != "C") document.at("order").refuse("must be \"C\"");
     if (const auto separator = document.find("dimension_separator"); separator && separator->text() != ".")
         separator->refuse("must be \".\"");
@@ -95,7 +95,7 @@ ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& f
 
 std::string to_text(const ZarrArray& array) {
     nlohmann::json fill = 0;
-    if (array.type == ElementType::f4) fill = "NaN"; // a chunk that is not there reads as "no value", never as zero
+    if (array.type == ElementType::f4) fill = "NaN"; // Zarr libraries then read a missing chunk as NaN, not as zeros
     return to_text(nlohmann::json{{"zarr_format", 2},
                                   {"shape", array.shape},
                                   {"chunks", array.chunks},

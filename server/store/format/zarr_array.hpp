@@ -1,5 +1,5 @@
-// The .zarray document of Zarr version 2, as far as the store uses it: C order, little endian, no compressor, no
-// filters, "." between chunk indices. Format: https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html
+// Reads and writes .zarray documents of Zarr version 2 for arrays that the store can map: C order, little endian, no
+// compressor, no filters, "." between chunk indices. Format: https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ enum class ElementType { u1, u4, u8, i8, f4 };
 struct ZarrArray {
     ElementType type = ElementType::f4;
     std::vector<std::uint64_t> shape;
-    std::vector<std::uint64_t> chunks; // same rank, none zero
+    std::vector<std::uint64_t> chunks; // extents of one chunk: as many as in `shape`, none is 0
 
-    // Throws Error naming `file` when the bytes do not fit into memory.
+    // Returns the size of a chunk file, 0 for an empty array. Throws Error that names `file` when it exceeds 2^63 - 1.
     [[nodiscard]] std::size_t chunk_bytes(const std::filesystem::path& file) const;
 };
 
-// One chunk that holds everything.
+// Returns a one-dimensional array of `count` elements in one chunk.
 [[nodiscard]] ZarrArray whole_array(ElementType type, std::uint64_t count);
 
-// Throws Error naming `file` for anything but what the store can map.
+// Throws Error that names `file` for an array that the store cannot map.
 [[nodiscard]] ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const ZarrArray& array);
 

@@ -15,17 +15,17 @@ namespace {
 
 struct Batch {
     const Primitives* mesh = nullptr;
-    std::size_t first = 0;       // first triangle, line or point of the mesh
-    std::vector<Index> vertices; // indices in the mesh, in order of first use
+    std::size_t first = 0;       // index of its first triangle, line or point in the mesh
+    std::vector<Index> vertices; // indices into the mesh's vertices, in order of first use
     std::vector<Index> indices;  // into `vertices`
 };
 
-// Quantized, before compression.
+// The vertices or the values of a batch, quantized but not yet compressed.
 struct Quantized {
     std::uint64_t id = 0;
     std::vector<std::uint8_t> bytes; // records, one per vertex or value
     std::size_t stride = 4;
-    std::array<std::int64_t, 3> low{}; // grid steps; values use only the first
+    std::array<std::int64_t, 3> low{}; // smallest place per axis, in steps; values use low[0] only
 };
 
 std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
@@ -38,13 +38,14 @@ void check(const Primitives& mesh) {
                        (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
                       mesh.indices.size() % corners_of(mesh) == 0 &&
                       std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](Index v) { return v < vertices; });
-    if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not fit together and cannot be sent");
+    if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not match and cannot be sent");
 }
 
-// Starts a new batch where the next triangle, line or point would exceed max_vertices.
+// Splits a mesh into batches of at most max_vertices vertices, in the order of its triangles, lines or points.
 void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
     const std::size_t corners = corners_of(mesh);
-    std::vector<Index> local(mesh.positions.size(), none); // valid if batch.vertices there is this vertex
+    // Index of each mesh vertex in batch.vertices. Valid only if batch.vertices holds the vertex at that index.
+    std::vector<Index> local(mesh.positions.size(), none);
     Batch batch{&mesh, 0, {}, {}};
     const auto is_known = [&](Index vertex) {
         return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
@@ -110,7 +111,8 @@ void append_string(std::string& json, std::string_view text) {
 
 const char* name_of(bool value) { return value ? "true" : "false"; }
 
-// Record: grid position minus `low`, then the normal, 12 or 16 bytes. Unused bytes compress to almost nothing.
+// Quantizes the vertices of a batch. A record has 12 bytes for the grid position minus `low`. With normals, 2 bytes for
+// the normal and 2 unused bytes follow.
 Quantized mesh_part(const Batch& batch, double step) {
     const Primitives& mesh = *batch.mesh;
     Quantized part;
@@ -176,7 +178,7 @@ std::string hexadecimal(std::uint64_t id) {
     return text;
 }
 
-struct Counts { // of compressed bytes; 0: the receiver has the part
+struct Counts { // compressed bytes per array; 0: not sent, the receiver has it
     std::size_t vertices = 0, indices = 0, values = 0;
 };
 
@@ -206,7 +208,7 @@ void append_parts(std::string& json, const Primitives& mesh, const Quantized& sh
     json += "}";
 }
 
-struct Place { // of a batch in its frame
+struct Place { // number of a batch, number of batches in the frame, HeldArrays::base
     std::size_t number = 0, batches = 0;
     std::uint32_t base = 0;
 };

@@ -11,13 +11,13 @@
 
 namespace ciel::wire {
 
-// Triangles, lines or points of one layer; borrowed. Range and color are finite.
+// Triangles, lines or points of one layer. The arrays are borrowed. `range` and `color` must be finite.
 struct Primitives {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
-    std::span<const float> scalars; // one per vertex, or
-    std::span<const float> values;  // one per triangle, line or point; not both
-    // The error of a value is at most half a step. 0: values are sent as floats.
+    std::span<const float> scalars; // one per vertex; empty if there are `values`
+    std::span<const float> values;  // one per triangle, line or point; empty if there are `scalars`
+    // Quantization step of scalars or values; the error is at most half a step. 0: they are sent as floats.
     double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
@@ -34,21 +34,22 @@ inline constexpr std::size_t batch_vertices = 65536;
 
 using ArrayIds = std::unordered_set<std::uint64_t>; // content hashes of meshes and values of batches
 
-// Arrays that the receiver has.
+// The arrays that the receiver already has.
 struct HeldArrays {
-    std::uint32_t base = 0; // last acknowledged frame; 0: none
-    ArrayIds ids;           // of that frame
+    std::uint32_t base = 0; // last acknowledged frame; 0 if there is none
+    ArrayIds ids;           // arrays of frame `base`
 };
 
 struct EncodedGeometry {
     std::vector<std::vector<std::uint8_t>> payloads; // one per batch, in drawing order
-    ArrayIds ids;                                    // of all batches, held or sent
+    ArrayIds ids;                                    // arrays of all batches, sent or already held
 };
 
-// Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained:
-// indices count within it, and shared vertices are repeated with the same grid position. Consecutive triangles stay
-// together, so a batch is a run of blocks. Parts in `held` are named, not sent. `step`: of the grid, in length units, a
-// power of two (quantize.hpp). Throws Error when array sizes or indices are inconsistent.
+// Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained: its
+// indices count within it, and vertices shared between batches are repeated with the same grid position. Triangles keep
+// their order. An array in `held` is named by its id and not sent.
+// `step`: grid step in length units, a power of two (quantize.hpp). Throws Error when array sizes or indices are
+// inconsistent.
 [[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 

@@ -5,7 +5,8 @@
 namespace ciel::wire {
 namespace {
 
-// The library stores the versions in globals: sets them once, before the first encoding of any thread.
+// Sets meshoptimizer's format versions once, before the first encoding of any thread: the library keeps them in global
+// variables.
 void choose_versions() {
     static const bool chosen = [] {
         meshopt_encodeVertexVersion(0);

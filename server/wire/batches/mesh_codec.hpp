@@ -10,12 +10,14 @@
 
 namespace ciel::wire {
 
-// Appends `vertices`, records of `stride` bytes (a multiple of 4, at most 256). Similar neighbours compress well.
-// Returns the number of bytes appended.
+// Appends `vertices` in compressed form: records of `stride` bytes (a multiple of 4, at most 256). Adjacent records
+// that are similar compress well. Returns the number of bytes appended.
 std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std::uint8_t> vertices, std::size_t stride);
-// Appends three indices per triangle. Decoded triangles are in the same order; their corners may be rotated.
+// Appends three indices per triangle in compressed form. Decoding keeps the order of the triangles, but may rotate
+// their corners. Returns the number of bytes appended.
 std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
-// Appends indices of lines or points. They are decoded exactly.
+// Appends indices of lines or points in compressed form. They are decoded exactly. Returns the number of bytes
+// appended.
 std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
 
 } // namespace ciel::wire

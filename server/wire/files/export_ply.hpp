@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// Writes double positions. The caller checks the stream for failure.
+// Writes a PLY file with positions as doubles. The caller checks the stream for failure.
 ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out);
 
 } // namespace ciel::wire

@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// Writes float32 positions and no values. The caller checks the stream for failure.
+// Writes an STL file with positions as floats and without values. The caller checks the stream for failure.
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out);
 
 } // namespace ciel::wire

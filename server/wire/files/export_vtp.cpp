@@ -30,7 +30,7 @@ std::string xml_escaped(const std::string& text) {
     return out;
 }
 
-// Declares arrays in the header. Their bytes follow the header, each array after its size.
+// Declares arrays in the XML header. Their bytes follow in the section AppendedData, each array after its size.
 class AppendedArrays {
 public:
     void declare(std::ostream& out, const char* type, const std::string& name, int components, std::uint64_t bytes,

@@ -10,11 +10,12 @@
 namespace ciel::wire {
 namespace {
 
-// Farther from the origin, adjacent floats differ by more than a millionth of the mesh's diagonal.
+// Distance from the origin, in diagonals of the mesh, up to which floats are fine enough. Beyond it, adjacent floats
+// differ by more than a millionth of the diagonal.
 constexpr double most_diagonals_away = 8;
 
-// Newell's normal about the first corner, in double: exactly zero for repeated points, and negligible compared with the
-// squared perimeter for collinear points.
+// Returns whether a polygon has an area. Computes Newell's normal about the first corner in double: it is exactly zero
+// for repeated points, and negligible compared with the squared extent for collinear points.
 bool has_area(const Surface& surface, std::span<const Index> polygon) {
     if (polygon.size() < 3) return false;
     const Vec3f& base = surface.positions[polygon[0]];

@@ -16,29 +16,29 @@ struct NamedValues {
 
 struct ExportSurface {
     const Surface& surface;
-    Vec3d origin{}; // added in double; formats with doubles keep all digits
+    Vec3d origin{}; // added to the positions in double; formats with doubles keep all digits
     std::vector<NamedValues> values;
-    bool triangles = false; // else polygons (STL always has triangles)
+    bool triangles = false; // write triangles instead of polygons (STL always has triangles)
     Vec3d file_origin{};    // subtracted from the coordinates; stated in the file unless zero
 };
 
-// Returns the file origin for surfaces of a mesh: formats with floats need it, others use it on request. It depends
-// only on the mesh's bounds (min and max per axis), so files of one mesh fit together. Zero where floats are fine
-// enough for the bounds, else their centre rounded to whole numbers.
+// Returns the point to subtract from the coordinates in a file. Formats with floats need it, others use it on request.
+// It is zero where floats are fine enough for the mesh's bounds, else their center rounded to whole numbers. `bounds`:
+// minimum and maximum per axis. Files of one mesh fit together, because the point depends only on the bounds.
 [[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 struct ExportedCounts {
     std::size_t polygons = 0, vertices = 0;
 };
 
-// "X Y Z", with 17 significant digits.
+// Returns "X Y Z" with 17 significant digits per number.
 [[nodiscard]] std::string origin_text(Vec3d origin);
 
-// Polygons with an area, and the vertices that they use. An iso-value equal to a vertex value makes polygons without
-// area.
+// The polygons of a surface that have an area, and the vertices that they use. Polygons without area arise where a mesh
+// vertex has exactly the iso-value.
 struct ExportedPolygons {
-    std::vector<Index> vertices;  // of the surface
-    std::vector<Index> offset{0}; // polygons + 1
+    std::vector<Index> vertices;  // indices of the used surface vertices
+    std::vector<Index> offset{0}; // start of each polygon in `corner`, and the end of the last
     std::vector<Index> corner;    // into `vertices`
 
     [[nodiscard]] ExportedCounts counts() const { return {offset.size() - 1, vertices.size()}; }

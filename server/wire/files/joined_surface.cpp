@@ -17,9 +17,9 @@ const NamedValues* find(const std::vector<NamedValues>& values, const std::strin
     return found != values.end() ? &*found : nullptr;
 }
 
-// Returns for each vertex the one that replaces it. If a mesh vertex has the iso-value, each edge there has its own
-// coincident point. Merging them keeps the surface closed when polygons without area are left out. Points with
-// different flat values are not merged.
+// Returns for each surface vertex the vertex that replaces it. If a mesh vertex has exactly the iso-value, each of its
+// edges has a separate surface vertex there. Merging these keeps the surface closed when polygons without area are left
+// out. Vertices with different flat values are not merged.
 std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vector<NamedValues>& values) {
     std::vector<Index> kept(surface.positions.size());
     std::unordered_map<Index, Index> at_mesh_vertex;

@@ -1,15 +1,16 @@
-// Several surfaces as one, for files that hold one: the iso-values of a layer, or all layers.
+// Joins several surfaces to one, for file formats that hold one surface: the iso-values of a layer, or all layers.
 #pragma once
 
 #include "wire/files/exported_surface.hpp"
 
 namespace ciel::wire {
 
-// Owns its arrays. Vertices of one surface on the same mesh vertex are merged when their values are equal. Normals, and
-// values of a name, are kept only if all added surfaces have them.
+// Owns the joined arrays. Vertices of one added surface that lie on the same mesh vertex are merged if their values are
+// equal. Normals are kept only if all added surfaces have them. Values of a name are kept only if all added surfaces
+// have values of that name.
 class JoinedSurface {
 public:
-    // values: one per vertex of `surface` in each.
+    // Adds a surface. Each of `values` has one value per vertex of `surface`.
     void add(const Surface& surface, const std::vector<NamedValues>& values);
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }

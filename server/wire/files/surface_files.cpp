@@ -13,7 +13,7 @@ SurfaceFormat surface_format(const std::string& extension) {
     if (extension == ".ply") return SurfaceFormat::ply;
     if (extension == ".stl") return SurfaceFormat::stl;
     if (extension == ".vtp") return SurfaceFormat::vtp;
-    throw Error("'" + extension + "' is no surface format; there are .ply, .stl and .vtp");
+    throw Error("'" + extension + "' is not a surface format; use .ply, .stl or .vtp");
 }
 
 ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out) {
@@ -33,7 +33,7 @@ std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, is_stl || surface.triangles);
     const std::uint64_t faces = polygons.counts().polygons, vertices = polygons.vertices.size();
     const std::uint64_t per_vertex = 24 + (surface.surface.normals.empty() ? 0 : 12) + 4 * surface.values.size();
-    const std::uint64_t indices = faces + polygons.corner.size(); // one size or offset per face, and the corners
+    const std::uint64_t indices = faces + polygons.corner.size(); // a size or offset per face, and its corners
     switch (format) {
     case SurfaceFormat::ply:
         return vertices * per_vertex + 4 * indices;

@@ -1,4 +1,4 @@
-// The formats of surfaces in files, by name.
+// The file formats of surfaces: PLY, STL and VTP.
 #pragma once
 
 #include "wire/files/exported_surface.hpp"
@@ -10,14 +10,15 @@
 namespace ciel::wire {
 
 enum class SurfaceFormat { ply, stl, vtp };
-// Whether the format stores positions as floats, as STL does.
+// Returns whether the format stores positions as floats, as STL does.
 [[nodiscard]] bool has_floats(SurfaceFormat format);
-[[nodiscard]] SurfaceFormat surface_format(const std::string& extension); // ".ply"; throws Error with the known ones
+// Returns the format of a file extension such as ".ply". Throws Error, which lists the known extensions.
+[[nodiscard]] SurfaceFormat surface_format(const std::string& extension);
 
-// Returns the numbers written. The caller checks the stream for failure.
+// Writes a surface and returns the numbers of written polygons and vertices. The caller checks the stream for failure.
 ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out);
 
-// Size of the file in bytes, without the header. Lets callers refuse an export before it is written.
+// Returns the size of the file in bytes, without its header. Lets callers refuse an export before it is written.
 [[nodiscard]] std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface);
 
 } // namespace ciel::wire

@@ -1,4 +1,4 @@
-// A picture in bands of rows. Bands are encoded in parallel and cache their result for the next picture.
+// Encodes a picture in bands of rows, in parallel. A band keeps its encoded bytes for the next picture.
 #pragma once
 
 #include "ciel/parallel.hpp"
@@ -9,13 +9,13 @@
 
 namespace ciel::wire {
 
-// Band needs a constructor (width, height, first row, more...), the constant most_rows, and encode(rgb), which takes
-// the whole picture.
+// A Band needs a constructor (width, height, first row, more...), the constant most_rows, and encode(rgb), which takes
+// the pixels of the whole picture.
 template <class Band>
 class Bands {
 public:
-    // Returns the bands from the top, valid until the next call. `more`: the same in all calls. Rethrows exceptions of
-    // bands; the next picture is then encoded anew.
+    // Encodes a picture. Returns its bands from the top, valid until the next call. `more`: the same arguments in all
+    // calls. Rethrows exceptions of bands; the next call then encodes all bands again.
     template <class... More>
     const std::vector<Band>& encode(int width, int height, std::span<const std::uint8_t> rgb, More... more) {
         if (width != width_ || height != height_) bands_.clear();
@@ -28,7 +28,7 @@ public:
                 for (std::size_t i = begin; i < end; ++i) bands_[i].encode(rgb);
             });
         } catch (...) {
-            bands_.clear(); // some already hold rows of the failed picture
+            bands_.clear(); // some bands already hold rows of the failed picture
             throw;
         }
         return bands_;

@@ -14,11 +14,11 @@
 namespace ciel::wire {
 namespace {
 
-constexpr int unit = 16;        // pixels: four luminance blocks and one of each chrominance, libjpeg's default
-constexpr int wished_units = 4; // in a piece
+constexpr int unit = 16; // pixels per side of an MCU: 4 luminance blocks and one of each chrominance, libjpeg's default
+constexpr int wished_units = 4; // fewest MCUs in a piece
 
-// Returns the smallest divisor of a row's units that is at least wished_units and at most three times as large, else
-// the whole row. Restart intervals then end at the end of rows.
+// Returns the number of MCUs in a piece: the smallest divisor of units_of_row from wished_units to 3 * wished_units,
+// else units_of_row. Every row of MCUs then ends at the end of a restart interval.
 int units_of_piece(int units_of_row) {
     for (int units = wished_units; units <= 3 * wished_units; ++units)
         if (units_of_row % units == 0) return units;
@@ -59,7 +59,8 @@ struct JpegBand::Libjpeg {
         throw Error(std::string("libjpeg could not write a picture: ") + sentence.data());
     }
 
-    // `first`: the upper left pixel. `stride`: bytes from row to row.
+    // Encodes a JPEG file with a restart marker after every `units` MCUs. `first`: the upper left pixel. `stride`:
+    // bytes from row to row. The result is valid until the next call.
     std::span<const std::uint8_t> encode(const std::uint8_t* first, std::size_t stride, int width, int height,
                                          int units, int quality) {
         file.resize(4 * static_cast<std::size_t>(width + unit) * static_cast<std::size_t>(height + unit) + 1024);
@@ -76,7 +77,8 @@ struct JpegBand::Libjpeg {
         compress.restart_interval = static_cast<unsigned>(units);
         jpeg_start_compress(&compress, TRUE);
         for (int row = 0; row < height; ++row) {
-            JSAMPROW line = const_cast<JSAMPROW>(first + static_cast<std::size_t>(row) * stride); // only read
+            // libjpeg needs a non-const row, but only reads it.
+            JSAMPROW line = const_cast<JSAMPROW>(first + static_cast<std::size_t>(row) * stride);
             jpeg_write_scanlines(&compress, &line, 1);
         }
         jpeg_finish_compress(&compress);
@@ -100,7 +102,7 @@ JpegBand::Span JpegBand::changed(std::span<const std::uint8_t> rgb) {
     const std::size_t stride = 3 * static_cast<std::size_t>(width_);
     const std::size_t piece = 3 * static_cast<std::size_t>(piece_width_);
     const auto first = rgb.subspan(static_cast<std::size_t>(top_) * stride, last_.size());
-    std::size_t begin = stride, end = 0; // bytes of a row
+    std::size_t begin = stride, end = 0; // changed part of the rows, in bytes
     for (std::size_t row = 0; row < first.size(); row += stride) {
         const std::uint8_t *now = first.data() + row, *then = last_.data() + row;
         for (std::size_t at = 0; at < stride; at += piece) {
@@ -125,7 +127,7 @@ void JpegBand::encode(std::span<const std::uint8_t> rgb) {
 }
 
 void JpegBand::take(std::span<const std::uint8_t> file, Span span) {
-    const std::uint8_t* at = file.data() + 2; // segments start after SOI: mark, kind, length in two bytes
+    const std::uint8_t* at = file.data() + 2; // skips SOI; a segment has a mark, its kind, its length in two bytes
     const std::uint8_t* frame = nullptr;
     for (bool is_last = false; !is_last; at += 2 + 256 * at[2] + at[3]) {
         if (at[1] == frame_start) frame = at;
@@ -133,11 +135,11 @@ void JpegBand::take(std::span<const std::uint8_t> file, Span span) {
     }
     if (header_.empty() && top_ == 0) {
         header_.assign(file.data(), at);
-        std::uint8_t* size = header_.data() + (frame - file.data()) + 5; // height, width
+        std::uint8_t* size = header_.data() + (frame - file.data()) + 5; // two bytes each of height and width
         size[0] = static_cast<std::uint8_t>(height_ >> 8), size[1] = static_cast<std::uint8_t>(height_);
         size[2] = static_cast<std::uint8_t>(width_ >> 8), size[3] = static_cast<std::uint8_t>(width_);
     }
-    const std::uint8_t* end = file.data() + file.size() - 2; // EOI
+    const std::uint8_t* end = file.data() + file.size() - 2; // without the EOI marker
     for (std::size_t row = 0; row < pieces_.size(); row += static_cast<std::size_t>(columns_))
         for (int column = span.begin; column < span.end; ++column) {
             const std::uint8_t* from = at;

@@ -1,4 +1,5 @@
-// Rows of a JPEG picture, encoded independently of all others (T.81, E.1.4: nothing is predicted across a restart).
+// A band of rows of a JPEG picture, encoded independently of all other bands (T.81, E.1.4: nothing is predicted across
+// a restart).
 #pragma once
 
 #include <array>
@@ -12,26 +13,28 @@ namespace ciel::wire {
 
 class JpegBand {
 public:
-    static constexpr int most_rows = 64; // of pixels
+    static constexpr int most_rows = 64; // pixel rows
 
-    // The band from row `top` of pictures of this size. quality: 1 to 100. Throws Error when libjpeg cannot be set up.
+    // Makes the band that begins at pixel row `top` of pictures of this size. quality: 1 to 100. Throws Error when
+    // libjpeg cannot be set up.
     JpegBand(int width, int height, int top, int quality);
     ~JpegBand();
     JpegBand(JpegBand&&) noexcept;
     JpegBand& operator=(JpegBand&&) noexcept;
 
-    // Encodes the pieces that differ from the previous call. `rgb`: the whole picture. Throws Error; no call is allowed
-    // after that.
+    // Encodes the columns of pieces that differ from the previous call. `rgb`: the whole picture. After an Error no
+    // further call is allowed.
     void encode(std::span<const std::uint8_t> rgb);
-    // SOI to SOS of the whole picture. Valid after encode, in the band of row 0 only; empty in others.
+    // Returns the file header of the whole picture, from SOI to SOS. Valid after encode, and only in the band at row 0;
+    // empty in other bands.
     [[nodiscard]] std::span<const std::uint8_t> header() const { return header_; }
-    // Appends the pieces, each followed by the restart marker of its number. `number`: of the first piece. Returns the
-    // number after the last.
+    // Appends the encoded pieces, each followed by its restart marker. `number`: index of the first piece in the
+    // picture. Returns the index after the last piece.
     std::size_t append(std::size_t number, std::vector<std::uint8_t>& out) const;
 
 private:
     struct Libjpeg;
-    struct Span { // columns of pieces
+    struct Span { // half-open range of columns of pieces
         int begin, end;
     };
 
@@ -39,12 +42,12 @@ private:
     void take(std::span<const std::uint8_t> file, Span span);
 
     int width_, height_, top_, quality_;
-    int rows_;        // of pixels
+    int rows_;        // pixel rows of this band
     int piece_width_; // pixels
-    int columns_;     // of pieces
+    int columns_;     // pieces per row
     bool is_first_ = true;
-    std::vector<std::uint8_t> last_;                // pixels of the previous call
-    std::vector<std::vector<std::uint8_t>> pieces_; // encoded, without markers; rows from the top
+    std::vector<std::uint8_t> last_;                // pixels of the previous picture
+    std::vector<std::vector<std::uint8_t>> pieces_; // encoded pieces without markers; rows from the top
     std::vector<std::uint8_t> header_;
     std::unique_ptr<Libjpeg> libjpeg_;
 };

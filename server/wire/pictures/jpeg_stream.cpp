@@ -2,7 +2,7 @@
 
 namespace ciel::wire {
 namespace {
-constexpr int longest_side = 65500; // libjpeg's own limit
+constexpr int longest_side = 65500; // pixels; JPEG_MAX_DIMENSION of libjpeg
 constexpr std::uint8_t end_of_image = 0xD9;
 } // namespace
 

@@ -1,4 +1,4 @@
-// JPEG (ITU-T T.81) by libjpeg.
+// Encodes pictures as JPEG (ITU-T T.81) with libjpeg.
 #pragma once
 
 #include "wire/pictures/bands.hpp"

@@ -1,4 +1,4 @@
-// Pictures in quick succession, each encoded as a complete file.
+// Encodes pictures in quick succession, each as a complete file.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@ namespace ciel::wire {
 
 enum class MovingCodec { png, jpeg };
 
-// Unchanged parts of a picture keep their encoded bytes. Not thread-safe; each call uses the thread pool.
+// A PictureStream keeps the encoded bytes of unchanged parts for the next picture. It is not thread-safe; each call
+// uses the thread pool.
 class PictureStream {
 public:
     PictureStream() = default;
@@ -18,12 +19,12 @@ public:
     PictureStream(const PictureStream&) = delete;
     PictureStream& operator=(const PictureStream&) = delete;
 
-    // rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not match or exceed the
-    // codec's limit; later calls still work.
+    // Appends the encoded picture to `out`. rgb: rows from the top, 3 bytes a pixel. Throws Error when sizes do not
+    // match or exceed the codec's limit; later calls still work.
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };
 
-// `jpeg_quality`: 1 to 100; ignored for PNG, which is lossless.
+// Returns an encoder. `jpeg_quality`: 1 to 100; ignored for PNG, which is lossless.
 [[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality = 80);
 
 // Throws Error, naming the format, unless `rgb` has 3 bytes per pixel and both sides are from 1 to longest_side.

@@ -1,4 +1,4 @@
-// PNG (ISO/IEC 15948) by libpng, optimized for size: for stills and files.
+// Encodes pictures as PNG (ISO/IEC 15948) with libpng, optimized for size: for stills and files.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace ciel::wire {
 
-// rgb: rows from the top, 3 bytes a pixel. Appends to `out`. Throws Error when sizes do not match.
+// Appends the picture as PNG to `out`. rgb: rows from the top, 3 bytes a pixel. Throws Error when sizes do not match.
 void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out);
 
 } // namespace ciel::wire

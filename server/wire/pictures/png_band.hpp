@@ -1,4 +1,4 @@
-// Rows of a PNG picture, filtered and deflated independently of all others.
+// A band of rows of a PNG picture, filtered and deflated independently of all other bands.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,21 @@ class PngBand {
 public:
     static constexpr int most_rows = 32;
 
-    PngBand(int width, int height, int top); // the band from row `top` of pictures of this size
+    // Makes the band that begins at pixel row `top` of pictures of this size.
+    PngBand(int width, int height, int top);
 
-    // Encodes the band if it differs from the previous call. `rgb`: the whole picture. Throws Error.
+    // Encodes the band if its pixels differ from the previous call. `rgb`: the whole picture. Throws Error.
     void encode(std::span<const std::uint8_t> rgb);
 
-    // Deflate blocks, ending at a byte boundary; none is marked as the last of the stream.
+    // Returns deflate blocks that end at a byte boundary. No block is marked as the last of the stream.
     [[nodiscard]] std::span<const std::uint8_t> deflated() const { return deflated_; }
-    [[nodiscard]] std::uint32_t checksum() const { return checksum_; }        // Adler-32 of the uncompressed bytes
-    [[nodiscard]] std::size_t bytes() const { return rows_ * (stride_ + 1); } // uncompressed
+    [[nodiscard]] std::uint32_t checksum() const { return checksum_; }        // Adler-32 of the filtered rows
+    [[nodiscard]] std::size_t bytes() const { return rows_ * (stride_ + 1); } // size of the filtered rows
 
 private:
     std::size_t stride_; // bytes of a row of pixels
     std::size_t rows_, top_;
-    std::vector<std::uint8_t> last_; // pixels of the previous call
+    std::vector<std::uint8_t> last_; // pixels of the previous picture
     std::vector<std::uint8_t> deflated_;
     std::uint32_t checksum_ = 0;
 };

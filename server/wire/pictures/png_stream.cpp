@@ -9,7 +9,7 @@ namespace ciel::wire {
 namespace {
 
 constexpr png_byte idat[] = {'I', 'D', 'A', 'T', 0}, iend[] = {'I', 'E', 'N', 'D', 0};
-constexpr std::array<png_byte, 2> zlib_header{0x78, 0x01}; // RFC 1950: deflate, 32 kB at most, the fastest level
+constexpr std::array<png_byte, 2> zlib_header{0x78, 0x01}; // RFC 1950: deflate, window of 32 KiB, fastest level
 constexpr std::array<png_byte, 2> last_block{0x03, 0x00};  // RFC 1951: an empty last block of the stream
 
 std::uint32_t checksum_of(const std::vector<PngBand>& bands) {

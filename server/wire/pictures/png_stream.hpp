@@ -1,4 +1,4 @@
-// PNG (ISO/IEC 15948) by zlib and libpng, optimized for speed.
+// Encodes pictures as PNG (ISO/IEC 15948) with zlib and libpng, optimized for speed.
 #pragma once
 
 #include "wire/pictures/bands.hpp"
@@ -7,8 +7,8 @@
 
 namespace ciel::wire {
 
-// A picture is encoded in bands of rows, in parallel; unchanged bands keep their bytes. Each is an IDAT chunk: deflate
-// blocks may end at any byte (RFC 1951, 3.2.4), and Adler-32 sums of parts can be combined (RFC 1950, 8.2).
+// Encodes a picture in bands of rows, in parallel; unchanged bands keep their bytes. Each band is an IDAT chunk:
+// deflate blocks may end at any byte (RFC 1951, 3.2.4), and Adler-32 sums of parts can be combined (RFC 1950, 8.2).
 class PngStream final : public PictureStream {
 public:
     void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;

@@ -8,7 +8,7 @@ namespace ciel::vs_vtk {
 namespace {
 
 constexpr std::size_t rounds = 5;
-constexpr double long_run_seconds = 10; // one of these is enough
+constexpr double long_run_seconds = 10; // a contender with a run longer than this is run once
 
 struct Times {
     std::vector<double> wall, cpu;
@@ -48,7 +48,7 @@ Outcome duel(const std::string& what, const Contender& ciel, const std::vector<C
         for (std::size_t i = 0; i < vtk.size(); ++i)
             if (theirs[i].wall.empty() || theirs[i].wall.front() < long_run_seconds) run_once(vtk[i], theirs[i]);
         if (round > 0) continue;
-        ours = {}; // the first round fills caches and buffers
+        ours = {}; // discards the first round, which fills caches and buffers
         for (Times& times : theirs)
             if (times.wall.front() < long_run_seconds) times = {};
     }

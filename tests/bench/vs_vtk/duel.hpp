@@ -1,4 +1,4 @@
-// The same work done by CIEL and by one configuration of VTK, in turns, so that both meet the same machine.
+// Compares the time of CIEL and of configurations of VTK for the same work, in alternating runs.
 #pragma once
 
 #include "bench/case.hpp"
@@ -10,24 +10,26 @@ namespace ciel::vs_vtk {
 
 struct Contender {
     std::string name;
-    std::function<std::uint64_t()> run; // returns its triangles (or points, or what the work counts)
-    std::function<void()> prepare = {}; // untimed, before each run
+    std::function<std::uint64_t()> run; // returns the number of triangles, or of whatever the work counts
+    std::function<void()> prepare = {}; // called before each run, untimed
 };
 
-struct Outcome { // CIEL's time as a share of VTK's best
+// Time of CIEL divided by that of the fastest VTK configuration.
+struct Outcome {
     double wall = 0, cpu = 0;
 };
 
-// Prints both times, and how many times faster CIEL is by wall and by CPU time.
+// Prints wall and CPU times, and the factors by which CIEL is faster.
 Outcome duel(const std::string& what, const Contender& ciel, const std::vector<Contender>& vtk);
 
-// In the order of the source, as a reader would have made it.
+// Cells and points are in the order of the dataset's source, as a reader would give them.
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> as_grid(const bench::Case& data);
-// The case's values as the grid's point scalars, replaced.
+// Replaces the grid's point scalars by `values`, reordered to the source's order.
 void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const std::vector<float>& values);
-[[nodiscard]] bool is_linear(const bench::Case& data); // tetrahedra, hexahedra, wedges and pyramids only
+// True when all cells are tetrahedra, hexahedra, wedges or pyramids.
+[[nodiscard]] bool is_linear(const bench::Case& data);
 
-// `many` surfaces or slices in a row.
+// `many`: number of surfaces or slices in a row.
 void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
 void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
 void gradients(const bench::Case& data, vtkUnstructuredGrid* grid);

@@ -14,7 +14,7 @@ namespace ciel::vs_vtk {
 namespace {
 
 struct Loops {
-    std::vector<std::uint64_t> begin; // cell -> first of face; one more at the end
+    std::vector<std::uint64_t> begin; // index of each cell's first entry in `face`, plus the end
     std::vector<Index> face;
 };
 
@@ -36,7 +36,7 @@ Loops faces_of_cells(const FaceMeshView& mesh) {
 
 using Loop = std::vector<vtkIdType>;
 
-// Wound out of the cell, in the source's vertex ids.
+// The cell's face loops, wound outwards, in the source's vertex ids.
 std::vector<Loop> loops_of(const FaceMeshView& mesh, std::span<const Index> source, const Loops& loops, Index cell) {
     std::vector<Loop> found;
     for (std::uint64_t at = loops.begin[cell]; at < loops.begin[cell + 1]; ++at) {
@@ -48,7 +48,7 @@ std::vector<Loop> loops_of(const FaceMeshView& mesh, std::span<const Index> sour
     return found;
 }
 
-// The corner that an edge leads to from `corner`, off the base.
+// The vertex at the other end of the edge that leaves `base` at `corner`.
 vtkIdType above(vtkIdType corner, const Loop& base, const std::vector<Loop>& loops) {
     for (const Loop& loop : loops)
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -56,10 +56,10 @@ vtkIdType above(vtkIdType corner, const Loop& base, const std::vector<Loop>& loo
             if (a == corner && std::find(base.begin(), base.end(), b) == base.end()) return b;
             if (b == corner && std::find(base.begin(), base.end(), a) == base.end()) return a;
         }
-    return corner; // collapsed
+    return corner; // the edge is collapsed
 }
 
-// VTK's corner order: a base wound inwards, then the corners above it.
+// VTK's vertex order: a base wound inwards, then the vertices above it.
 Loop corners_of(CellType type, const std::vector<Loop>& loops) {
     const std::size_t base_size = type == CellType::tetrahedron || type == CellType::wedge ? 3 : 4;
     const auto base = std::find_if(loops.begin(), loops.end(), [&](const Loop& l) { return l.size() == base_size; });

@@ -1,5 +1,5 @@
-// vs_vtk NAME.ciel [--array A] [--table T]: the same work by CIEL and by VTK's best configurations, alternating within
-// one run.
+// vs_vtk NAME.ciel [--array A] [--table T]: compares CIEL with VTK's best configurations in one process, in alternating
+// runs.
 #include "vs_vtk/duel.hpp"
 #include "vs_vtk/smp_backend.hpp"
 
@@ -22,12 +22,12 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench 
     app.add_option("--many", many,
                    "Surfaces in a row (100; 3 of arbitrary polyhedra, which take VTK minutes) and slices "
                    "(100; 10)")
-        ->check(CLI::Range(2, 1000)); // of one value alone VTK keeps the surface
+        ->check(CLI::Range(2, 1000)); // at least two, because VTK caches the surface of a single value
     CLI11_PARSE(app, argc, argv);
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
     std::printf("%s, %s, %u cells, %u threads, VTK %s (%s)\n", dataset.c_str(), data.array.c_str(),
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), ciel::vs_vtk::smp_backend());
-    vtkObject::GlobalWarningDisplayOff(); // its gradients fail in collapsed cells, thousands of times
+    vtkObject::GlobalWarningDisplayOff(); // VTK's gradients print thousands of warnings about collapsed cells
     const auto grid = ciel::vs_vtk::as_grid(data);
     const auto wanted = [&](const char* table) { return std::ranges::find(tables, table) != tables.end(); };
     const auto or_else = [&](std::size_t linear, std::size_t polyhedra) {

@@ -17,7 +17,7 @@ void memory(const bench::Case& data, vtkUnstructuredGrid* grid) {
     line("CIEL, six operators", static_cast<double>(data.topology->memory_bytes()));
     constexpr double kib = 1024;
     double cells = kib * static_cast<double>(grid->GetCells()->GetActualMemorySize());
-    cells += static_cast<double>(grid->GetNumberOfCells()); // types
+    cells += static_cast<double>(grid->GetNumberOfCells()); // one byte per cell for its type
     if (grid->GetFaces() != nullptr)
         cells += kib * static_cast<double>(grid->GetFaces()->GetActualMemorySize() +
                                            grid->GetFaceLocations()->GetActualMemorySize());
@@ -28,7 +28,7 @@ void memory(const bench::Case& data, vtkUnstructuredGrid* grid) {
 #else
     auto* made = grid->GetCellLinks();
 #endif
-    // VTK 9.1 and 9.3 tell these in bytes, whatever their documentation says.
+    // VTK 9.1 and 9.3 return bytes here, although the documentation says kibibytes.
     const double links = static_cast<double>(made->GetActualMemorySize());
     line("with links to the cells of a point", cells + links);
 }

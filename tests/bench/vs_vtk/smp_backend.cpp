@@ -1,4 +1,4 @@
-// By itself, for vtkSMPTools.h of VTK 9.1 is no C++20.
+// A separate file, compiled as C++17, because vtkSMPTools.h of VTK 9.1 does not compile as C++20.
 #include "vs_vtk/smp_backend.hpp"
 
 #include <vtkSMPTools.h>

@@ -1,4 +1,4 @@
-// What VTK's filters share their work by: "Sequential", "STDThread", "TBB" or "OpenMP".
+// Name of VTK's SMP back end: "Sequential", "STDThread", "TBB" or "OpenMP".
 #pragma once
 
 namespace ciel::vs_vtk {

@@ -1,4 +1,4 @@
-// A changed value to a JPEG frame of 1280 x 720.
+// Times from a changed iso-value to a JPEG frame of 1280 x 720.
 #include "vs_vtk_render/pictures.hpp"
 
 #include "bench/volume_pictures.hpp"
@@ -29,7 +29,7 @@ constexpr int width = 1280, height = 720;
 
 enum class End { pixels, jpeg };
 
-// As the server makes the frames of a view.
+// Makes frames in the same way as the server does for a view.
 class Own {
 public:
     explicit Own(const bench::Case& data) : data_(data) {
@@ -66,12 +66,12 @@ private:
     geometry::SceneGeometry geometry_{Extraction{}};
     annotations::Camera camera_;
     Vec3d origin_{};
-    const render::Image* image_ = nullptr; // the renderer's, of the last draw
+    const render::Image* image_ = nullptr; // last picture; owned by the renderer
     wire::JpegStream stream_;
     std::vector<std::uint8_t> jpeg_;
 };
 
-// `filter` has its input and makes normals.
+// `filter` has its input and computes normals.
 class Theirs {
 public:
     template <class Filter>
@@ -83,7 +83,7 @@ public:
         mapper->ScalarVisibilityOff();
         vtkNew<vtkActor> actor;
         actor->SetMapper(mapper);
-        actor->GetProperty()->SetAmbient(0.1); // no black where it is seen from the side
+        actor->GetProperty()->SetAmbient(0.1); // oblique surfaces must not be black
         window_.renderer()->AddActor(actor);
         camera_ = own.camera();
         origin_ = own.origin();
@@ -142,13 +142,13 @@ std::vector<Named> pipelines(const bench::Case& data, vtkUnstructuredGrid* grid,
 
 void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing) {
     const auto [low, high] = std::ranges::minmax(*data.values);
-    // Arbitrary polyhedra take VTK half a second each.
+    // VTK needs half a second per surface for arbitrary polyhedra.
     const std::vector<double> values = bench::values_between(low, high, is_linear(data) ? 20 : 4);
     Own own(data);
     const auto draw = [&](double value, End end) {
         return drawing.run([&](engine::Worker& worker) { return own.draw(value, end, worker.renderer()); });
     };
-    (void)draw(values.front(), End::pixels); // says the camera
+    (void)draw(values.front(), End::pixels); // sets the camera
     std::vector<Named> theirs = pipelines(data, grid, own);
     const auto all = [&](auto&& one) {
         std::uint64_t triangles = 0;
@@ -166,7 +166,8 @@ void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWor
     };
     const Asked asked = is_linear(data) ? Asked{0.6, 0.35} : Asked{1.0 / 15, 1.0 / 40};
     compare(compare_to(End::jpeg, " values, each to a JPEG frame of 1280x720"), asked);
-    // CIEL codes what has changed, on all threads, where VTK's pictures are given to libjpeg as they are.
+    // CIEL's JPEG encoder codes only changed parts, on all threads; VTK's pictures are coded by libjpeg in one thread.
+    // Compare the pixels, too.
     compare_to(End::pixels, " values, each to the pixels of that frame");
     const double middle = values[values.size() / 2];
     (void)draw(middle, End::jpeg);

@@ -1,6 +1,6 @@
 #include "vs_vtk_render/jpeg.hpp"
 
-#include <cstdio> // before jpeglib.h, which needs FILE
+#include <cstdio> // must precede jpeglib.h, which needs FILE
 #include <jpeglib.h>
 
 namespace ciel::vs_vtk {
@@ -12,7 +12,8 @@ void encode_jpeg(int width, int height, std::span<const std::uint8_t> rows_from_
     jpeg_error_mgr errors{};
     jpeg.err = jpeg_std_error(&errors);
     jpeg_create_compress(&jpeg);
-    out.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)); // more than it can need
+    // More than any JPEG of this size needs.
+    out.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     unsigned char* begin = out.data();
     unsigned long size = out.size();
     jpeg_mem_dest(&jpeg, &begin, &size);
@@ -24,7 +25,7 @@ void encode_jpeg(int width, int height, std::span<const std::uint8_t> rows_from_
     jpeg_set_quality(&jpeg, quality, TRUE);
     jpeg_start_compress(&jpeg, TRUE);
     for (int row = height - 1; row >= 0; --row) {
-        auto* line = const_cast<JSAMPROW>(rows_from_bottom.data() + 4 * std::ptrdiff_t{width} * row); // only read
+        auto* line = const_cast<JSAMPROW>(rows_from_bottom.data() + 4 * std::ptrdiff_t{width} * row); // read only
         jpeg_write_scanlines(&jpeg, &line, 1);
     }
     jpeg_finish_compress(&jpeg);

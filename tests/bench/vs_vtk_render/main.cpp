@@ -1,5 +1,5 @@
-// vs_vtk_render NAME.ciel [--array A] [--table volume|frames]: pictures by CIEL and by VTK's best configurations,
-// alternating within one run. Run it under xvfb-run where there is no display.
+// vs_vtk_render NAME.ciel [--array A] [--table volume|frames]: compares pictures by CIEL and by VTK's best
+// configurations in one process, in alternating runs. Needs an X server, for example xvfb-run.
 #include "vs_vtk_render/pictures.hpp"
 
 #include "ciel/parallel.hpp"

@@ -1,4 +1,5 @@
-// Pictures by CIEL and by VTK, in turns. CIEL draws on a thread of its own: GLX and EGL cannot both be current on one.
+// Alternating pictures by CIEL and by VTK. CIEL draws on its own thread, because GLX and EGL cannot both be current on
+// one.
 #pragma once
 
 #include "engine/schedule/frame_workers.hpp"
@@ -6,16 +7,16 @@
 
 namespace ciel::vs_vtk {
 
-// How CIEL's time should compare with VTK's best.
+// Limits on CIEL's time as a share of VTK's best: required and desired.
 struct Asked {
     double must, hoped;
 };
-// Prints CIEL's share of VTK's best time beside what was asked for.
+// Prints CIEL's share of VTK's best time beside the limits.
 void compare(const Outcome& outcome, const Asked& asked);
-// Prints both; throws Error unless about as much of the picture is covered on both sides, and neither all nor nothing.
+// Prints the covered shares of both pictures. Throws Error when they differ much, or when all or nothing is covered.
 void compare_covered(double ciel, double vtk);
 
-// Each throws Error where a side draws something else than the other.
+// Both throw Error when CIEL and VTK draw something different.
 void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing);
 void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing);
 

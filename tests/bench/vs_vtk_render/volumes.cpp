@@ -1,4 +1,4 @@
-// 100 box-aligned slices at 1024 x 1024, read back, against the projected tetrahedra of the same mesh.
+// Compares 100 box-aligned slices at 1024 x 1024, read back, with VTK's projected tetrahedra of the same mesh.
 #include "vs_vtk_render/pictures.hpp"
 
 #include "bench/volume_pictures.hpp"
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedra_of(vtkUnstructuredGrid* grid) {
     return filter->GetOutput();
 }
 
-// The mapper takes opacity for extinction per length, whatever the unit distance.
+// The mapper treats opacity as extinction per length and ignores the unit distance.
 vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     constexpr std::size_t entries = 257;
     const auto colors = color::color_row(volume.scale, entries);
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     look->SetScalarOpacity(extinction);
     look->SetScalarOpacityUnitDistance(1);
     look->SetInterpolationTypeToLinear();
-    look->ShadeOff(); // it cannot
+    look->ShadeOff(); // the mapper does not support shading
     return look;
 }
 
@@ -61,7 +61,7 @@ glm::dvec3 at(const SlabMesh& mesh, std::size_t corner) {
     return {p[0], p[1], p[2]};
 }
 
-// The samples are the pixels of the slices, so these have to be all of the mesh: by the volume within its boundary.
+// The count of samples relies on slices through the whole mesh. Compares their volume with that inside the boundary.
 void check_samples(const bench::VolumePictures& pictures) {
     const render::Volume& volume = pictures.volume();
     const glm::dvec3 normal(volume.normal[0], volume.normal[1], volume.normal[2]);
@@ -156,7 +156,7 @@ void volumes(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWo
         duel_in_bytes();
     }
     draw_there([&] {
-        pictures.reset(); // its GL lives on that thread
+        pictures.reset(); // destroys the OpenGL objects on the thread that owns their context
         return 0;
     });
 }

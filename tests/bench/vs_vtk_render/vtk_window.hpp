@@ -1,4 +1,4 @@
-// VTK's render window off screen, set up for speed: one sample a pixel, nothing shown, read as RGBA.
+// An offscreen VTK render window, set up for speed: one sample per pixel, read back as RGBA.
 #pragma once
 
 #include "render/renderer.hpp"
@@ -11,7 +11,7 @@
 
 namespace ciel::vs_vtk {
 
-// To be used on one thread. Needs an X server, for Debian's VTK draws through GLX only.
+// Use it on one thread only. Needs an X server, because Debian's VTK supports only GLX.
 class VtkWindow {
 public:
     VtkWindow(int width, int height);
@@ -20,9 +20,9 @@ public:
     ~VtkWindow();
 
     [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
-    // origin: of what is in the renderer.
+    // `origin`: origin of the positions of the actors.
     void set_camera(const annotations::Camera& camera, const Vec3d& origin);
-    // Rows from the bottom, RGBA; until the next draw.
+    // Rows from the bottom, RGBA. Valid until the next draw.
     std::span<const std::uint8_t> draw();
 
 private:
@@ -32,7 +32,7 @@ private:
     vtkSmartPointer<vtkUnsignedCharArray> pixels_;
 };
 
-// Of a picture on black: the share of the pixels that are not.
+// Share of pixels that are not black.
 [[nodiscard]] double covered_share_of_rgba(std::span<const std::uint8_t> rgba);
 
 } // namespace ciel::vs_vtk

@@ -9,8 +9,8 @@ namespace {
 
 CutEdge edge_of(Id u, Id v) { return {std::min(u, v), std::max(u, v)}; }
 
-// One segment per run of high vertices of the face. Seen from outside, with the loop counter-clockwise, higher values
-// lie on the segment's left when it goes from where the loop leaves the run to where it entered.
+// One segment for each run of high vertices of a face, from the edge where the loop leaves the run to the edge where it
+// enters. Seen from outside, with a counter-clockwise loop, higher values are on its left.
 struct Segment {
     Id from_high, from_low; // the loop leaves the run: high -> low
     Id to_low, to_high;     // the loop enters the run: low -> high
@@ -20,7 +20,7 @@ struct Segment {
 bool joins_runs(std::span<const Id> loop, std::span<const float> values, double nu) {
     std::vector<double> v;
     for (const Id id : loop) v.push_back(values[id]);
-    if (v.size() == 4) // where the bilinear interpolation has its saddle
+    if (v.size() == 4) // value at the saddle of the bilinear interpolation
         return (v[0] * v[2] - v[1] * v[3]) / (v[0] + v[2] - v[1] - v[3]) >= nu;
     double mean = 0;
     for (const double value : v) mean += value / static_cast<double>(v.size());
@@ -31,7 +31,7 @@ void append_segments(std::span<const Id> loop, std::span<const float> values, do
                      std::vector<Segment>& segments) {
     const std::size_t size = loop.size();
     const auto high = [&](std::size_t i) { return values[loop[i % size]] >= nu; };
-    std::vector<std::pair<std::size_t, std::size_t>> runs; // entry, last
+    std::vector<std::pair<std::size_t, std::size_t>> runs; // vertex before the run, last vertex of the run
     for (std::size_t entry = 0; entry < size; ++entry) {
         if (high(entry) || !high(entry + 1)) continue;
         std::size_t last = entry + 1;
@@ -45,7 +45,7 @@ void append_segments(std::span<const Id> loop, std::span<const float> values, do
     }
 }
 
-// Where a polygon goes on: the segments that begin on an edge, walked from its high end to its low end.
+// Segments that begin on an edge. The key is (high end, low end) of the edge.
 using Beginnings = std::map<std::pair<Id, Id>, std::vector<std::size_t>>;
 
 Beginnings beginnings_of(const std::vector<Segment>& segments) {
@@ -54,7 +54,8 @@ Beginnings beginnings_of(const std::vector<Segment>& segments) {
     return result;
 }
 
-// A closed polygon from one unused segment on: the next begins on the same edge, walked the other way.
+// Builds a closed polygon, starting with an unused segment. The next segment begins on the edge where the last one
+// ends.
 CutPolygon link(std::vector<Segment>& segments, Beginnings& beginnings, std::size_t first, Id cell) {
     CutPolygon polygon{cell, {}};
     for (std::size_t i = first;;) {
@@ -171,7 +172,7 @@ Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values,
         for (const Loop& loop : mesh.loops(cell)) {
             Loop key = loop;
             std::sort(key.begin(), key.end());
-            key.erase(std::unique(key.begin(), key.end()), key.end()); // a quad collapsed to a triangle meets triangles
+            key.erase(std::unique(key.begin(), key.end()), key.end()); // a collapsed quadrilateral matches a triangle
             claims[key].push_back(loop);
         }
     }
@@ -184,7 +185,7 @@ Segments boundary_segments(const Polyhedra& mesh, std::span<const float> values,
 }
 
 std::string open_segment(const Segments& polygons, const Segments& boundary) {
-    Segments net; // what leaves minus what comes back, by undirected segment
+    Segments net; // count of forward minus backward segments, by undirected segment
     const auto add = [&](const Segments& segments, int sign) {
         for (const auto& [segment, count] : segments) {
             const auto [from, to] = segment;

@@ -19,7 +19,7 @@ double distance(const Lab& p, const Lab& q) {
     return std::hypot(static_cast<double>(p.l - q.l), static_cast<double>(p.a - q.a), static_cast<double>(p.b - q.b));
 }
 
-// IEC 61966-2-1
+// Linear light of each sRGB byte (IEC 61966-2-1).
 const std::array<double, 256>& linear() {
     static const std::array<double, 256> table = [] {
         std::array<double, 256> out{};
@@ -32,7 +32,7 @@ const std::array<double, 256>& linear() {
     return table;
 }
 
-// CIE 15: the cube root with a straight piece at the dark end.
+// CIE 15: cube root, with a linear piece for dark values.
 double lightness_curve(double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; }
 
 Lab lab_of(const std::uint8_t* rgb) {
@@ -60,7 +60,7 @@ struct LabPicture {
     [[nodiscard]] const Lab& at(int x, int y) const {
         return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     }
-    [[nodiscard]] Lab mean(int left, int top) const { // of the tile there
+    [[nodiscard]] Lab mean(int left, int top) const { // mean of the tile at (left, top)
         const int right = std::min(left + tile, width);
         const int bottom = std::min(top + tile, height);
         double l = 0, a = 0, b = 0;

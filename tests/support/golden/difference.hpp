@@ -1,9 +1,9 @@
-// How different two pictures look. Colors are compared in CIE L*a*b* (D65), where a distance of about 2 is what an eye
-// notices side by side. Two measures, because pictures go wrong in two ways and drivers differ in a third:
-//   shift: the largest change of the mean color of a 16 x 16 tile. Finds what is faint and wide, such as an opacity or
-//          a light that changed; where two drivers put an edge's samples differently averages out.
-//   share: the part of the pixels whose color is found nowhere among the nine pixels around its place in the other
-//          picture, either way. Finds what moved, vanished or appeared; an edge may be a pixel off.
+// Visible difference of two pictures. Colors are compared in CIE L*a*b* (D65), where a distance of 2 is just visible
+// side by side.
+// shift: largest change of a 16 x 16 tile's mean color. Detects faint changes over an area, such as another opacity or
+// light. Differences of drivers at edges average out.
+// share: part of the pixels whose color does not occur in the 3 x 3 pixels around their place in the other picture, in
+// both directions. Detects things that moved, vanished or appeared. Edges may move by one pixel.
 #pragma once
 
 #include "support/golden/picture.hpp"
@@ -14,20 +14,20 @@ namespace ciel::test {
 
 struct Difference {
     double shift = 0;
-    int shift_x = 0, shift_y = 0; // the tile's upper left pixel
+    int shift_x = 0, shift_y = 0; // upper left pixel of the tile with the largest change
     double share = 0;
 };
 
 struct Tolerance {
     double shift = 0.5;
     double share = 0.0005;
-    static constexpr double color = 10; // further apart than this, pixels count for `share`
+    static constexpr double color = 10; // pixels with a larger distance than this count for `share`
 };
 
-// Of the same size. Throws std::invalid_argument else.
+// Throws std::invalid_argument when the sizes differ.
 [[nodiscard]] Difference difference(const Picture& a, const Picture& b);
 [[nodiscard]] bool is_within(const Difference& difference, const Tolerance& tolerance);
-// Grey where the pictures agree, red where they do not: 1 of L*a*b* is 25 of 255.
+// Gray where the pictures agree, red where they differ. A distance of 1 in L*a*b* is 25 of 255.
 [[nodiscard]] Picture difference_picture(const Picture& a, const Picture& b);
 [[nodiscard]] std::string words(const Difference& difference, const Tolerance& tolerance);
 

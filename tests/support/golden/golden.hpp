@@ -1,4 +1,4 @@
-// Golden images: tests/golden/pictures/NAME.png is what the picture looked like when somebody last looked at it.
+// Compares pictures with golden pictures, tests/golden/pictures/NAME.png.
 #pragma once
 
 #include "support/golden/difference.hpp"
@@ -8,12 +8,11 @@
 
 namespace ciel::test {
 
-// EXPECT_TRUE(matches_golden("name", picture)). On failure the build folder's pictures/golden holds what was drawn
-// (NAME.actual.png), what it should look like (NAME.expected.png) and where they differ (NAME.difference.png); they
-// go away when the test passes again. A picture without a golden image fails too. `label` tells apart pictures that
-// share one golden image, such as one per back end.
-// With CIEL_ACCEPT_PICTURES=1 in the environment the picture becomes the golden image: look at it before it is
-// committed.
+// Usage: EXPECT_TRUE(matches_golden("name", picture)). A missing golden picture is a failure.
+// On failure, writes three files into pictures/golden of the build folder: NAME.actual.png, NAME.expected.png and
+// NAME.difference.png. A later success removes them.
+// `label` distinguishes the files of pictures that share one golden picture, for example one per back end.
+// With CIEL_ACCEPT_PICTURES=1 in the environment, the picture becomes the golden picture. Inspect it before the commit.
 [[nodiscard]] testing::AssertionResult matches_golden(const std::string& name, const Picture& picture,
                                                       const std::string& label = {}, const Tolerance& tolerance = {});
 

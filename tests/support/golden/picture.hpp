@@ -1,4 +1,4 @@
-// Pictures as tests hold them, and as PNG files.
+// Pictures in memory, and as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace ciel::test {
 
-struct Picture { // rows from the top, RGB, 8 bits of sRGB, no padding
+// Rows from the top, RGB, 8 bits of sRGB per channel, no padding.
+struct Picture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
 
@@ -17,8 +18,8 @@ struct Picture { // rows from the top, RGB, 8 bits of sRGB, no padding
     }
 };
 
-// Throws std::runtime_error naming the file.
+// Throws std::runtime_error that names the file.
 [[nodiscard]] Picture read_png(const std::filesystem::path& file);
-void write_png(const std::filesystem::path& file, const Picture& picture); // makes the folder
+void write_png(const std::filesystem::path& file, const Picture& picture); // creates the folder
 
 } // namespace ciel::test

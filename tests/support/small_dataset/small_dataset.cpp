@@ -15,7 +15,7 @@ Vec3d offset(std::span<const float> positions, Index vertex) {
     return {at[0], at[1], at[2]};
 }
 
-// Cells of every kind, but for the two cubes' width in the middle.
+// All kinds of cells, with a cubic hole of side 2 in the middle.
 Polyhedra box_with_hole() {
     Polyhedra mesh = zoo({{6, 6, 6}, 0, 5, 1});
     mesh.origin = box_origin;

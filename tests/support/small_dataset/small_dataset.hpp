@@ -1,5 +1,5 @@
-// A box of 6 x 6 x 6 with cells of every kind, far from the origin, with point and cell arrays, patches, a zone, three
-// steps and an array that is written late.
+// A small dataset: a box of 6 x 6 x 6 with all kinds of cells, far from the origin, with arrays, patches, a zone and
+// three steps.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,15 +12,16 @@ namespace ciel::test {
 inline constexpr double box_edge = 6;
 inline constexpr Vec3d box_origin{1000, 0, -50};
 
-// The values of the arrays; `at` is an offset from box_origin.
+// Exact values of the arrays. `at` is an offset from box_origin.
 inline double pressure(const Vec3d& at, double time) { return at[0] + 2 * at[1] + 3 * at[2] + 10 * time; }
 inline Vec3d velocity(const Vec3d& at) { return {at[2], 1, -at[0]}; }
 
-// Point arrays p (written at all steps), U (3 components) and late (= p, at time 2 only), cell array "cell:q" (the
-// imported cell's id) at times 0, 1, 2; the patches "left" (x = 0) and "body" (the sides of a hole in the middle); the
-// cell zone "half".
+// Writes the dataset with times 0, 1, 2:
+// Point arrays p (all times), U (3 components), late (equal to p, only at time 2). Cell array "cell:q": the imported
+// cell's id.
+// Patches "left" (x = 0) and "body" (the sides of the hole in the middle). Cell zone "half".
 void write_small_dataset(const std::filesystem::path& directory);
-// One more step, as a running simulation would add it.
+// Appends a step, as a running simulation would.
 void append_step(const std::filesystem::path& directory, double time);
 
 } // namespace ciel::test

@@ -13,7 +13,7 @@ struct Grid {
     [[nodiscard]] Index cell(Index i, Index j, Index k) const { return i + nx * (j + ny * k); }
 };
 
-// The face across `axis` at lattice position `at`; its loop turns around +axis.
+// The face perpendicular to `axis` at lattice position `at`, counter-clockwise around +axis.
 std::array<Index, 4> loop_across(const Grid& grid, int axis, std::array<Index, 3> at) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     std::array<Index, 4> loop{};

@@ -1,4 +1,4 @@
-// A box of unit hexahedra as a FaceMesh, and files: what the tests of the store write and read.
+// A box of unit hexahedra as a FaceMesh and as a dataset, for the store's tests.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -12,12 +12,13 @@
 
 namespace ciel::test {
 
-// nx x ny x nz hexahedra at integer positions; cells and vertices count x fastest.
+// nx x ny x nz hexahedra at integer positions. Cells and vertices are numbered with x fastest.
 FaceMesh box(Index nx, Index ny, Index nz);
 std::vector<Index> identity(std::size_t count);
 
-// NAME.ciel with one mesh, the groups "wall" (faces) and "inner/zone" (cells), and the arrays p (point), U (point, 3)
-// and "cell:p" (cell) at times 0, 0.5, 1.0; p is not written at 0.5. p = vertex id + 1000 * step.
+// Writes a dataset with one mesh, the groups "wall" (faces) and "inner/zone" (cells), and arrays at the times 0, 0.5
+// and 1.0. The arrays are p (point), U (point, 3 components) and "cell:p" (cell); p is missing at 0.5. p = vertex id +
+// 1000 * step.
 void write_box(const std::filesystem::path& directory, const FaceMesh& mesh);
 std::vector<float> values_of(std::size_t count, std::size_t step);
 

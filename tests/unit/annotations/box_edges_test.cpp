@@ -1,4 +1,4 @@
-// Which edges of the box carry the numbers: against views whose answer can be seen.
+// Which edges of the bounding box get tick numbers, for several views.
 #include "annotations/box_edges.hpp"
 #include "pages.hpp"
 
@@ -22,7 +22,7 @@ const annotations::BoxEdge* along(const std::vector<annotations::BoxEdge>& edges
     return found == edges.end() ? nullptr : &*found;
 }
 
-// From the front, right and above: x along the bottom of the front, y at the lower right, z at the left.
+// The camera is in front, to the right and above: x along the front's bottom edge, y at the lower right, z at the left.
 TEST(BoxEdges, OfACornerViewAreTheLowerAndTheLeftOnes) {
     for (const bool parallel : {false, true}) {
         const auto edges = annotations::axis_edges(view_from({4, -8, 4}, parallel), 10);
@@ -50,7 +50,7 @@ TEST(BoxEdges, FromInsideAreNone) { EXPECT_TRUE(annotations::axis_edges(view_fro
 
 TEST(BoxEdges, ThatLeaveThePictureAreCutAtItsSides) {
     Frame frame = view_from({0, -6, 0}, true);
-    frame.camera.target = {1, 0, -1}; // the lower right corner in the middle
+    frame.camera.target = {1, 0, -1}; // centers the lower right corner
     frame.camera.position = {1, -6, -1};
     frame.camera.parallel_height = 1;
     const auto edges = annotations::axis_edges(frame, 10);

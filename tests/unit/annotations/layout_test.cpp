@@ -1,5 +1,4 @@
-// The laws of every layout: text lies inside the picture and never on other text. In tables of sizes, scales and
-// directions of view.
+// Rules of every layout, for many sizes, scales and views: text is inside the picture and never overlaps other text.
 #include "annotations/box_edges.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/make_room.hpp"
@@ -24,7 +23,7 @@ protected:
         for (std::size_t i = 0; i < overlay.labels.size(); ++i) {
             const annotations::Label& label = overlay.labels[i];
             EXPECT_TRUE(all.holds(label.box)) << what << ": " << label.text << " sticks out";
-            if (is_of_triad(label)) continue; // its letters meet when an axis points at the viewer
+            if (is_of_triad(label)) continue; // the triad's letters overlap when an axis points at the viewer
             for (std::size_t j = 0; j < i; ++j)
                 EXPECT_FALSE(label.box.overlaps(overlay.labels[j].box))
                     << what << ": " << label.text << " lies on " << overlay.labels[j].text;
@@ -32,7 +31,7 @@ protected:
         for (const annotations::Fill& fill : overlay.fills) EXPECT_TRUE(all.holds(fill.box)) << what;
         expect_apart(overlay, what);
     }
-    // What is drawn lies on no text: neither color bars nor the triad, nor lines and ticks of the axes.
+    // No color bar, triad, axis line or tick overlaps text.
     void expect_apart(const annotations::Overlay& overlay, const std::string& what) {
         const auto is_grey = [](const annotations::Ink& ink) { return std::abs(ink[0] - ink[2]) < 0.1F; };
         for (const annotations::Label& label : overlay.labels) {
@@ -121,7 +120,7 @@ TEST_F(LayoutTest, IsLawfulForAnyText) {
         }
 }
 
-// From close by, the box and its axes reach below everything else that is written.
+// From nearby, the box and its axes extend below all other annotations.
 TEST_F(LayoutTest, HasNothingOnAnythingElseWhereverTheBoxLies) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> share(-1, 1);
@@ -170,7 +169,7 @@ TEST_F(LayoutTest, TellsApartLegendsOfOneName) {
     }
 }
 
-// Legends leave most of a small picture to what it shows; how many are left out is said, and the first ones stay.
+// Legends leave most of a small picture free. The first ones stay, and a text gives the number of omitted ones.
 TEST_F(LayoutTest, LeavesRoomForTheBoxInSmallPictures) {
     for (const auto& [width, height] : {std::pair(240, 400), {400, 240}, {320, 480}, {480, 320}, {640, 360}}) {
         Frame frame = annotated_frame(width, height);
@@ -275,7 +274,7 @@ TEST_F(LayoutTest, TextGrowsWithThePictureAndTheScale) {
     EXPECT_LT(pixels(360, 1280, 1), 13) << "a narrow picture has narrow text";
 }
 
-// Nothing of the box under the legends; all ticks' numbers in the picture; the same view for pictures of one shape.
+// Moves the camera back until the box is clear of the legends and all tick numbers are inside the picture.
 TEST_F(LayoutTest, HasAViewThatMakesRoomForIt) {
     for (const auto& [width, height] :
          {std::pair(640, 360), {1280, 720}, {900, 900}, {800, 1000}, {320, 480}, {480, 400}}) {

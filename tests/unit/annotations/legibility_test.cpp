@@ -1,4 +1,4 @@
-// All that is written is read over any picture: its contrast, as WCAG 2.1 measures it, to what is around the letters.
+// Contrast of all text (WCAG 2.1) with the pixels around its letters, over any picture.
 #include "annotations/layout.hpp"
 #include "fonts/font.hpp"
 #include "pages.hpp"
@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr double least_contrast = 4.5; // success criterion 1.4.3, for text of any size
+constexpr double least_contrast = 4.5; // WCAG success criterion 1.4.3, normal text
 
 double linear(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
@@ -28,7 +28,7 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-// How much of each pixel of a label's box a letter covers.
+// Share of each pixel of a label's box that letters cover, from 0 to 1.
 std::vector<double> cover_of(const annotations::Label& label, fonts::Font& font, int width, int height) {
     std::vector<double> cover(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0);
     const int left = static_cast<int>(label.box.left);
@@ -49,7 +49,7 @@ std::vector<double> cover_of(const annotations::Label& label, fonts::Font& font,
 }
 
 struct Seen {
-    std::vector<double> letters, around; // luminances
+    std::vector<double> letters, around; // luminances of pixels inside and around letters
 };
 
 Seen seen_of(const annotations::Label& label, fonts::Font& font, const Image& image) {
@@ -72,7 +72,7 @@ Seen seen_of(const annotations::Label& label, fonts::Font& font, const Image& im
     return seen;
 }
 
-// Fills what the camera sees, and more.
+// Covers more than the camera's view.
 Shape wall() {
     Shape shape = grid(500, 300, [](double u, double v) {
         return Vec3f{static_cast<float>(8 * u - 4), 0, static_cast<float>(6 * v - 3)};
@@ -101,7 +101,7 @@ Frame written_over(const Shape& wall, const color::ColorScale& scale, bool light
 color::ColorScale between(color::Rgb8 low, color::Rgb8 high) {
     color::ColorScale scale;
     scale.points = {{0, low}, {1, high}};
-    scale.steps = 2; // specks of either, some pixels wide
+    scale.steps = 2; // two colors, so that the picture has specks of each, a few pixels wide
     return scale;
 }
 
@@ -123,9 +123,10 @@ TEST(Legibility, AnythingThatIsWrittenHasContrastToAnyPictureBehindIt) {
                 const annotations::Overlay overlay = annotations::lay_out(frame, font);
                 ASSERT_GE(overlay.labels.size(), 12U);
                 for (const annotations::Label& label : overlay.labels) {
-                    if (label.ink != overlay.labels.front().ink) continue; // the triad's letters have its colors
+                    // The triad's letters have the colors of their axes.
+                    if (label.ink != overlay.labels.front().ink) continue;
                     const Seen seen = seen_of(label, font, image);
-                    if (seen.letters.size() < 8) continue; // too small a sample: a minus, a comma
+                    if (seen.letters.size() < 8) continue; // too few pixels: a minus sign or a comma
                     const double found = contrast(mean(seen.letters), mean(seen.around));
                     least = std::min(least, found);
                     EXPECT_GE(found, least_contrast)
@@ -135,7 +136,7 @@ TEST(Legibility, AnythingThatIsWrittenHasContrastToAnyPictureBehindIt) {
     RecordProperty("least_contrast", std::to_string(least));
 }
 
-// Where nothing is behind it, a plate is the background itself.
+// Plates have the background's color, so they are invisible where nothing is drawn behind them.
 TEST(Legibility, PlatesAreNotSeenWherePicturesAreEmpty) {
     Renderer renderer(available_backends().front());
     fonts::Font font;
@@ -151,7 +152,7 @@ TEST(Legibility, PlatesAreNotSeenWherePicturesAreEmpty) {
         frame.annotations = {};
         renderer.draw(frame, image);
         const annotations::Plate& plate = overlay.plates.front();
-        const auto row = static_cast<std::size_t>(plate.box.top); // above the letters
+        const auto row = static_cast<std::size_t>(plate.box.top); // row above the letters
         for (auto x = static_cast<std::size_t>(plate.box.left); x < static_cast<std::size_t>(plate.box.right); ++x)
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t at = 3 * (row * static_cast<std::size_t>(image.width) + x) + k;

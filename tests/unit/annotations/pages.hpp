@@ -1,4 +1,4 @@
-// Frames with all annotations, for the tests of their layout and look.
+// Frames with every kind of annotation, for layout and legibility tests.
 #pragma once
 
 #include "unit/render/scenes.hpp"
@@ -25,7 +25,7 @@ inline annotations::Annotations all_annotations() {
     return annotations;
 }
 
-// A camera from which three faces of the box are seen.
+// The camera shows three faces of the box.
 inline Frame annotated_frame(int width, int height) {
     Frame frame = front_view(width, height);
     frame.bounds_min = {-1, -1, -1};

@@ -80,12 +80,13 @@ TEST_P(AnnotationPicture, LeavesThePictureAloneWhereItWritesNothing) {
     EXPECT_GT(changed, 60);
 }
 
-// The letters are FreeType's, texel for pixel: at one sample the brightest pixels are the ink's, multisampled or not.
+// Glyph texels map to whole pixels: pixels that FreeType covers completely have the color of the ink, at 1 and 4
+// samples.
 TEST_P(AnnotationPicture, LettersArePixelsOfTheFont) {
     Frame frame = annotated_frame(960, 600);
     frame.annotations = {};
     frame.annotations.captions = {"HIlT"};
-    frame.annotations.scale = 4; // strokes that cover whole pixels
+    frame.annotations.scale = 4; // large enough for strokes that cover whole pixels
     fonts::Font font;
     const annotations::Label label = annotations::lay_out(frame, font).labels.at(0);
     for (const int samples : {1, 4}) {
@@ -114,7 +115,7 @@ TEST_P(AnnotationPicture, TheBarHasTheColorsOfTheMap) {
     fonts::Font font;
     const annotations::Overlay overlay = annotations::lay_out(frame, font);
     const annotations::Box lowest = overlay.fills.back().box;
-    const annotations::Box highest = overlay.fills.at(1).box; // behind its frame
+    const annotations::Box highest = overlay.fills.at(1).box; // the last color of the bar; fills[0] is the bar's frame
     draw(frame);
     const std::string map = "plasma";
     const int top = static_cast<int>(highest.top);
@@ -126,7 +127,8 @@ TEST_P(AnnotationPicture, TheBarHasTheColorsOfTheMap) {
     }
 }
 
-// White text on a white surface before a dark background, and the other way round: the halo tells them apart.
+// White text on a white surface with a dark background, and dark text on a dark surface with a light one. The halo
+// provides the contrast.
 TEST_P(AnnotationPicture, TextIsLegibleOnASurfaceOfItsOwnColor) {
     const Shape wall = square(0);
     for (const bool light : {false, true}) {
@@ -136,7 +138,7 @@ TEST_P(AnnotationPicture, TextIsLegibleOnASurfaceOfItsOwnColor) {
         mesh.scalars = {};
         mesh.lit = false;
         mesh.color = light ? std::array{0.07F, 0.08F, 0.10F, 1.0F} : std::array{0.93F, 0.94F, 0.96F, 1.0F};
-        frame.camera.parallel_height = 1; // all that is seen
+        frame.camera.parallel_height = 1; // the surface fills the picture
         frame.primitives = {mesh};
         frame.annotations.title = "legible";
         draw(frame);
@@ -150,7 +152,7 @@ TEST_P(AnnotationPicture, ManySizesOneAfterTheOtherStayRight) {
     const Frame usual = annotated_frame(640, 360);
     const std::vector<std::uint8_t> first = draw(usual).rgb;
     for (const double scale : {0.25, 0.7, 1.3, 2.0, 3.1, 4.0})
-        for (const int height : {200, 720, 2160}) { // more glyphs than the first texture holds
+        for (const int height : {200, 720, 2160}) { // more glyphs than the first texture atlas can hold
             Frame other = annotated_frame(height * 16 / 9, height);
             other.annotations.scale = scale;
             draw(other);

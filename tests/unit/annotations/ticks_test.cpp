@@ -1,4 +1,4 @@
-// Ticks and numbers against a table, and their laws for random ranges.
+// Ticks and their labels: a table of ranges, and rules for random ranges.
 #include "annotations/color_ticks.hpp"
 #include "annotations/ticks.hpp"
 
@@ -55,7 +55,7 @@ TEST(Ticks, OfARangeThatIsNoneAreNone) {
 TEST(Ticks, ThatTheNumbersCannotTellApartAreOne) {
     EXPECT_EQ(annotations::nice_scale(1e9, std::nextafter(1e9, 2e9), 6).ticks.size(), 1U);
     EXPECT_EQ(annotations::nice_scale(5e-324, 1e-323, 6).ticks.size(), 1U);
-    EXPECT_GE(annotations::nice_scale(-1e308, 1e308, 6).ticks.size(), 1U); // its width is no number
+    EXPECT_GE(annotations::nice_scale(-1e308, 1e308, 6).ticks.size(), 1U); // the width of the range overflows a double
 }
 
 double number(std::string label) {

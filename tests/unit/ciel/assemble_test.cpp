@@ -16,7 +16,7 @@ namespace {
 
 using Reason = BadCells::Reason;
 
-// The contract of FaceMeshView, and that every cell is closed and points outwards.
+// Checks the contract of FaceMeshView, and that every cell is closed with faces that point outwards.
 void expect_sound(const FaceMesh& mesh) {
     const FaceMeshView view = mesh.view();
     ASSERT_EQ(view.face_offset.size(), view.face_count() + 1);
@@ -117,7 +117,7 @@ TEST(Assemble, TurnsAMirroredMesh) {
 TEST(Assemble, KeepsAFoldedCellWoundLikeItsNeighbours) {
     Polyhedra mesh = hexahedra(3, 3, 3);
     for (int k = 1; k <= 2; ++k)
-        for (int j = 1; j <= 2; ++j) // the middle cell's left and right sides change places
+        for (int j = 1; j <= 2; ++j) // swaps the left and right sides of the middle cell
             std::swap(mesh.positions[3 * static_cast<std::size_t>((k * 4 + j) * 4 + 1)],
                       mesh.positions[3 * static_cast<std::size_t>((k * 4 + j) * 4 + 2)]);
     const Assembled out = mesh.assembled();
@@ -221,7 +221,7 @@ TEST(Assemble, RefusesArraysThatDoNotFitTogether) {
 TEST(Assemble, LeavesAFaceOfThreeCellsUnmatched) {
     Polyhedra mesh = hexahedra(2, 1, 1);
     const Index apex = mesh.vertex(0.4, 0.5, 0.5);
-    mesh.cell(CellType::pyramid, {1, 4, 10, 7, apex}); // on the face between the two
+    mesh.cell(CellType::pyramid, {1, 4, 10, 7, apex}); // its base is the face between the two cells
     const Assembled out = mesh.assembled();
     EXPECT_EQ(out.report.internal_boundaries, 1U);
     EXPECT_EQ(boundary_faces(out.mesh), 10U + 3U + 4U);
@@ -234,7 +234,7 @@ TEST(Assemble, StringsACollapsedCellBetweenItsNeighbours) {
     EXPECT_TRUE(out.report.bad_cells.empty());
     EXPECT_EQ(out.report.internal_boundaries, 0U);
     EXPECT_EQ(out.mesh.cell_types.size(), 3U);
-    EXPECT_EQ(out.mesh.owner.size(), 10U + 4U + 2U); // four of the flat cell's faces collapsed to lines
+    EXPECT_EQ(out.mesh.owner.size(), 10U + 4U + 2U); // four faces of the flat cell collapsed to lines
     EXPECT_EQ(boundary_faces(out.mesh), 14U);
 }
 
@@ -261,7 +261,8 @@ TEST(Assemble, NumbersVerticesByFirstUseAndDropsUnusedOnes) {
 TEST(Assemble, PutsCellsInAnOrderWhereNeighboursAreClose) {
     const Assembled out = hexahedra(8, 8, 8).assembled();
     std::vector<Index> sorted = out.original_cell;
-    for (std::size_t i = 1; i < sorted.size(); ++i) { // on a power-of-two cube each step of the curve is to a neighbour
+    // In a cube of a power of two, consecutive cells on the curve are neighbors.
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
         const auto at = [&](std::size_t n) { return std::array{sorted[n] % 8, sorted[n] / 8 % 8, sorted[n] / 64}; };
         int steps = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)

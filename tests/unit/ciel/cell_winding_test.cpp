@@ -1,4 +1,4 @@
-// The parts of one cell that could be turned by themselves.
+// Lobes of a cell: closed parts of its boundary that can be turned separately.
 #include "mesh/cell_winding.hpp"
 #include "unit/ciel/meshes.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Filled = std::function<bool(int i, int j, int k)>;
 
-// The cubes of a lattice that are filled, as one cell: what is between two of them is no face.
+// Joins the filled cubes of an n x n x n lattice into one cell, without the faces between two filled cubes.
 Polyhedra cubes_as_one_cell(int n, const Filled& filled) {
     Polyhedra out;
     const auto at = [n](int i, int j, int k) { return static_cast<Index>((k * (n + 1) + j) * (n + 1) + i); };
@@ -49,9 +49,9 @@ std::vector<Index> lobes_of(const Polyhedra& cell) {
     return CellWinding(view).lobes(0);
 }
 
-// Of a cell of quads; with each edge an even number of times.
+// Expects each edge of each lobe to occur an even number of times. The cell's faces are quadrilaterals.
 void expect_closed_each(const Polyhedra& cell, const std::vector<Index>& lobes) {
-    std::vector<std::array<Index, 3>> uses; // lobe and edge
+    std::vector<std::array<Index, 3>> uses; // lobe and the two vertices of an edge
     for (std::size_t f = 0; f < lobes.size(); ++f)
         for (std::size_t i = 0; i < 4; ++i) {
             const Index a = cell.face_vertex[4 * f + i], b = cell.face_vertex[4 * f + (i + 1) % 4];
@@ -72,8 +72,8 @@ TEST(Lobes, AreClosedEach) {
     }
 }
 
-// A face inside is a lobe of its own until its edges, of four faces each, join it with others: in time that is the
-// square of their number nobody would wait for it.
+// Each of the 600,000 faces starts as a lobe and is joined with others at edges of four faces. An algorithm of
+// quadratic time would not end here.
 TEST(Lobes, OfAGiantCellThatTouchesItselfEverywhere) {
     const Polyhedra cell = cubes_as_one_cell(60, [](int i, int j, int k) { return (i + j + k) % 2 == 0; });
     const std::vector<Index> lobes = lobes_of(cell);
@@ -81,7 +81,7 @@ TEST(Lobes, OfAGiantCellThatTouchesItselfEverywhere) {
     expect_closed_each(cell, lobes);
 }
 
-// The same where one edge has the faces of all.
+// 400,000 faces meet at one edge.
 TEST(Lobes, OfAGiantCellAroundOneEdge) {
     constexpr Index pages = 200'000;
     Polyhedra cell;

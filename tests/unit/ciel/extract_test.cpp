@@ -20,7 +20,7 @@ namespace {
 std::vector<float> random_field(std::size_t size, unsigned seed, int levels) {
     std::mt19937 random(seed);
     std::vector<float> out(size);
-    for (float& v : out) // few levels: ties, plateaus, values that hit vertices
+    for (float& v : out) // few distinct levels give ties, plateaus and values equal to the iso-value
         v = levels > 0 ? static_cast<float>(random() % static_cast<unsigned>(levels))
                        : std::uniform_real_distribution<float>(0, 4)(random);
     return out;
@@ -37,7 +37,7 @@ void expect_equal(const Surface& a, const Surface& b) {
         ASSERT_TRUE(a.points[i].a == b.points[i].a && a.points[i].b == b.points[i].b && a.points[i].t == b.points[i].t);
 }
 
-// Pairs of vertices whose joining segment lies on a boundary face.
+// Pairs of vertices that share a boundary face. Segments between such pairs may lie on the boundary.
 std::set<std::pair<Index, Index>> boundary_edges(const FaceMesh& mesh) {
     std::set<std::pair<Index, Index>> out;
     for (Index f = 0; f < mesh.owner.size(); ++f) {
@@ -48,7 +48,7 @@ std::set<std::pair<Index, Index>> boundary_edges(const FaceMesh& mesh) {
     return out;
 }
 
-// Segments run once in each direction, but for those with both ends on the boundary of the mesh.
+// Each segment occurs once in each direction, except when both ends are on the mesh's boundary.
 void expect_closed(const FaceMesh& mesh, const Surface& surface) {
     std::map<std::pair<Index, Index>, int> balance;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
@@ -150,7 +150,7 @@ TEST(Extract, CutsASliceOfExactArea) {
         query.set_field(field);
         Surface surface;
         ASSERT_TRUE(query.extract(1.25, true, surface));
-        EXPECT_NEAR(area_towards(surface, 0), area, 1e-5); // positive: towards higher values
+        EXPECT_NEAR(area_towards(surface, 0), area, 1e-5); // positive: the normals point to higher values
         EXPECT_EQ(surface.positions.size(), surface.points.size());
         EXPECT_EQ(surface.normals.size(), surface.points.size());
         for (const Vec3f& normal : surface.normals) EXPECT_NEAR(normal[0], 1, 1e-6);
@@ -162,7 +162,7 @@ TEST(Extract, GivesACellTwoPolygonsAndCutsTheHighSideOff) {
     const FaceMesh mesh = hexahedra(1, 1, 1).assembled().mesh;
     const Topology topology(mesh.view());
     std::vector<float> values(8, 0);
-    for (Index v = 0; v < 8; ++v) { // opposite corners of one face are high
+    for (Index v = 0; v < 8; ++v) { // two opposite corners of one face are above the iso-value
         const float* p = &mesh.positions[3 * std::size_t{v}];
         values[v] = p[2] == 0 && p[0] == p[1] ? 1.0F : -p[2] - 0.1F * p[0] - 0.01F * p[1];
     }
@@ -320,7 +320,8 @@ TEST(Gradient, IsExactForALinearFieldFarFromTheOrigin) {
 TEST(Gradient, NormalsFallBackOnPolygonsWhereThereIsNone) {
     const FaceMesh mesh = hexahedra(1, 1, 1).assembled().mesh;
     const Topology topology(mesh.view());
-    std::vector<float> flat(8), faint(8); // a saddle that no plane fits; a gradient whose square vanishes in float
+    // `flat`: a saddle whose fitted gradient is zero. `faint`: a gradient whose square underflows float32.
+    std::vector<float> flat(8), faint(8);
     for (Index v = 0; v < 8; ++v) {
         const float* p = &mesh.positions[3 * std::size_t{v}];
         flat[v] = (p[0] + p[1] + p[2] == 1 || p[0] + p[1] + p[2] == 3) ? 1.0F : -1.0F;

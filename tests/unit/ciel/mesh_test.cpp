@@ -1,4 +1,4 @@
-// The kernel's front door: the caller's arrays in, surfaces with the caller's ids out.
+// The kernel's public interface: the caller's arrays in, surfaces with the caller's ids out.
 #include "ciel/contour.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace ciel {
 namespace {
 
-// [0, n] in each direction, in n x n x n unit cubes; points and cells in a shuffled order, as files may have them.
+// The cube [0, n]^3 in n x n x n unit cells. Points and cells are shuffled, as in real files.
 struct Box {
     static constexpr int n = 5, row = n + 1;
     std::vector<double> points;
@@ -43,14 +43,14 @@ struct Box {
     [[nodiscard]] VtkCells cells() const { return {types, offsets, connectivity}; }
     [[nodiscard]] Mesh mesh() const { return Mesh::from_cells({points, 3}, cells()); }
     [[nodiscard]] std::size_t point_count() const { return points.size() / 3; }
-    // The distance from the middle.
+    // Distance of each point from the center.
     [[nodiscard]] std::vector<double> radius() const {
         std::vector<double> values;
         for (std::size_t i = 0; i < points.size(); i += 3)
             values.push_back(std::hypot(points[i] - 2.4, points[i + 1] - 2.5, points[i + 2] - 2.6));
         return values;
     }
-    // The same cells as lists of faces.
+    // Writes the same cells as polyhedra, each with the list of its faces.
     void faces_of_cells(std::vector<std::uint64_t>& cell_offset, std::vector<std::uint64_t>& face_offset,
                         std::vector<Index>& face_vertex) const {
         cell_offset = {0}, face_offset = {0};
@@ -64,7 +64,7 @@ struct Box {
     }
 };
 
-// What does not depend on the order of points and polygons: by cell, the sorted world positions of its polygon.
+// Surface independent of the order of points and polygons: for each polygon, its cell and its sorted world positions.
 using Polygons = std::multiset<std::pair<Index, std::vector<std::array<int, 3>>>>;
 Polygons polygons_of(const Mesh& mesh, const Surface& surface) {
     Polygons out;
@@ -118,7 +118,8 @@ TEST(Mesh, IsTheSameFromCellsFromFacesAndFromPolyhedra) {
     const Mesh polyhedra = Mesh::from_polyhedra({box.points, 3}, cell_offset, face_offset, face_vertex);
     EXPECT_EQ(polygons_of(polyhedra, contour(polyhedra, box.radius(), 2)), wanted);
 
-    // Each face once: those that two cells list come from the stored mesh, in the caller's numbers.
+    // Builds the mesh from faces with owner and neighbor. Interior faces come from the stored mesh, in the caller's
+    // ids.
     const FaceMeshView& stored = mesh.stored();
     std::vector<std::uint64_t> once{0};
     std::vector<std::int32_t> vertices, owner, neighbour;
@@ -175,7 +176,7 @@ TEST(Mesh, ReadsAnyNumberTypeAndStride) {
     const Box box(7);
     const Mesh mesh = box.mesh();
     const Polygons wanted = polygons_of(mesh, contour(mesh, box.radius(), 2));
-    std::vector<float> padded; // a fourth number beside each point
+    std::vector<float> padded; // four floats per point; the fourth is NaN
     for (std::size_t i = 0; i < box.points.size(); i += 3) {
         for (std::size_t k = 0; k < 3; ++k) padded.push_back(static_cast<float>(box.points[i + k]));
         padded.push_back(NAN);
@@ -195,7 +196,7 @@ TEST(Mesh, ReadsAnyNumberTypeAndStride) {
 
 TEST(Mesh, SaysWhatBecameOfTheInput) {
     Box box;
-    // A quadratic tetrahedron, a triangle, a cube inside out, and one with an id that does not exist.
+    // Adds a quadratic tetrahedron, a triangle, an inverted cube, and a cell with an id out of range.
     const auto add = [&box](std::uint8_t type, const std::vector<std::int64_t>& ids) {
         box.types.push_back(type);
         box.connectivity.insert(box.connectivity.end(), ids.begin(), ids.end());
@@ -283,7 +284,8 @@ TEST(Mesh, TakesValuesOfCells) {
         x_of_cell.push_back(
             static_cast<float>(box.points[3 * static_cast<std::size_t>(box.connectivity[8 * c])] + 0.5));
     const Surface kept = threshold(mesh, x_of_cell, {0, 1}, true);
-    EXPECT_EQ(kept.polygon_cell.size(), std::size_t{4 * Box::n + 2 * Box::n * Box::n}); // one layer of cubes
+    EXPECT_EQ(kept.polygon_cell.size(),
+              std::size_t{4 * Box::n + 2 * Box::n * Box::n}); // boundary of one layer of cubes
     Surface surface;
     ASSERT_TRUE(Contour(Field::from_cells(mesh, x_of_cell)).at(2.25, surface));
     for (const Vec3f& at : surface.positions) EXPECT_NEAR(mesh.stored().origin[0] + double{at[0]}, 2.25, 1e-4);

@@ -41,7 +41,7 @@ Polyhedra one_tetrahedron() {
 
 namespace {
 
-using Corners = std::array<Index, 8>; // VTK's order of a hexahedron
+using Corners = std::array<Index, 8>; // in VTK's order for a hexahedron
 
 Polyhedra grid(Index nx, Index ny, Index nz, const std::function<void(Polyhedra&, const Corners&, Index)>& add) {
     Polyhedra mesh;
@@ -70,7 +70,8 @@ Polyhedra hexahedra(Index nx, Index ny, Index nz) {
 
 Polyhedra tetrahedra(Index nx, Index ny, Index nz) {
     return grid(nx, ny, nz, [](Polyhedra& mesh, const Corners& c, Index) {
-        constexpr int paths[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}; // Kuhn's six around 0-6
+        // Kuhn's six tetrahedra around the diagonal 0-6.
+        constexpr int paths[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}};
         for (const auto& p : paths)
             mesh.cell(CellType::tetrahedron,
                       {c[0], c[static_cast<std::size_t>(p[0])], c[static_cast<std::size_t>(p[1])], c[6]});
@@ -79,7 +80,7 @@ Polyhedra tetrahedra(Index nx, Index ny, Index nz) {
 
 Polyhedra hexagonal_prisms(Index nx, Index ny, Index nz) {
     Polyhedra mesh;
-    // Corners of a honeycomb: column i has zigzag rows; (i, j) at height j with x shifted by the zigzag.
+    // Vertices of a honeycomb. Column i is a zigzag: (i, j) is at height 0.866 j, shifted in x by 0.25 alternately.
     const Index columns = nx + 1, rows = 2 * ny + 2;
     for (Index k = 0; k <= nz; ++k)
         for (Index i = 0; i < columns; ++i)
@@ -170,8 +171,8 @@ Polyhedra hollow_box() {
 
 namespace {
 
-// The faces of the cells for which `merged(number)` that no two of them share, as one polyhedron; the others as they
-// are.
+// Joins the cells for which `merged` is true into one polyhedron, without the faces between them. Keeps the other
+// cells.
 Polyhedra merge(const Polyhedra& cells, const std::function<bool(Index)>& merged) {
     Polyhedra out;
     out.positions = cells.positions;

@@ -1,4 +1,4 @@
-// Small meshes that are written down by hand or grown from a grid.
+// Small meshes for tests of the kernel.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -24,15 +24,15 @@ public:
 
 Polyhedra one_tetrahedron();
 Polyhedra hexahedra(Index nx, Index ny, Index nz);        // unit cells
-Polyhedra tetrahedra(Index nx, Index ny, Index nz);       // six to a unit cell, conforming
-Polyhedra hexagonal_prisms(Index nx, Index ny, Index nz); // a honeycomb, as polyhedra
-Polyhedra hanging_nodes();                                // one big cube of 9 faces beside four small ones
-Polyhedra mixed_cells();                                  // hexahedron, wedge, pyramid, tetrahedron and a polyhedron
-Polyhedra collapsed_hexahedra(Index sectors); // an O-grid around an axis: the inner faces collapse to a line
+Polyhedra tetrahedra(Index nx, Index ny, Index nz);       // six per unit cell, conforming
+Polyhedra hexagonal_prisms(Index nx, Index ny, Index nz); // honeycomb of polyhedra
+Polyhedra hanging_nodes();                                // one large cube with 9 faces beside four small cubes
+Polyhedra mixed_cells();                                  // one hexahedron, wedge, pyramid, tetrahedron and polyhedron
+Polyhedra collapsed_hexahedra(Index sectors); // O-grid around an axis; the faces at the axis collapse to lines
 Polyhedra cubes_that_share_an_edge();
-Polyhedra hollow_box(); // 26 cubes around a void
-// Cells in whose boundary a part can be turned by itself: two cubes that touch along an edge as one cell between two
-// cubes, and a box around a cube that is a cell of its own.
+Polyhedra hollow_box(); // 26 cubes around an empty one
+// Cells with a part of the boundary that can be turned separately. pinched_cell: one cell of two cubes that touch along
+// an edge, between two cubes. cell_around_a_cell: a box with a cubic cell inside.
 Polyhedra pinched_cell();
 Polyhedra cell_around_a_cell();
 
@@ -40,6 +40,6 @@ struct NamedMesh {
     std::string name;
     FaceMesh mesh;
 };
-std::vector<NamedMesh> all_meshes(); // one of each of the above, and one without cells
+std::vector<NamedMesh> all_meshes(); // one of each mesh declared here, and one without cells
 
 } // namespace ciel::test

@@ -1,4 +1,4 @@
-// The kernel's parallel loop: as many threads as were asked for, and no more.
+// Number of threads that the kernel's parallel loop uses.
 #include "ciel/parallel.hpp"
 #include "support/thread_count.hpp"
 
@@ -12,9 +12,9 @@
 namespace ciel::test {
 namespace {
 
-// The threads that work at once on a loop of `tasks`, none of which ends before `wanted` have begun.
+// Number of threads that work on a loop of `tasks` tasks at the same time. No task ends before `wanted` have started.
 std::size_t threads_at_once(std::size_t tasks, std::size_t wanted) {
-    constexpr std::chrono::seconds patience{20}; // a loop that has fewer threads must end too
+    constexpr std::chrono::seconds patience{20}; // ends the wait when the loop uses fewer threads than wanted
     std::mutex mutex;
     std::condition_variable all_here;
     std::set<std::thread::id> seen;

@@ -22,7 +22,7 @@ std::vector<HalfEdge> all_half_edges(const Topology& topology) {
 
 Index origin(const Topology& topology, HalfEdge h) { return topology.vertex(topology.mate_face(h)); }
 
-// Everything the six operators promise, against the mesh they were built from.
+// Checks the identities of the six operators, and their results against the mesh's arrays.
 void expect_identities(const FaceMesh& mesh, const Topology& topology) {
     const std::vector<HalfEdge> all = all_half_edges(topology);
     const std::set<HalfEdge> ids(all.begin(), all.end());
@@ -55,7 +55,7 @@ void expect_identities(const FaceMesh& mesh, const Topology& topology) {
             ASSERT_NE(topology.cell(other), topology.cell(h));
             ASSERT_EQ(topology.edge(other), topology.edge(h));
             ASSERT_EQ(topology.vertex(other), origin(topology, h));
-            ASSERT_EQ(topology.mate_polyhedron(next), [&] { // the two loops run against each other
+            ASSERT_EQ(topology.mate_polyhedron(next), [&] { // the mates run in the opposite direction around the face
                 HalfEdge before = other;
                 while (topology.next_around_face(before) != other) before = topology.next_around_face(before);
                 return before;
@@ -78,7 +78,7 @@ void expect_identities(const FaceMesh& mesh, const Topology& topology) {
             if (pair.first == pair.second) continue;
             boundary_corners += mesh.neighbour[f] == none ? 1 : 0;
             if (!seen.insert(pair).second) continue;
-            ASSERT_EQ(edges.at(pair), next_edge++); // by first appearance
+            ASSERT_EQ(edges.at(pair), next_edge++); // edges are numbered by first appearance
         }
     }
     EXPECT_EQ(on_boundary, boundary_corners);
@@ -121,7 +121,7 @@ TEST(Topology, CountsWhatIsThere) {
     EXPECT_EQ(wedges.edges, 1U + 2 * 6U + 2 * 12U + 2 * 6U + 12U);
 }
 
-// 70,000 half-edges in one cell: local ids need 32 bits.
+// A cell of 70,000 half-edges needs 32-bit local ids.
 TEST(Topology, TakesAGiantCell) {
     Polyhedra mesh;
     constexpr Index sides = 13000;

@@ -9,7 +9,7 @@ namespace {
 
 using Color = std::array<std::uint8_t, 3>;
 
-// First, middle and last colors as their authors published them.
+// First, middle and last color of each map, as published by its authors.
 struct Row {
     std::string name;
     Color first, middle, last;
@@ -52,7 +52,8 @@ TEST(ColorMap, HasThePublishedColors) {
     EXPECT_EQ(color::color_map_names().size(), std::size(rows));
 }
 
-TEST(ColorMap, StepsAreSmallEverywhere) { // a digit lost in the table would be a jump
+// A wrong digit in the table would be a jump.
+TEST(ColorMap, StepsAreSmallEverywhere) {
     for (const std::string& name : color::color_map_names()) {
         const color::ColorTable& table = color::color_map(name);
         for (std::size_t i = 1; i < table.size(); ++i)

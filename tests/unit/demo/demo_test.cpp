@@ -1,4 +1,4 @@
-// The demo dataset as the README promises it.
+// The demo dataset has the properties that the README states.
 #include "demo/demo.hpp"
 
 #include "store/dataset.hpp"
@@ -50,11 +50,12 @@ TEST_F(DemoTest, HoldsAHundredThousandPolyhedraInOnePiece) {
     EXPECT_EQ(mesh.components, 1U);
     EXPECT_EQ(dataset->info().input_cells, mesh.cells);
     EXPECT_EQ(group("voronoi").size() + group("hexahedra").size(), mesh.cells);
-    // Euler's formula for a solid with a hole through it, its cells all balls: V - E + F - C = 0.
+    // Euler's formula for a solid with a hole through it and ball-shaped cells: V - E + F - C = 0.
     EXPECT_EQ(mesh.vertices + mesh.faces, mesh.edges + mesh.cells);
 }
 
-// What does not match face for face would lie open inside: the boundary is the box and the cylinder and nothing else.
+// Cells that do not match face to face would leave boundary faces inside. All boundary faces must be on the box or the
+// cylinder.
 TEST_F(DemoTest, BoundaryFacesAreOnNamedPatchesOnly) {
     const FaceMeshView mesh = dataset->mesh(0, 0);
     std::vector<int> patches(mesh.face_count());
@@ -73,7 +74,7 @@ TEST_F(DemoTest, BoundaryFacesAreOnNamedPatchesOnly) {
 
 TEST_F(DemoTest, TheWallIsAPrismAroundTheCylinder) {
     const FaceMeshView mesh = dataset->mesh(0, 0);
-    double volume = 0, wall = 0; // by the divergence theorem over the boundary
+    double volume = 0, wall = 0; // volume by the divergence theorem, as a sum over boundary faces
     std::vector<bool> on_wall(mesh.face_count());
     for (const Index face : group("cylinder")) on_wall[face] = true;
     for (Index face = 0; face < mesh.face_count(); ++face) {
@@ -136,7 +137,7 @@ std::vector<std::string> group_names(const store::Dataset& dataset) {
     return names;
 }
 
-// Same time, same arrays, ranges about as wide.
+// Expects equal time and arrays, and ranges of similar width.
 void expect_alike(const store::Step& coarse, const store::Step& whole) {
     EXPECT_EQ(coarse.time, whole.time);
     ASSERT_EQ(coarse.arrays.size(), whole.arrays.size());
@@ -147,7 +148,7 @@ void expect_alike(const store::Step& coarse, const store::Step& whole) {
     }
 }
 
-// A small dataset stands for the whole one wherever the number of cells is no matter.
+// A coarse demo dataset can replace the full one in tests that do not depend on the number of cells.
 TEST_F(DemoTest, ACoarseOneHasTheSameNamesTimesAndKindsOfCellsInAlmostTheSameBox) {
     const store::MeshInfo& large = dataset->info().meshes.at(0);
     for (int coarseness = 2; coarseness <= most_coarseness; ++coarseness) {

@@ -1,4 +1,4 @@
-// The closed form against what any flow past a cylinder must be.
+// The closed form of the flow against properties of any flow past a cylinder.
 #include "demo/dye.hpp"
 #include "demo/flow.hpp"
 
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Times, FlowAt, testing::Values(-0.3, 0.0, 0.21, 0.5, 0.
 TEST(DyeTest, IsFullAtTheWallNoneUpstreamAndRolledUpInTheWake) {
     const Dye dye({-5, 12, -4, 4});
     float wake = 0;
-    for (double time = 0x1p-7; time < 1; time += 0.125) { // exact in binary, and so is time + 1
+    for (double time = 0x1p-7; time < 1; time += 0.125) { // `time` and time + 1 are exact in binary
         EXPECT_EQ(dye.at(1, 0, 0, 0, time), 1);
         EXPECT_EQ(dye.at(-4, 0.3, 10, 0, time), 0);
         for (double x = 2; x < 10; x += 0.11)

@@ -20,9 +20,9 @@ struct Order {
     }
 };
 
-// One worker with a job that does not end until it is let go: all that is posted meanwhile waits together.
+// One worker with a job that blocks until let_go(). Jobs posted meanwhile are all queued.
 class BusyWorker {
-    std::latch started_{1}, go_{1}, done_{1}; // before the workers that use them
+    std::latch started_{1}, go_{1}, done_{1}; // declared before the workers that use them
 
 public:
     BusyWorker() {
@@ -88,7 +88,7 @@ TEST(frame_workers, drain_finishes_what_runs_and_refuses_the_rest) {
         started.count_down();
         for (int i = 0; i < 60'000 && workers.post([&](Worker&) { finished += 100; }); ++i)
             std::this_thread::sleep_for(1ms);
-        std::this_thread::sleep_for(20ms); // a drain() that did not wait would return now
+        std::this_thread::sleep_for(20ms); // long enough for a drain() that does not wait to return
         ++finished;
     });
     started.wait();

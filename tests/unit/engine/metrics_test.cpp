@@ -43,7 +43,7 @@ TEST(metrics, counts_what_happened) {
     EXPECT_THAT(text, HasSubstr("renderer=\"a \\\"GL\\\"\",backend=\"osmesa\""));
 }
 
-// The exposition format 0.0.4: each sample belongs to a family that HELP and TYPE have introduced just before.
+// Prometheus text format 0.0.4: HELP and TYPE of a family stand directly before its samples.
 TEST(metrics, follow_the_exposition_format) {
     Metrics metrics;
     metrics.count_frame(false, 1, {});
@@ -73,7 +73,7 @@ TEST(metrics, follow_the_exposition_format) {
             with_samples.insert(family);
         }
     }
-    families.erase("ciel_call_duration_seconds"); // no call yet
+    families.erase("ciel_call_duration_seconds"); // has no samples before the first call
     EXPECT_EQ(with_samples, families);
     EXPECT_THAT(families,
                 IsSupersetOf({"ciel_frames_total", "ciel_rpc_requests_total", "ciel_rpc_errors_total", "ciel_sessions",

@@ -11,15 +11,15 @@ namespace {
 
 using testing::HasSubstr;
 
-// One call under way that does not end until it is let go: what is posted meanwhile waits together.
+// One running call that blocks until let_go(). Calls posted meanwhile are all queued.
 class BusyCalls {
     std::latch started_{1}, go_{1};
     std::mutex mutex_;
     limits::Limits limits_;
-    std::optional<engine::SlowCalls> calls_; // last: its threads use the others
+    std::optional<engine::SlowCalls> calls_; // declared last, because its threads use the other members
 
 public:
-    std::string order; // of the calls that came; a star before those that were given up
+    std::string order; // letters of the calls in the order they ended; a star precedes a cancelled one
 
     explicit BusyCalls(limits::Limits limits = {}) : limits_(limits) {
         limits_.slow_calls = 1;
@@ -80,7 +80,7 @@ TEST(slow_calls, beyond_the_limit_of_all_they_are_refused) {
     BusyCalls calls(limits);
     EXPECT_EQ(refusal(calls, 1), "");
     EXPECT_EQ(refusal(calls, 2), "");
-    EXPECT_THAT(refusal(calls, 3), HasSubstr("has 2 pictures, exports and the like to make already; try again"));
+    EXPECT_THAT(refusal(calls, 3), HasSubstr("2 slow calls (pictures, exports) already wait on the server; try again"));
     calls->drop(1);
     EXPECT_EQ(refusal(calls, 3), "") << "what was given up makes room";
 }
@@ -91,7 +91,7 @@ TEST(slow_calls, beyond_the_limit_of_one_connection_they_are_refused) {
     BusyCalls calls(limits);
     EXPECT_EQ(refusal(calls, 1), "");
     EXPECT_EQ(refusal(calls, 1), "");
-    EXPECT_THAT(refusal(calls, 1), HasSubstr("this connection waits for 2"));
+    EXPECT_THAT(refusal(calls, 1), HasSubstr("2 slow calls (pictures, exports) of this connection already wait"));
     EXPECT_EQ(refusal(calls, 2), "") << "others are none the worse";
 }
 

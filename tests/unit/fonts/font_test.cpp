@@ -1,4 +1,4 @@
-// Text through FreeType, and UTF-8 against the standard's own examples.
+// Text shaping with FreeType, and UTF-8 decoding against the examples of the Unicode standard.
 #include "ciel/types.hpp"
 #include "fonts/font.hpp"
 
@@ -20,9 +20,9 @@ TEST(Utf8, IsDecodedAndWhatIsNoneBecomesReplacements) {
         {"\xF0\x9F\x8C\x8A", U"\U0001F30A"},
         {"", U""},
         {"a\x80z", U"a\uFFFDz"},
-        {"\xC0\xAF", U"\uFFFD\uFFFD"},                                          // overlong
-        {"\xE0\x80\xAF", U"\uFFFD\uFFFD\uFFFD"},                                // overlong
-        {"\xED\xA0\x80", U"\uFFFD\uFFFD\uFFFD"},                                // a surrogate
+        {"\xC0\xAF", U"\uFFFD\uFFFD"},                                          // overlong encoding
+        {"\xE0\x80\xAF", U"\uFFFD\uFFFD\uFFFD"},                                // overlong encoding
+        {"\xED\xA0\x80", U"\uFFFD\uFFFD\uFFFD"},                                // surrogate
         {"\xF4\x90\x80\x80", U"\uFFFD\uFFFD\uFFFD\uFFFD"},                      // beyond U+10FFFF
         {"\xE1\x80\xE2\xF0\x91\x92\xF1\xBF\x41", U"\uFFFD\uFFFD\uFFFD\uFFFDA"}, // table 3-11 of Unicode 15
         {"\xF1", U"\uFFFD"},
@@ -49,7 +49,7 @@ TEST(Font, PairsAreKerned) {
 
 TEST(Font, WhatItLacksIsABoxAndControlCharactersAreSpaces) {
     Font font;
-    const Line line = font.shape("\U00012000", 40); // a cuneiform sign
+    const Line line = font.shape("\U00012000", 40); // cuneiform sign, which no installed font has
     ASSERT_EQ(line.glyphs.size(), 1U);
     EXPECT_EQ(line.glyphs[0].glyph, 0U);
     EXPECT_GT(font.draw(0, 40).width, 5);
@@ -59,7 +59,7 @@ TEST(Font, WhatItLacksIsABoxAndControlCharactersAreSpaces) {
     EXPECT_EQ(font.draw(font.shape(" ", 40).glyphs[0].glyph, 40).width, 0);
 }
 
-// Of fonts-wqy-microhei, which deploy/packages.txt names.
+// The second font is fonts-wqy-microhei (deploy/packages.txt).
 TEST(Font, WhatItLacksIsTakenFromAnotherFontOfTheMachine) {
     Font font;
     const Line line = font.shape("p 压力 圧力 압력", 40);

@@ -1,5 +1,4 @@
-// The window of frames on a line that is made of numbers: it takes time, lets so many bytes a second through, and may
-// swallow any number of them before.
+// FrameWindow on a simulated line with latency and a limited rate, which may buffer any number of frames.
 #include "frames/frame_window.hpp"
 
 #include <cmath>
@@ -12,24 +11,25 @@ namespace {
 
 struct Line {
     double round_trip = 0; // seconds
-    double rate = 1e9;     // bytes a second
-    double present = 0.01; // seconds that the client takes to show a frame
-    double jitter = 0;     // seconds that it takes longer, now and then
-    double busy = 0;       // at most so many seconds longer, each time others
-    double swing = 0;      // seconds in which frames go from their whole size to a quarter of it and back
+    double rate = 1e9;     // bytes per second
+    double present = 0.01; // seconds from the arrival of a frame to its display
+    double jitter = 0;     // additional seconds for every seventh frame
+    double busy = 0;       // upper limit of random additional seconds for each frame
+    double swing = 0;      // period in seconds in which the frame size goes from full to a quarter and back
     bool acknowledges = true;
 };
 
 struct Outcome {
-    std::size_t frames = 0;          // sent after the first three seconds, in which the line is found out
-    std::size_t most_on_the_way = 0; // frames
-    std::size_t most_queued = 0;     // bytes in the line before a frame's own, likewise
-    double rate = 0;                 // as the window has it
+    std::size_t frames = 0;          // frames sent after the first three seconds, in which the window adapts
+    std::size_t most_on_the_way = 0; // largest number of frames in flight
+    // Largest number of bytes queued before a new frame, after the first three seconds.
+    std::size_t most_queued = 0;
+    double rate = 0; // bytes per second that the window has measured
 };
 
 constexpr double settled = 3;
 
-// A server that needs `making` seconds and `bytes` for each frame, with a scene that always has changed.
+// Simulates a server that needs `making` seconds per frame of `bytes`, with a scene that changes all the time.
 Outcome run(const Line& line, double making, std::size_t bytes, double seconds = 9) {
     FrameWindow window(2);
     Outcome result;
@@ -138,7 +138,7 @@ TEST(FrameWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
     FrameWindow window(2);
     FrameWindow::Time now{};
     std::uint32_t frame = 0;
-    for (int i = 0; i < 100; ++i) { // on a line of 100 ms, which has ten on the way
+    for (int i = 0; i < 100; ++i) { // line with a round trip of 100 ms, so ten frames are in flight
         while (window.has_room() && window.frames_on_the_way() < 10) window.sent(++frame, 1000, false, now);
         window.held_back();
         now += std::chrono::milliseconds(10);

@@ -9,7 +9,7 @@ using wire::MovingCodec;
 using Detail = PictureDetail::Detail;
 constexpr double mbit = 1e6 / 8, making = 0.066;
 
-// Pictures of `bytes` at the finest; quality counts in proportion.
+// Encoded size at this detail. `bytes`: size at scale 1 and quality 80. The size is proportional to quality.
 std::size_t bytes_of(Detail detail, double bytes) {
     return static_cast<std::size_t>(bytes * detail.scale * detail.scale * detail.quality / 80);
 }

@@ -7,7 +7,7 @@
 namespace ciel::frames {
 namespace {
 
-// A square of `side` at `depth` in front of a camera at the origin that looks along x, in a box of 100.
+// Square with the given side, `depth` in front of a camera at the origin that looks along x. The bounds have side 100.
 geometry::Geometry square(float depth, float side, float across = 0) {
     auto shape = std::make_shared<geometry::Shape>();
     const float h = side / 2;
@@ -29,7 +29,7 @@ constexpr geometry::ViewSize size{1280, 720, 1};
 
 double pixel_at(double depth) { return 2 * depth * std::tan(15 * std::numbers::pi / 180) / 720; }
 
-// The promise of protocol/frame.md at any zoom: half a step along each axis is less than 0.22 pixels.
+// protocol/frame.md promises at any zoom: half a grid step along each axis is less than 0.22 pixels.
 TEST(pixel_grid, is_a_quarter_of_a_pixel_at_any_distance) {
     for (const float depth : {49.0F, 10.0F, 1.0F, 0.1F}) {
         const double step = needed_grid(square(depth, depth / 10), camera, size);
@@ -43,20 +43,21 @@ TEST(pixel_grid, follows_what_is_nearest_in_view) {
     geometry::Geometry geometry = square(40, 4);
     geometry.drawables.push_back(square(2, 0.1F).drawables.front());
     EXPECT_LE(needed_grid(geometry, camera, size), pixel_at(2) / 4);
-    geometry.drawables.back() = square(2, 0.1F, 30).drawables.front(); // beside the view
+    geometry.drawables.back() = square(2, 0.1F, 30).drawables.front(); // the square is beside the view
     EXPECT_GT(needed_grid(geometry, camera, size), pixel_at(40) / 8);
-    geometry.drawables.back() = square(-2, 0.1F).drawables.front(); // behind the eye
+    geometry.drawables.back() = square(-2, 0.1F).drawables.front(); // the square is behind the eye
     EXPECT_GT(needed_grid(geometry, camera, size), pixel_at(40) / 8);
-    geometry.drawables.back() = square(2, 80).drawables.front(); // all corners beside the view, the middle in it
+    // All corners are beside the view, the center is inside.
+    geometry.drawables.back() = square(2, 80).drawables.front();
     EXPECT_LE(needed_grid(geometry, camera, size), pixel_at(2) / 4);
 }
 
-// The outline of a domain around the eye, of which a part is seen far away.
+// A line that passes the eye counts from the depth at which it enters the view.
 TEST(pixel_grid, of_what_passes_the_eye_counts_what_is_seen_of_it) {
     geometry::Geometry geometry = square(40, 4);
     auto line = std::make_shared<geometry::Shape>();
     line->lines = true;
-    line->surface.positions = {{-50, -10, 0}, {50, -10, 0}}; // comes into view at a depth of 21
+    line->surface.positions = {{-50, -10, 0}, {50, -10, 0}}; // enters the view at a depth of 21
     line->indices = {0, 1};
     geometry.drawables[0].shape = line;
     const double enters = 10 / (std::tan(15 * std::numbers::pi / 180) * 1280 / 720);
@@ -74,7 +75,7 @@ TEST(pixel_grid, of_a_parallel_view_is_the_same_at_all_depths) {
 }
 
 TEST(pixel_grid, of_flat_triangles_is_fine_enough_for_their_light) {
-    geometry::Geometry geometry = square(40, 0.2F); // few pixels
+    geometry::Geometry geometry = square(40, 0.2F); // covers only a few pixels
     auto flat = std::make_shared<geometry::Shape>(*geometry.drawables[0].shape);
     flat->surface.normals.clear();
     geometry.drawables[0].shape = flat;

@@ -1,4 +1,4 @@
-// A WebSocket client that does exactly what a test says.
+// WebSocket client for tests that sends and receives single frames.
 #pragma once
 
 #include "running_server.hpp"
@@ -7,7 +7,7 @@
 
 namespace ciel::gateway {
 
-// A WebSocket by hand. Clients mask with zeros, which leaves the payload as it is.
+// WebSocket client without a library. Its masking key is zero, so the payload is sent unchanged.
 class HandMade : public Socket {
 public:
     explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
@@ -17,7 +17,8 @@ public:
         const std::string head = receive_until("\r\n\r\n");
         EXPECT_TRUE(head.starts_with("HTTP/1.1 101 ")) << head;
     }
-    bool send_frame(char opcode, const std::string& payload) { // of less than 65536 bytes
+    // `payload` must be shorter than 65536 bytes.
+    bool send_frame(char opcode, const std::string& payload) {
         std::string head{static_cast<char>(0x80 | opcode)};
         if (payload.size() < 126)
             head += static_cast<char>(0x80 | payload.size());
@@ -26,7 +27,7 @@ public:
                      static_cast<char>(payload.size() & 255)};
         return send(head + std::string(4, '\0') + payload);
     }
-    // The opcode is -1 at the end of the connection.
+    // Opcode and payload of the next frame; opcode -1 at the end of the connection.
     std::pair<int, std::string> receive_frame() {
         const std::string head = receive(2);
         if (head.size() < 2) return {-1, {}};

@@ -1,4 +1,4 @@
-// The real gateway on a loopback socket, and clients of it that send what they like, when they like.
+// The real gateway on a loopback socket, and plain socket clients for it.
 #pragma once
 
 #include "app/engine_service.hpp"
@@ -16,10 +16,11 @@
 
 namespace ciel::gateway {
 
-// Serves from construction to destruction. One at a time: SIGTERM to the process ends it.
+// Serves from construction to destruction. Only one may exist: the destructor ends it by sending SIGTERM to the
+// process.
 class RunningServer {
 public:
-    // data: datasets to serve.
+    // `data`: datasets to serve.
     explicit RunningServer(limits::Limits limits = {}, const std::vector<std::filesystem::path>& data = {}) {
         std::promise<Listening> at;
         auto listening = at.get_future();
@@ -44,7 +45,7 @@ public:
         kill(getpid(), SIGTERM);
         thread_.join();
     }
-    void wait() { thread_.join(); } // until it has ended by itself, after a signal
+    void wait() { thread_.join(); } // waits until the server has ended after a signal
     RunningServer(const RunningServer&) = delete;
     [[nodiscard]] unsigned short port() const { return listening_.port; }
     [[nodiscard]] std::string authorization() const { return "Authorization: Bearer " + listening_.token + "\r\n"; }
@@ -56,7 +57,7 @@ private:
 
 class Socket {
 public:
-    // receive_buffer: of the system, for a client that reads nothing; 0 leaves it as it is.
+    // `receive_buffer`: size of SO_RCVBUF, for clients that do not read; 0 keeps the default.
     explicit Socket(const RunningServer& server, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
         if (receive_buffer > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
         sockaddr_in address{};
@@ -64,14 +65,15 @@ public:
         address.sin_port = htons(server.port());
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-        const timeval patience{patience_seconds, 0}; // a server that neither answers nor closes fails the test
+        // A server that neither answers nor closes in this time fails the test.
+        const timeval patience{patience_seconds, 0};
         setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
         setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     }
     ~Socket() { ::close(socket_); }
     Socket(const Socket&) = delete;
 
-    // False when the server has closed; fails the test when it takes nothing for too long.
+    // Returns false when the server has closed. Fails the test when the server does not read for too long.
     bool send(const std::string& bytes) {
         for (std::size_t sent = 0; sent < bytes.size();) {
             const auto some = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
@@ -85,12 +87,12 @@ public:
     }
     void end_of_requests() { ::shutdown(socket_, SHUT_WR); }
 
-    // Whether something (also the end) has come, after a short look.
+    // True when data or the end of the connection arrives within a short time.
     [[nodiscard]] bool is_answered() const {
         pollfd waiting{socket_, POLLIN, 0};
         return ::poll(&waiting, 1, look_milliseconds) > 0;
     }
-    // The next `count` bytes, or fewer when the server closes before.
+    // Returns the next `count` bytes, or fewer when the server closes first.
     std::string receive(std::size_t count) {
         std::string bytes(count, '\0');
         std::size_t got = 0;
@@ -103,7 +105,7 @@ public:
         bytes.resize(got);
         return bytes;
     }
-    // Up to and with `end`, or less when the server closes before.
+    // Returns everything up to and including `end`, or less when the server closes first.
     std::string receive_until(std::string_view end) {
         std::string bytes;
         while (!bytes.ends_with(end)) {
@@ -113,7 +115,7 @@ public:
         }
         return bytes;
     }
-    // Everything until the server closes.
+    // Returns everything until the server closes.
     std::string receive_all() {
         std::string all;
         for (std::string some; !(some = receive(block_bytes)).empty();) all += some;

@@ -55,10 +55,10 @@ TEST(Origin, OwnAndListedOnesPass) {
         const char *origin, *host;
         bool allowed;
     } rows[]{
-        {"", "localhost:8080", true}, // no browser
+        {"", "localhost:8080", true}, // no Origin: not a browser
         {"http://localhost:8080", "localhost:8080", true},
         {"HTTP://LOCALHOST:8080", "localhost:8080", false}, // browsers send lower case
-        {"https://viewer.example", "viewer.example", true}, // TLS ends in the proxy
+        {"https://viewer.example", "viewer.example", true}, // the proxy terminates TLS
         {"https://lab.example.org", "localhost:8080", true},
         {"http://lab.example.org", "localhost:8080", false},
         {"http://localhost:9090", "localhost:8080", false},
@@ -135,7 +135,7 @@ TEST(Claim, OfTheOwnUserNeedsALocalNameAndNoProxy) {
         EXPECT_EQ(claim(request, "/rpc?token=wrong"), Claim::wrong_token);
         EXPECT_EQ(claim(request, "/rpc?token=0123456789abcdef"), Claim::token);
     }
-    rules.own_user_enters = false; // a token was given
+    rules.own_user_enters = false; // set when the operator passes a token
     EXPECT_EQ(claim(own), Claim::none);
 }
 

@@ -1,4 +1,4 @@
-// Who gets a place, and who goes first when there is none.
+// Admission of connections, and which one is closed when there is no place left.
 #include "gateway/connections.hpp"
 
 #include "logging/log_limiter.hpp"
@@ -14,7 +14,7 @@ class Places : public testing::Test {
 protected:
     using Ticket = std::shared_ptr<Connections::Ticket>;
 
-    // Numbers of those that were cut, in their order; connections are numbered from 0 as they are opened.
+    // Numbers of the closed connections, in order. Connections are numbered from 0 in the order of opening.
     std::vector<int> cut_;
 
     static constexpr std::size_t most = 8, reserved = 2, of_address = 3;
@@ -39,7 +39,7 @@ protected:
 TEST_F(Places, TheOldestThatIsIdleGoesFirst) {
     const auto busy = open_let_in();
     auto kept = open_let_in();
-    kept->end_request(); // waits for its next request
+    kept->end_request(); // the connection now waits for its next request
     const auto more = open_many(most - reserved);
     EXPECT_TRUE(cut_.empty());
     const auto last = open();

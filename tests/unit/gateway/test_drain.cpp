@@ -1,5 +1,5 @@
-// SIGTERM while a call is under way or a client does not read: what is waited for, and in which order clients are told.
-// Each test runs in a process of its own, for a server that gives up waiting ends the process with 0.
+// SIGTERM during a call or with a client that does not read: what the server waits for, and the order of messages. Each
+// test runs in a child process, because a server that stops waiting exits the process with 0.
 #include "hand_made.hpp"
 #include "support/small_dataset/small_dataset.hpp"
 
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 constexpr unsigned never = 100'000;
 constexpr int as_expected = 7;
 
-// Drawn to its end in software, this picture takes minutes.
+// Drawn completely in software, this picture takes minutes.
 const std::string heavy_picture =
     R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":1000,"height":1000,"scene":{"dataset":"box",)"
     R"("layers":{"lines":{"type":"edges","width":32,"opacity":0.3}}}}})";
@@ -45,7 +45,7 @@ public:
     std::optional<RunningServer> server;
 };
 
-// "text" for a text, "close 1001" for a close, "end".
+// Returns "text" for a text, "close 1001" for a close frame, "end" at the end of the connection.
 std::string next(HandMade& client, std::string* payload = nullptr) {
     auto [opcode, bytes] = client.receive_frame();
     if (payload != nullptr) *payload = bytes;
@@ -71,21 +71,21 @@ void idle_client_beside_a_slow_call() {
     busy->send_frame(text, heavy_picture);
     stopping.wait_until_drawing();
     Stopping::signal();
-    expect_order(*idle, {"text", "close 1001"}); // while the picture is being drawn
+    expect_order(*idle, {"text", "close 1001"}); // arrives while the picture is being drawn
     idle->send_frame(close_frame, "\x03\xE9");
     idle.reset();
-    busy.reset(); // which nobody waits for any more
+    busy.reset(); // closes the connection, so the picture has no receiver any more
     stopping.server->wait();
     std::_Exit(as_expected);
 }
 
 void client_of_a_slow_call() {
-    Stopping stopping(8); // the default's second is too short for a picture to be given up on a loaded machine
+    Stopping stopping(8); // the default of one second is too short on a loaded machine to abandon a picture
     std::optional<HandMade> busy(*stopping.server);
     busy->send_frame(text, heavy_picture);
     stopping.wait_until_drawing();
     Stopping::signal();
-    expect_order(*busy, {"text"}); // server.draining
+    expect_order(*busy, {"text"}); // the notification server.draining
     std::string last;
     for (std::string got; (got = next(*busy, &last)) != "close 1001";)
         if (got != "text" || last.find("about to stop") == std::string::npos) std::_Exit(1);
@@ -98,14 +98,14 @@ void client_that_does_not_read() {
     Stopping stopping(1);
     HandMade stuck(*stopping.server, 4096);
     const std::string discover = R"({"jsonrpc":"2.0","id":1,"method":"rpc.discover"})";
-    for (int i = 0; i < 150; ++i) stuck.send_frame(text, discover); // more than the system's buffers take
+    for (int i = 0; i < 150; ++i) stuck.send_frame(text, discover); // more than the socket buffers hold
     stopping.server.reset();
     std::_Exit(as_expected);
 }
 
-// Its answers fit into the system's buffers, so that the server writes its close, and waits for the client's.
+// The answers fit into the socket buffers, so the server sends its close frame and waits for the client's.
 void client_that_does_not_close() {
-    Stopping stopping(8); // as above
+    Stopping stopping(8); // one second is too short on a loaded machine to abandon a picture
     HandMade stuck(*stopping.server);
     stuck.send_frame(text, heavy_picture);
     stopping.wait_until_drawing();

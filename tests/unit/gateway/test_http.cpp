@@ -1,4 +1,4 @@
-// Requests and answers byte by byte, among them bytes that no well-behaved client sends.
+// HTTP requests and answers byte by byte, including malformed requests.
 #include "gateway/http_request.hpp"
 #include "running_server.hpp"
 
@@ -16,8 +16,8 @@ protected:
     static void SetUpTestSuite() { server_ = std::make_unique<RunningServer>(); }
     static void TearDownTestSuite() { server_.reset(); }
 
-    // Everything that comes back until the server closes. A client that sends and closes at once may have no owner left
-    // when the server looks, so the requests bring the token.
+    // Sends a request and returns everything until the server closes. Requests carry the token: the server may find no
+    // owner of a socket that the client has closed already.
     static std::string exchange(const std::string& request) {
         Socket socket(*server_);
         socket.send(request);
@@ -61,7 +61,7 @@ TEST_F(Http, AnswersByStatus) {
     const struct {
         const char* name;
         std::string request;
-        const char* answer; // how it begins; empty: closed without a word
+        const char* answer; // start of the answer; empty when the server closes without one
     } rows[]{
         {"alive", request("GET /healthz"), "HTTP/1.1 200"},
         {"below the prefix", request("GET /ciel/healthz"), "HTTP/1.1 200"},
@@ -152,7 +152,7 @@ TEST_F(Http, AnswersByStatus) {
 }
 
 TEST_F(Http, HeadHasTheHeaderOfGetAndNoBody) {
-    const auto without_own = [](std::string answer) { // what each request has of its own
+    const auto without_own = [](std::string answer) { // removes the fields that differ for each request
         for (const char* name : {"Date: ", "X-Request-Id: "}) {
             const auto field = answer.find(name);
             answer.erase(field, answer.find("\r\n", field) + 2 - field);
@@ -173,7 +173,7 @@ TEST_F(Http, ConnectionsAreKeptAndRequestsPipelined) {
                 testing::ElementsAre("200", "200", "404"));
 }
 
-// A request whose body has no end that both sides agree on must not hide another one.
+// When client and server may disagree on the end of a body, nothing after it may be read as a request.
 TEST_F(Http, NothingIsReadAfterABodyWithoutAnEnd) {
     const std::string hidden = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
     const std::string kept = "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
@@ -188,7 +188,7 @@ TEST_F(Http, AnswersAreDated) {
         EXPECT_THAT(exchange(asked),
                     testing::ContainsRegex("\r\nDate: [A-Z][a-z][a-z], [0-9][0-9] [A-Z][a-z][a-z] 20[0-9][0-9] "
                                            "[0-9][0-9]:[0-9][0-9]:[0-9][0-9] GMT\r\n"));
-    EXPECT_EQ(http_date(784'111'777), "Sun, 06 Nov 1994 08:49:37 GMT"); // the example of RFC 9110
+    EXPECT_EQ(http_date(784'111'777), "Sun, 06 Nov 1994 08:49:37 GMT"); // example of RFC 9110
 }
 
 TEST_F(Http, EveryAnswerForbidsFramingAndSniffing) {

@@ -1,5 +1,5 @@
-// The limits that sockets keep, each small enough to be reached. No test measures a time: a server that does not keep
-// its limit lets the client wait until the client's patience ends, and that fails.
+// Socket limits, each set small enough to be reached. No test measures time: when a server ignores its limit, the
+// client's receive timeout fails the test.
 #include "hand_made.hpp"
 
 #include <gmock/gmock.h>
@@ -11,10 +11,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// Seconds. The short time is long enough for a client that does what it should on a machine that is busy.
+// In seconds. `short_time` is long enough for a correct client on a busy machine.
 constexpr unsigned never = 100'000, short_time = 2;
 
-// What is not under test does not come in between.
+// Limits of time that no test reaches.
 limits::Limits patient() {
     limits::Limits limits;
     limits.head_seconds = limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = never;
@@ -32,20 +32,20 @@ const std::string half_a_body =
     "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 900000\r\n"
     "Expect: 100-continue\r\n\r\n{";
 
-const std::string go_on = "HTTP/1.1 100 Continue\r\n\r\n"; // what follows the header of half_a_body
+const std::string go_on = "HTTP/1.1 100 Continue\r\n\r\n"; // sent by the server after the header of half_a_body
 
 std::string post(const std::string& body) {
     return "POST /rpc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: " +
            std::to_string(body.size()) + "\r\n\r\n" + body;
 }
 
-// One byte after the other for as long as the server listens.
+// Sends the byte again and again until the server answers or closes.
 void trickle(Socket& socket, const std::string& byte) {
     while (!socket.is_answered())
         if (!socket.send(byte)) return;
 }
 
-// A WebSocket by hand. Clients mask with zeros, which leaves the payload as it is.
+// WebSocket client without a library. Its masking key is zero, so the payload is sent unchanged.
 class HandMade : public Socket {
 public:
     explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
@@ -55,12 +55,13 @@ public:
         const std::string head = receive_until("\r\n\r\n");
         EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
     }
-    bool send_frame(char opcode, const std::string& payload) { // of less than 126 bytes
+    // `payload` must be shorter than 126 bytes.
+    bool send_frame(char opcode, const std::string& payload) {
         return send(
             std::string{static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0} +
             payload);
     }
-    // A frame of less than 126 bytes; its opcode is -1 at the end of the connection.
+    // Opcode and payload of the next frame, shorter than 126 bytes; opcode -1 at the end of the connection.
     std::pair<int, std::string> receive_frame() {
         const std::string head = receive(2);
         if (head.size() < 2) return {-1, {}};
@@ -125,7 +126,7 @@ TEST(HeadSeconds, EndAHeadThatTricklesInAndAConnectionThatNeverBegins) {
     EXPECT_FALSE(body.is_answered()) << "a body has its own time";
 }
 
-// Idle and dripping connections keep nobody out.
+// Idle and slow connections are closed when new ones need their places.
 TEST(Connections, ThatSayNothingMakeRoomForNewOnes) {
     limits::Limits limits = patient();
     limits.connections = 4;
@@ -176,7 +177,7 @@ TEST(KeepAliveSeconds, DoNotShortenARequest) {
     const RunningServer server(limits);
     Socket silent(server), slow(server);
     slow.send(half_a_header);
-    EXPECT_EQ(silent.receive_all(), ""); // so the time is over
+    EXPECT_EQ(silent.receive_all(), ""); // the time limit has passed
     slow.send("host\r\n\r\n");
     EXPECT_THAT(slow.receive(13), "HTTP/1.1 200 ");
 }
@@ -193,10 +194,11 @@ TEST(WebsocketIdleSeconds, EndAConnectionWithoutASignOfLife) {
 
 TEST(WebsocketIdleSeconds, PongsAreASignOfLifeEnough) {
     limits::Limits limits;
-    limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = short_time; // of HTTP: no more
+    // The HTTP limits do not apply to WebSockets.
+    limits.keep_alive_seconds = limits.request_seconds = limits.websocket_idle_seconds = short_time;
     const RunningServer server(limits);
     HandMade alive(server);
-    for (int beats = 0; beats < 4; ++beats) { // one each half of the time
+    for (int beats = 0; beats < 4; ++beats) { // the server sends a ping after each half of the idle time
         const auto [opcode, payload] = alive.receive_frame();
         ASSERT_EQ(opcode, ping) << "after " << beats;
         alive.send_frame(pong, payload);
@@ -222,7 +224,7 @@ TEST(DrainSeconds, EndTheProcessThoughARequestIsUnderWay) {
         busy.send(half_a_body);
         EXPECT_EQ(busy.receive(go_on.size()), go_on);
         server.reset();
-        std::_Exit(1); // it has waited for the request
+        std::_Exit(1); // reached only if the server waits for the request
     };
     EXPECT_EXIT(drain_with_a_request_under_way(), testing::ExitedWithCode(0), "");
 }

@@ -31,7 +31,7 @@ FrameBytes batch(std::uint32_t view, std::uint32_t frame, bool first, bool last)
                    static_cast<std::uint16_t>((first ? wire::first_of_frame : 0) | (last ? wire::last_of_frame : 0)));
 }
 
-// As it is on the wire.
+// The bytes as they are sent.
 std::vector<std::uint8_t> bytes_of(const Outbox::Message& message) {
     std::vector<std::uint8_t> bytes(message.header.begin(), message.header.end());
     bytes.insert(bytes.end(), message.payload.begin(), message.payload.end());
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> bytes_of(const Outbox::Message& message) {
 
 wire::FrameHeader header_of(const Outbox::Message& message) { return wire::read_frame_header(bytes_of(message)); }
 
-// "text" for texts, "view.frame" for frames, in the order they would be sent.
+// Empties the outbox. Returns "text" or "view.frame" for each message, in order of sending.
 std::vector<std::string> drained(Outbox& outbox) {
     std::vector<std::string> out;
     while (const auto next = outbox.pop()) {
@@ -84,7 +84,7 @@ TEST(Outbox, OfEachViewOnlyTheNewestFrameWaits) {
 TEST(Outbox, ReplacesWholeFramesOfBatches) {
     Outbox outbox(2000, memory, [] {});
     outbox.push_frame(batch(1, 1, true, false));
-    EXPECT_TRUE(outbox.pop()); // on its way when the next frame is made
+    EXPECT_TRUE(outbox.pop()); // this frame is being sent when the next one is made
     outbox.push_frame(batch(1, 1, false, false));
     outbox.push_frame(batch(1, 1, false, true));
     outbox.push_frame(batch(2, 7, true, true));
@@ -155,7 +155,7 @@ TEST(Outbox, TheRestOfAFrameGivesWayToANewerOne) {
 
 TEST(Outbox, OverflowsWhenAnswersAreNotRead) {
     Outbox outbox(20, memory, [] {});
-    outbox.push_text(std::string(100, 'x')); // one answer may be large
+    outbox.push_text(std::string(100, 'x')); // a single answer may exceed the limit
     EXPECT_FALSE(outbox.overflowed());
     outbox.push_frame(image(1, 1));
     outbox.push_text("y");

@@ -1,4 +1,4 @@
-// Rows as Linux 5.10 to 6.12 write them in /proc/net/tcp and tcp6 on a little-endian machine.
+// Parses rows of /proc/net/tcp and tcp6 as Linux 5.10 to 6.12 write them on a little-endian machine.
 #include "gateway/peer_owner.hpp"
 
 #include <bit>
@@ -67,8 +67,8 @@ TEST(Owner, IsTheUserOfAnEstablishedSocket) {
         EXPECT_FALSE(lists(row(client, server, state, "1000", "42"), 1000)) << state;
 }
 
-// A socket that its process has closed belongs to user 0 and inode 0, whoever it was; a server of root must not take it
-// for its own.
+// Linux lists a closed socket with user 0 and inode 0, whoever owned it. A server run by root must not take it for its
+// own.
 TEST(Owner, IsNobodyWhenTheProcessHasClosed) {
     EXPECT_FALSE(lists(row(client, server, "01", "0", "0"), 0));
     EXPECT_FALSE(lists(row(client, server, "06", "0", "0"), 0)) << "TIME_WAIT";
@@ -82,7 +82,7 @@ TEST(Owner, OfAReusedPortIsTheOneThatIsConnected) {
     EXPECT_FALSE(lists(stale + row(client, server, "01", "1001", "42"), 0));
 }
 
-// What a user namespace shows of everybody outside.
+// 65534 stands for every user outside the user namespace.
 TEST(Owner, IsNeverTheOverflowUser) { EXPECT_FALSE(lists(row(client, server, "01", "65534", "42"), 65534)); }
 
 class OwnSocketsTest : public testing::Test {
@@ -98,7 +98,7 @@ protected:
     const std::string held = row(client, server, "01", std::to_string(::geteuid()).c_str(), "42");
 };
 
-// Each reading takes milliseconds: a flood of connections is not to make everybody else wait for one each.
+// Reading the tables takes milliseconds. Many connections share one reading that started after they asked.
 TEST_F(OwnSocketsTest, AreReadOnceForAllWhoAskedBefore) {
     rows = held;
     const auto asked = OwnSockets::Clock::now();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// secret.txt beside a client's folder that holds links to it.
+// secret.txt lies outside the client's folder, which contains symbolic links to it.
 class Static : public testing::Test {
 protected:
     void SetUp() override {
@@ -61,7 +61,7 @@ TEST_F(Static, FilesAreFoundWithTheirTypes) {
     } rows[]{
         {"/", "text/html; charset=utf-8", false},
         {"/index.html", "text/html; charset=utf-8", false},
-        {"/start.html", "text/html; charset=utf-8", false}, // a link that stays inside
+        {"/start.html", "text/html; charset=utf-8", false}, // symbolic link to a file inside the folder
         {"/assets/index-1a2B3c4D.js", "text/javascript; charset=utf-8", true},
         {"/assets/plain.css", "text/css; charset=utf-8", false},
     };

@@ -52,7 +52,7 @@ TEST(Target, MalformedTargetsAreNothing) {
 TEST(Target, QueriesAreSplitAndDecoded) {
     const auto target = parse_target("/x?token=a%2Bb&empty=&flag&=nameless&token=second");
     ASSERT_TRUE(target);
-    EXPECT_EQ(target->query.at("token"), "a+b"); // the first one counts
+    EXPECT_EQ(target->query.at("token"), "a+b"); // the first of two `token` parameters counts
     EXPECT_EQ(target->query.at("empty"), "");
     EXPECT_EQ(target->query.at("flag"), "");
     EXPECT_EQ(target->query.count("second"), 0U);

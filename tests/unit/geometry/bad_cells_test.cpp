@@ -147,7 +147,7 @@ TEST_F(bad_cells, that_are_all_there_is_say_why_nothing_is_seen) {
                               json{{"type", "volume"}, {"array", "p"}, {"slices", 5}}}) {
         const auto shown = show("burst", {{"a", layer}});
         ASSERT_EQ(shown->empty.size(), 1U) << layer;
-        EXPECT_EQ(shown->empty[0].reason, "No cell that it would show has a number for its array at this time.")
+        EXPECT_EQ(shown->empty[0].reason, "No cell of the layer has a number for the array of the layer at this time.")
             << layer;
     }
 }

@@ -147,7 +147,7 @@ TEST_F(cells, a_threshold_shows_the_boundary_of_the_cells_kept) {
     layer["threshold"] = {{"array", "late"}, {"range", {0, 1}}};
     const auto lacking = show({{"s", layer}});
     EXPECT_TRUE(lacking->drawables.empty());
-    EXPECT_THAT(lacking->lacking.at(0), testing::StartsWith("layer s is not shown: 'late' was not written"));
+    EXPECT_THAT(lacking->lacking.at(0), testing::StartsWith("layer s is not shown: 'late' has no values at time 0"));
 }
 
 TEST_F(cells, a_threshold_by_an_array_of_the_cells_asks_no_vertices) {

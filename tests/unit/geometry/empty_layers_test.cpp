@@ -63,18 +63,18 @@ TEST_F(EmptyLayers, AreNamedWithTheReasonAndHaveNoLegend) {
     const json slice = colored({{"type", "slice"}, {"axis", "z"}, {"value", 7}});
     const json iso = colored({{"type", "iso"}, {"array", "p"}, {"values", {100}}});
     const std::vector<Row> rows{
-        {slice, Why::outside, "Its plane lies beside the data."},
+        {slice, Why::outside, "The plane does not cut the data."},
         {iso, Why::outside, "100 is outside the range: p goes from 0 to 36 at this time."},
         {with(iso, "values", {-1, 99}), Why::outside,
-         "Its values are outside the range: p goes from 0 to 36 at this time."},
+         "The iso-values are outside the range: p goes from 0 to 36 at this time."},
         {with(surface, "threshold", threshold(50, 60)), Why::threshold,
-         "Its threshold from 50 to 60 keeps no cell: p goes from 0 to 36 at this time."},
+         "The threshold from 50 to 60 keeps no cell: p goes from 0 to 36 at this time."},
         {with(colored({{"type", "edges"}}), "threshold", threshold(50, 60)), Why::threshold,
-         "Its threshold from 50 to 60 keeps no cell: p goes from 0 to 36 at this time."},
-        {colored({{"type", "edges"}, {"angle", 170}}), Why::nothing, "There is nothing of its kind in the data."},
-        {with(surface, "opacity", 0), Why::opacity, "Its opacity is 0."},
-        {with(volume, "opacity", 0), Why::opacity, "Its opacity is 0."},
-        {with(volume, "opacity_points", json::parse("[[0, 0], [1, 0]]")), Why::opacity, "Its opacity is 0."},
+         "The threshold from 50 to 60 keeps no cell: p goes from 0 to 36 at this time."},
+        {colored({{"type", "edges"}, {"angle", 170}}), Why::nothing, "The data has no geometry of the layer's type."},
+        {with(surface, "opacity", 0), Why::opacity, "The opacity is 0."},
+        {with(volume, "opacity", 0), Why::opacity, "The opacity is 0."},
+        {with(volume, "opacity_points", json::parse("[[0, 0], [1, 0]]")), Why::opacity, "The opacity is 0."},
     };
     for (const Row& row : rows) {
         const Geometry& now = show({{"a", row.layer}});
@@ -90,7 +90,7 @@ TEST_F(EmptyLayers, AreNamedWithTheReasonAndHaveNoLegend) {
 TEST_F(EmptyLayers, AnIsoSurfaceWithoutAValueIsOne) {
     const Geometry& now = show({{"a", {{"type", "iso"}, {"array", "p"}, {"values", json::array()}}}});
     ASSERT_EQ(now.empty.size(), 1U);
-    EXPECT_EQ(now.empty[0].reason, "It has no value.");
+    EXPECT_EQ(now.empty[0].reason, "The layer has no iso-value.");
 }
 
 TEST_F(EmptyLayers, WhatIsSeenIsNot) {
@@ -111,7 +111,7 @@ TEST_F(EmptyLayers, AreThoseThatPlanesCutAwayWhole) {
         const Geometry& now = show({{"a", layer}, {"c", clip("x", -0.5)}});
         ASSERT_EQ(now.empty.size(), 1U) << layer;
         EXPECT_EQ(now.empty[0].why, Why::clipped);
-        EXPECT_EQ(now.empty[0].reason, "All of it is clipped away.");
+        EXPECT_EQ(now.empty[0].reason, "The clip planes cut away the whole layer.");
         EXPECT_EQ(legends(), 0U);
     }
     // No vertex of the lattice is between these planes, but parts of cells are; and of the opposite ones nothing is.
@@ -137,7 +137,7 @@ TEST_F(EmptyLayers, AreAllWherePlanesLeaveNoMoreThanASheet) {
             layers["a"] = layer;
             const Geometry& now = show(layers);
             ASSERT_EQ(now.empty.size(), 1U) << layers;
-            EXPECT_EQ(now.empty[0].reason, "All of it is clipped away.");
+            EXPECT_EQ(now.empty[0].reason, "The clip planes cut away the whole layer.");
         }
     EXPECT_TRUE(show({{"a", surface}, {"c", clip("x", 2.301)}, {"d", clip("x", 2.3, true)}}).empty.empty());
 }
@@ -146,7 +146,7 @@ TEST_F(EmptyLayers, AreThoseWhoseArrayWasNotWritten) {
     const Geometry& now = show({{"a", {{"type", "iso"}, {"array", "late"}, {"values", {1}}}}});
     ASSERT_EQ(now.empty.size(), 1U);
     EXPECT_EQ(now.empty[0].why, Why::missing);
-    EXPECT_THAT(now.empty[0].reason, testing::HasSubstr("was not written at time 0"));
+    EXPECT_THAT(now.empty[0].reason, testing::HasSubstr("has no values at time 0"));
 }
 
 } // namespace

@@ -127,8 +127,8 @@ TEST_F(flat_values, say_why_contour_lines_have_none) {
         ADD_FAILURE() << "was accepted";
     } catch (const scene::Invalid& error) {
         EXPECT_EQ(error.path, "/layers/a/contours/array");
-        EXPECT_THAT(error.what(), testing::HasSubstr("cell:q has a value per cell, and there are no contour lines on "
-                                                     "flat values; choose an array on points"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("cell:q has a value per cell, and contour lines are made from "
+                                                     "values at points; choose an array on points"));
     }
 }
 

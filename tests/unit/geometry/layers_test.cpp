@@ -147,7 +147,7 @@ TEST_F(layers, contour_lines_of_an_array_that_was_not_written_are_lacking) {
     const auto shown = show({{"a", layer}});
     EXPECT_EQ(shown->drawables.size(), 1U);
     ASSERT_EQ(shown->lacking.size(), 1U);
-    EXPECT_EQ(shown->lacking[0], "layer a has no contour lines: 'late' was not written at time 0; it was at 2");
+    EXPECT_EQ(shown->lacking[0], "layer a has no contour lines: 'late' has no values at time 0; it has values at 2");
 }
 
 TEST_F(layers, names_in_layers_are_checked_with_their_path) {

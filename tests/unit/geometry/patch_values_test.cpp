@@ -97,13 +97,12 @@ TEST_F(patch_values, are_none_inside_so_that_caps_have_those_of_points) {
 
 TEST_F(patch_values, are_refused_in_words_elsewhere) {
     const json slice{{"type", "slice"}, {"axis", "x"}, {"value", 1.5}, {"color", by_patches}};
-    EXPECT_THAT(refusal(slice),
-                HasSubstr("patch:p has values on the faces of patches alone, which color surface layers "
-                          "and nothing else; choose an array on points"));
+    EXPECT_THAT(refusal(slice), HasSubstr("patch:p has values only on the faces of patches, which can color surface "
+                                          "layers only; choose an array on points"));
     const json iso{{"type", "iso"}, {"array", "patch:p"}, {"values", {1}}};
-    EXPECT_THAT(refusal(iso), HasSubstr("faces of patches alone"));
+    EXPECT_THAT(refusal(iso), HasSubstr("only on the faces of patches"));
     const json chosen{{"type", "surface"}, {"threshold", {{"array", "patch:p"}, {"range", {0, 1}}}}};
-    EXPECT_THAT(refusal(chosen), HasSubstr("faces of patches alone"));
+    EXPECT_THAT(refusal(chosen), HasSubstr("only on the faces of patches"));
 }
 
 } // namespace

@@ -54,10 +54,10 @@ TEST(PrintableNames, AreInWholeSentences) {
     EXPECT_EQ(refused("a", {{"type", "surface"}, {"groups", {name}}}),
               "there is no patch " + shown + "; there are left, body");
     EXPECT_TRUE(refused("a", {{"type", "surface"}, {name, 1}})
-                    .starts_with("/layers/a/" + shown + " is not known here; there are "));
+                    .starts_with("/layers/a/" + shown + " is not a known member; the known members are "));
     EXPECT_EQ(refused(name, {{"type", "surface"}, {"opacity", 7}}), "/layers/" + shown + "/opacity must be at most 1");
     const auto late = lacking_in_scene_of(name, loaded);
-    EXPECT_EQ(late, "layer " + shown + " has no colors: 'late' was not written at time 0; it was at 2");
+    EXPECT_EQ(late, "layer " + shown + " has no colors: 'late' has no values at time 0; it has values at 2");
     try {
         (void)catalog.open(name);
         FAIL() << "there is no such dataset";

@@ -39,8 +39,8 @@ json slice(const json& contours) {
 
 TEST_F(SceneRemarks, SayThatNoContourLineIsThere) {
     EXPECT_EQ(on(slice({{"array", "p"}, {"values", {-3, 99}}})),
-              (Remarks{"layer a has no contour lines: p has none of their values on it, and goes from 0 to 36 in all "
-                       "of the data at this time"}));
+              (Remarks{"layer a has no contour lines: p takes none of the values of the lines on the layer; the data "
+                       "goes from 0 to 36 at this time"}));
     EXPECT_EQ(on(slice({{"array", "p"}, {"count", 5}, {"range", {40, 50}}})).size(), 1U);
     EXPECT_EQ(on(slice({{"array", "p"}, {"values", {-3, 9}}})), Remarks{}) << "some are";
     EXPECT_EQ(on(slice({{"array", "p"}, {"values", {99}}, {"visible", false}})), Remarks{});
@@ -58,8 +58,8 @@ TEST_F(SceneRemarks, SayWhichStepIsShownInsteadOfTheOneAskedFor) {
 
 TEST_F(SceneRemarks, SayThatAnOutlineHasNoColorsOfAnArray) {
     EXPECT_EQ(on({{"type", "outline"}, {"color", {{"array", "p"}}}}),
-              (Remarks{"layer a has no colors of p: an outline is a box without values; leave its color.array out, or "
-                       "color another layer by it"}));
+              (Remarks{"layer a has no colors of p: an outline is a box without values; leave color.array out of the "
+                       "layer, or color another layer by the array"}));
     EXPECT_EQ(on({{"type", "outline"}, {"color", {{"solid", "#ff0000"}}}}), Remarks{});
 }
 

@@ -119,8 +119,8 @@ TEST_P(scene_geometry, an_array_without_a_logarithm_is_said_to_have_no_colors) {
     layer["color"] = {{"array", "U:z"}, {"log", true}}; // from -6 to 0
     const auto shown = show(scene_of({{"s", layer}}));
     ASSERT_EQ(shown->lacking.size(), 1U);
-    EXPECT_EQ(shown->lacking[0], "layer s has no colors: U:z has no value above zero at this time, and only those have "
-                                 "a place on a logarithmic scale; choose a linear one");
+    EXPECT_EQ(shown->lacking[0],
+              "layer s has no colors: U:z has no value above zero at this time; choose a linear scale");
     EXPECT_EQ(shown->drawables.size(), 1U) << "it is shown all the same";
 }
 
@@ -216,8 +216,8 @@ TEST_P(scene_geometry, an_array_that_was_not_written_is_lacking_and_never_zeros)
     EXPECT_EQ(at_0->drawables[1].scalars, nullptr);
     EXPECT_EQ(at_0->drawables[1].array, "");
     ASSERT_EQ(at_0->lacking.size(), 2U);
-    EXPECT_EQ(at_0->lacking[0], "layer i is not shown: 'late' was not written at time 0; it was at 2");
-    EXPECT_EQ(at_0->lacking[1], "layer s has no colors: 'late' was not written at time 0; it was at 2");
+    EXPECT_EQ(at_0->lacking[0], "layer i is not shown: 'late' has no values at time 0; it has values at 2");
+    EXPECT_EQ(at_0->lacking[1], "layer s has no colors: 'late' has no values at time 0; it has values at 2");
     EXPECT_THROW(require_complete(*at_0), store::NotWritten);
     document["time"] = 2;
     const auto at_2 = show(document);

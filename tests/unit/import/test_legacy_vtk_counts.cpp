@@ -7,7 +7,7 @@
 namespace ciel::importer {
 namespace {
 
-// The sentence of the refusal; empty when there is none. `size`: of the file, the length of the content by default.
+// Returns the message of the refusal, or an empty string. `size`: file size in bytes; 0 for the length of the content.
 std::string refusal(const std::string& content, std::uint64_t size = 0) {
     std::istringstream file(content);
     try {

@@ -1,4 +1,4 @@
-// The values of a legacy VTK file that are no numbers: which words stand for them, and where they are left alone.
+// NaN and infinity in legacy VTK files: the words that are replaced, and where they are left unchanged.
 #include "import/parsers/legacy_vtk_numbers.hpp"
 
 #include <gtest/gtest.h>

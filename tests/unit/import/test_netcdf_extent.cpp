@@ -1,5 +1,5 @@
-// How long a netCDF file is by its header: closed forms, and headers that lie. tests/python/test_import_exodus.py holds
-// files of the netCDF library against it.
+// The file size that a netCDF header implies: closed forms, and wrong headers. tests/python/test_import_exodus.py
+// compares with files of the netCDF library.
 #include "import/parsers/netcdf_extent.hpp"
 
 #include "ciel/types.hpp"
@@ -17,7 +17,8 @@ std::string number(std::uint64_t value, int bytes = 4) {
     return text;
 }
 
-// A dimension of 3, one of records, variables a(3) doubles at 200 and b(record, 3) floats at 400, two records.
+// Header of a file with a dimension x of 3, a record dimension t, doubles a(x) at byte 200, floats b(t, x) at byte 400,
+// and two records.
 std::string header(std::uint64_t records = 2, std::uint32_t length = 3, std::uint32_t type_of_a = 6) {
     const std::string x = number(1) + std::string("x\0\0\0", 4), t = number(1) + std::string("t\0\0\0", 4);
     const std::string no_list = number(0) + number(0);

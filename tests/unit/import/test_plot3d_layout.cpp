@@ -16,7 +16,7 @@ std::vector<std::byte> words(std::initializer_list<std::uint32_t> values, bool b
     return bytes;
 }
 
-// The sizes of the NASA files, which say nothing about themselves.
+// Uses the sizes of NASA's sample files. Plot3D files do not state their own layout.
 TEST(Plot3dLayout, finds_the_nasa_files) {
     const auto fin = plot3d_binary_layouts(words({40, 32, 32}, true), 491'532, Plot3dKind::grid);
     ASSERT_EQ(fin.size(), 1U);

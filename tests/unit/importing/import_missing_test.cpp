@@ -1,4 +1,4 @@
-// With the real ciel-import: what is imported, when it is imported again, and what stays of a failure.
+// Runs the real ciel-import: which inputs are imported, when they are imported again, and what remains after a failure.
 #include "ciel/types.hpp"
 #include "importing/import_missing.hpp"
 #include "store/dataset.hpp"
@@ -29,7 +29,7 @@ protected:
                      "SPACING 1 1 1\nPOINT_DATA 8\nSCALARS p float 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n");
     }
 
-    // One hexahedron, in OpenFOAM's words, with a field at the times 1 and 2.
+    // An OpenFOAM case of one hexahedron with a field at the times 1 and 2.
     fs::path write_case(const fs::path& name) const {
         const auto header = [](const std::string& kind, const std::string& object) {
             return "FoamFile\n{\n version 2.0;\n format ascii;\n class " + kind + ";\n object " + object + ";\n}\n";
@@ -53,7 +53,7 @@ protected:
         return root_ / name;
     }
 
-    // All inputs as old as what has been lying there for a day.
+    // Sets the modification time of all inputs to yesterday.
     void age() const {
         const auto yesterday = fs::file_time_type::clock::now() - hours(24);
         for (auto entry = fs::recursive_directory_iterator(root_.path()); entry != fs::recursive_directory_iterator();
@@ -81,11 +81,11 @@ protected:
         return paths;
     }
 
-    [[nodiscard]] bool imported() const { return !lines_.empty(); } // by the last call of serve()
+    [[nodiscard]] bool imported() const { return !lines_.empty(); } // true when the last serve() imported something
 
     const test::Folder root_;
     std::vector<std::string> lines_;
-    std::string problem_; // by the last call of serve(); empty when all could be imported
+    std::string problem_; // message of the last serve(); empty when all inputs were imported
     std::atomic<bool> cancel_{false};
 };
 
@@ -206,7 +206,8 @@ TEST_F(ImportMissing, nothing_is_appended_to_a_copy_that_will_be_replaced) {
                     ::testing::AllOf(::testing::HasSubstr(file.string()), ::testing::HasSubstr("ciel import")));
     }
     for (const auto& entry : fs::directory_iterator(served.parent_path()))
-        if (entry.path() != served) fs::remove(entry.path()); // as a version left it that did not know
+        // Leaves the cache as a version without these additional files wrote it.
+        if (entry.path() != served) fs::remove(entry.path());
     ASSERT_EQ(serve({file})[0], served);
     EXPECT_FALSE(imported());
     EXPECT_THROW((void)Writer::append(served), Error);

@@ -1,4 +1,4 @@
-// The table of limits: names, values as text, shares of the machine's memory.
+// The table of limits: names, values as text, and defaults that depend on the machine's memory.
 #include "limits/limits.hpp"
 
 #include "ciel/types.hpp"

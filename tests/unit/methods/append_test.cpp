@@ -1,4 +1,4 @@
-// Steps that a client pushes: what is refused before a piece is taken, pieces by text and by message, commits.
+// Uploaded time steps: refusals before the first piece, pieces in JSON and in binary messages, commits.
 #include "service.hpp"
 
 #include "engine/uploads.hpp"
@@ -47,7 +47,7 @@ protected:
     static json piece(const json& upload, std::size_t array, std::size_t offset, std::span<const std::uint8_t> bytes) {
         return {{"upload", upload["upload"]}, {"array", array}, {"offset", offset}, {"data", methods::base64(bytes)}};
     }
-    // Every array of the upload, as pieces of a thousand bytes.
+    // Sends every array of the upload in pieces of 1000 bytes.
     void fill(const json& upload, float value) {
         for (std::size_t i = 0; i < upload["arrays"].size(); ++i) {
             const Bytes bytes = bytes_of(upload["arrays"][i], value);
@@ -98,7 +98,7 @@ TEST_F(Append, only_where_it_is_allowed_and_with_the_token) {
     const std::map<std::string, json> calls{
         {"append.begin", wanted}, {"append.piece", piece}, {"append.commit", id}, {"append.cancel", id}};
     for (const auto& [method, params] : calls) EXPECT_EQ(stranger.error_code(method, params), not_allowed) << method;
-    EXPECT_EQ(stranger.send_bytes(Bytes(40)), "send JSON-RPC as text");
+    EXPECT_EQ(stranger.send_bytes(Bytes(40)), "this connection may not send binary messages; send JSON-RPC as text");
 
     engine::ServerOptions off = options({});
     off.allow_append = false;
@@ -133,7 +133,7 @@ TEST_F(Append, malformed_uploads_are_refused_before_a_piece_is_taken) {
         {with("arrays", {{{"name", "p"}, {"components", 3}}}), failed, "'p' has 1 components, not 3"},
         {with("arrays", {{{"name", "new"}, {"components", 65}}}), invalid_params, "components"},
         {with("arrays", {{{"name", "a/b"}}}), failed, "holds a '/'"},
-        {with("arrays", {{{"name", "cell:.."}}}), failed, "stands for a folder"},
+        {with("arrays", {{{"name", "cell:.."}}}), failed, "is . or .."},
         {with("arrays", {{{"name", "x "}}}), failed, "begins or ends with a space"},
         {with("arrays", {{{"name", "a\nb"}}}), failed, "control character"},
         {with("arrays", {{{"name", ""}}}), invalid_params, "name"},
@@ -171,7 +171,7 @@ TEST_F(Append, malformed_pieces_are_refused_and_change_nothing) {
                 HasSubstr("has 8 of " + std::to_string(size) + " bytes"));
 }
 
-// protocol/frame.md
+// A binary upload message (protocol/frame.md).
 Bytes message(const json& upload, std::uint32_t array, std::uint64_t offset, std::span<const std::uint8_t> bytes) {
     Bytes made{'C', 'I', 'E', 'L', 1, 16, 0, 0};
     const wire::UploadId id = engine::upload_id(upload["upload"]);
@@ -249,7 +249,8 @@ TEST_F(Append, an_upload_is_forgotten_when_it_is_cancelled_or_silent) {
     EXPECT_GT(server_.uploads().bytes(), 0U);
     server_.tidy(now + std::chrono::seconds(61));
     EXPECT_EQ(server_.uploads().count(), 0U);
-    EXPECT_THAT(refusal("append.piece", piece(silent, 0, 0, Bytes(4)), not_found), HasSubstr("silent for 60 s"));
+    EXPECT_THAT(refusal("append.piece", piece(silent, 0, 0, Bytes(4)), not_found),
+                HasSubstr("without a piece for 60 s"));
 }
 
 class AppendLimits : public Append {
@@ -272,7 +273,7 @@ TEST_F(AppendLimits, have_sentences) {
     EXPECT_THAT(refusal("append.piece", piece(upload, 0, 0, Bytes(101)), limit), HasSubstr("100 bytes"));
     (void)begin(4);
     const json third{{"dataset", "box"}, {"time", 5}, {"arrays", {{{"name", "p"}}}}};
-    EXPECT_THAT(refusal("append.begin", third, limit), HasSubstr("2 uploads already"));
+    EXPECT_THAT(refusal("append.begin", third, limit), HasSubstr("2 uploads are open already"));
     client_.call("append.cancel", only(upload));
     EXPECT_NO_THROW((void)begin(5));
 }

@@ -1,4 +1,4 @@
-// The contract's examples: their values are what the schemas say, and the server takes them.
+// The contract's examples conform to their schemas, and the server accepts them.
 #include "service.hpp"
 
 #include "engine/uploads.hpp"
@@ -21,7 +21,7 @@ protected:
         made.allow_append = true;
         return made;
     }
-    // Ids are the server's to give: those of the examples give way to ones that it knows.
+    // Replaces session, view and upload ids of an example by ids that this server has issued.
     json with_ids(json params) {
         if (params.contains("session"))
             params["session"] = client.call("session.open", {{"dataset", "box"}})["session"];

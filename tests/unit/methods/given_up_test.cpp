@@ -1,4 +1,4 @@
-// Pictures that take long: nobody waits for one that is not wanted any more, nor for another's still.
+// Slow pictures: unwanted ones are abandoned, and no client waits for another client's still.
 #include "service.hpp"
 
 #include <gmock/gmock.h>
@@ -11,11 +11,11 @@ using namespace std::chrono_literals;
 using engine::Clock;
 using testing::HasSubstr;
 
-// Drawn to its end in software, a picture of the heavy scene takes minutes.
+// Drawn completely in software, a picture of the heavy scene takes minutes.
 constexpr auto soon = 20s;
 constexpr int large = 1500;
 
-// Wide lines to see through: layers over layers, each of all of them.
+// Wide transparent lines: many layers to peel, each drawing all lines.
 json heavy_scene() {
     return {{"dataset", "box"}, {"layers", {{"lines", {{"type", "edges"}, {"width", 32}, {"opacity", 0.3}}}}}};
 }
@@ -37,7 +37,7 @@ protected:
                     "view.open",
                     {{"session", session}, {"width", size}, {"height", size}, {"pixel_ratio", pixel_ratio}})["view"]};
     }
-    // Its first picture is shown, and its still, which takes long, is being drawn.
+    // Opens a view and returns when its first frame is acknowledged and its slow still is being drawn.
     Opened open_with_still_under_way(Client& client, int size = large, double pixel_ratio = 2) {
         Opened opened = open(client, heavy_scene(), size, pixel_ratio);
         client.acknowledge(client.next_frame());

@@ -1,4 +1,4 @@
-// JSON-RPC 2.0: the specification's own examples, and a table of malformed messages.
+// JSON-RPC 2.0: the examples of the specification, and a table of malformed messages.
 #include "service.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ protected:
     Client client{server, false};
 };
 
-// Without `data`, which the specification leaves to the server.
+// Removes `data` from errors, whose content the specification leaves to the server.
 json without_data(json answer) {
     for (json* one : answer.is_array() ? [&] {
              std::vector<json*> all;
@@ -25,11 +25,11 @@ json without_data(json answer) {
 }
 
 struct Row {
-    const char *name, *text, *answer; // an empty answer: nothing is sent back
+    const char *name, *text, *answer; // an empty answer means that nothing is sent back
 };
 
 constexpr Row table[] = {
-    // https://www.jsonrpc.org/specification, section 7, as far as it does not need "subtract"
+    // https://www.jsonrpc.org/specification, section 7, without the examples that need a method "subtract".
     {"non-existent method", R"({"jsonrpc": "2.0", "method": "foobar", "id": "1"})",
      R"({"jsonrpc": "2.0", "error": {"code": -32601, "message": "Method not found"}, "id": "1"})"},
     {"invalid JSON", R"({"jsonrpc": "2.0", "method": "foobar, "params": "bar", "baz])",
@@ -58,7 +58,7 @@ constexpr Row table[] = {
     {"batch of notifications",
      R"([{"jsonrpc": "2.0", "method": "notify_sum", "params": [1,2,4]}, {"jsonrpc": "2.0", "method": "dataset.list"}])",
      ""},
-    // our own
+    // Cases that are not in the specification.
     {"a notification is not answered", R"({"jsonrpc": "2.0", "method": "dataset.list"})", ""},
     {"nor one that fails", R"({"jsonrpc": "2.0", "method": "dataset.describe", "params": {"dataset": 7}})", ""},
     {"id null is a request", R"({"jsonrpc": "2.0", "method": "foo", "id": null})",
@@ -165,7 +165,8 @@ TEST_F(JsonRpc, a_number_too_large_is_called_that) {
 TEST_F(JsonRpc, a_member_that_stands_twice_is_named) {
     const json answer = json::parse(client.send(R"({"jsonrpc": "2.0", "method": "scene.patch", "id": 1, "params": {
         "session": "s", "patch": {"layers": {"a": {"opacity": 1}, "b": {"opacity": 1}, "a": null}}}})"));
-    EXPECT_EQ(answer["error"]["data"]["reason"], "\"a\" stands twice in the same object; leave out one of them");
+    EXPECT_EQ(answer["error"]["data"]["reason"],
+              "\"a\" occurs twice in the same object; remove one of the two members");
 }
 
 struct Params {
@@ -174,8 +175,8 @@ struct Params {
 constexpr Params bad_params[] = {
     {"missing", "dataset.describe", R"({})", "/dataset", "/dataset is missing"},
     {"missing by position", "dataset.describe", R"([])", "/dataset", "/dataset is missing"},
-    {"too many", "dataset.describe", R"(["box", 1])", "/1", "there are 2 params; the method has 1"},
-    {"unknown", "dataset.list", R"({"x": 1})", "/x", "/x is not known here"},
+    {"too many", "dataset.describe", R"(["box", 1])", "/1", "the call has 2 params; the method has at most 1"},
+    {"unknown", "dataset.list", R"({"x": 1})", "/x", "/x is not a known member"},
     {"type", "dataset.describe", R"({"dataset": 1})", "/dataset", "/dataset must be a string"},
     {"type by position", "dataset.describe", R"([null])", "/dataset", "/dataset must be a string"},
     {"pattern", "scene.get", R"({"session": "../etc"})", "/session",
@@ -188,7 +189,7 @@ constexpr Params bad_params[] = {
     {"deep", "picture.render",
      R"({"scene": {"dataset": "box", "layers": {"a": {"type": "iso", "array": "p", "values": "5"}}}})",
      "/scene/layers/a/values", "/scene/layers/a/values must be an array"},
-    {"either or", "picture.render", R"({})", "/session", "give a session, or a scene"},
+    {"either or", "picture.render", R"({})", "/session", "give a session or a scene"},
     {"point or pixel", "probe.point", R"({"session": "s"})", "/position", "give either a position or a pixel"},
 };
 

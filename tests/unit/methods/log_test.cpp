@@ -1,4 +1,4 @@
-// What the operator is told of calls, sessions and drawing, and how it is found again from what the client saw.
+// Log lines about calls, sessions and drawing, and the ids that relate them to a client's answers.
 #include "logging/log.hpp"
 #include "service.hpp"
 
@@ -23,12 +23,12 @@ protected:
         if (capturing) (void)end();
         logging::start_log("off", logging::LogFormat::text);
     }
-    std::vector<json> end() { // all lines until now
+    std::vector<json> end() { // stops capturing and returns all lines so far
         capturing = false;
         std::istringstream lines(whole = testing::internal::GetCapturedStderr());
         std::vector<json> events;
         for (std::string line; std::getline(lines, line);)
-            if (line.starts_with('{')) events.push_back(json::parse(line)); // others are of Mesa
+            if (line.starts_with('{')) events.push_back(json::parse(line)); // other lines are Mesa's
         return events;
     }
     static std::vector<json> of(const std::vector<json>& events, const std::string& name) {
@@ -72,7 +72,7 @@ TEST_F(Logged, sessions_are_opened_and_closed_without_their_key) {
         Client client(server, true);
         closed = client.call("session.open", {{"dataset", "box"}})["session"];
         left = client.call("session.open", {{"dataset", "bax"}})["session"];
-        client.call("session.open", {{"session", left}}); // joined
+        client.call("session.open", {{"session", left}}); // joins the session
         client.call("session.close", {{"session", closed}});
     }
     server.tidy(engine::Clock::now() + std::chrono::hours(1));
@@ -107,7 +107,7 @@ TEST_F(Logged, a_frame_that_fails_has_a_line) {
 TEST_F(Logged, a_call_that_waits_for_long_is_called_slow) {
     engine::Server server(options());
     Client client(server, false);
-    // server.info draws the first test picture, for which the worker is held.
+    // server.info draws the first test picture. The worker is blocked, so the call is slow.
     server.frame_workers().post([](engine::Worker&) { std::this_thread::sleep_for(std::chrono::milliseconds(1100)); });
     (void)client.call("server.info");
     const auto lines = of(end(), "slow call");
@@ -124,7 +124,7 @@ TEST_F(Readiness, is_told_from_the_last_result_while_the_worker_draws_for_others
     ASSERT_TRUE(server.readiness().ready);
     std::promise<void> gate;
     server.frame_workers().post([opened = gate.get_future().share()](engine::Worker&) { opened.wait(); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // the last result is older than it may be
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a readiness result stays valid
     auto answer = std::async(std::launch::async, [&] { return server.readiness_by_now(); });
     EXPECT_EQ(answer.wait_for(std::chrono::seconds(20)), std::future_status::ready) << "it waits for the worker";
     gate.set_value();

@@ -1,4 +1,4 @@
-// What a client can make the server hold, in bytes that are counted.
+// Memory that clients can make the server hold, and its accounting in bytes.
 #include "service.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST_F(Held, names_have_at_most_256_bytes) {
     engine::Server server(options());
     Client client(server, false);
     const std::string session = open(client);
-    const std::string euro = "\xE2\x82\xAC"; // 3 bytes, one character
+    const std::string euro = "\xE2\x82\xAC"; // three bytes, one character
     std::string long_name, fitting_name = "x";
     for (int i = 0; i < 86; ++i) long_name += euro;
     for (int i = 0; i < 85; ++i) fitting_name += euro;
@@ -95,7 +95,7 @@ TEST_F(Held, a_history_has_at_most_history_bytes) {
         ASSERT_TRUE(patch(client, session, outline(std::string(256, id))).contains("result"));
     for (int i = 1; i <= 200; ++i) {
         ASSERT_TRUE(patch(client, session, {{"time", 0.001 * i}}).contains("result"));
-        ASSERT_LE(bytes(server, "scenes"), 160'000U) << "after " << i; // the scene itself has 30 kB
+        ASSERT_LE(bytes(server, "scenes"), 160'000U) << "after " << i; // the scene itself takes 30 kB
     }
     EXPECT_EQ(client.call("scene.undo", {{"session", session}})["scene"]["time"], 0.199);
     client.call("session.close", {{"session", session}});
@@ -133,7 +133,7 @@ TEST_F(Held, the_answers_of_a_batch_have_at_most_batch_answer_bytes) {
             continue;
         }
         EXPECT_EQ(answers[id]["error"]["code"], limit);
-        EXPECT_THAT(answers[id]["error"]["data"]["reason"].get<std::string>(), HasSubstr("by itself"));
+        EXPECT_THAT(answers[id]["error"]["data"]["reason"].get<std::string>(), HasSubstr("send this request alone"));
     }
     EXPECT_EQ(made, 3U);
     EXPECT_TRUE(answers[16].contains("result")) << "a small answer still fits";
@@ -162,7 +162,7 @@ TEST_F(Held, the_total_is_kept_and_said) {
     }
     engine::Server server(options(limits));
     Client client(server, true);
-    const auto first = draw(client), second = draw(client), third = draw(client); // each keeps its surfaces
+    const auto first = draw(client), second = draw(client), third = draw(client); // each session keeps its surfaces
     EXPECT_TRUE(first.second.contains("result"));
     EXPECT_TRUE(second.second.contains("result"));
     ASSERT_TRUE(third.second.contains("error"));
@@ -174,7 +174,7 @@ TEST_F(Held, the_total_is_kept_and_said) {
     EXPECT_TRUE(draw(client).second.contains("result")) << "what is closed makes room";
 }
 
-// A socket that takes nothing until it is read, with room for so many bytes of frames.
+// A connection that takes up to `most` bytes of frames and delivers nothing until it is read.
 class Unread {
 public:
     Unread(engine::Server& server, std::size_t most) : server_(server), most_(most) {

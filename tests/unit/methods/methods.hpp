@@ -1,4 +1,4 @@
-// A server with a session over the small dataset, and what tests of its methods compare with.
+// A server with a session over the small dataset, and expected values for tests of its methods.
 #pragma once
 
 #include "service.hpp"
@@ -23,7 +23,7 @@ protected:
 inline const json colored_scene = json::parse(
     R"({"dataset": "box", "layers": {"iso": {"type": "iso", "array": "p", "values": [12], "color": {"array": "U:x"}}}})");
 
-// Of base64.
+// Decodes base64.
 inline std::string decoded(const std::string& text) {
     static const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string bytes;

@@ -1,4 +1,4 @@
-// The contract, the server and its datasets.
+// Methods about the contract, the server and its datasets.
 #include "methods.hpp"
 
 #include <fstream>
@@ -37,7 +37,7 @@ TEST_F(Methods, dataset_describe) {
     std::map<std::string, json> arrays;
     for (const json& array : box["arrays"]) arrays[array["name"]] = array;
     EXPECT_EQ(arrays.size(), 4U);
-    EXPECT_EQ(arrays["p"]["range"], json::array({0, 56})); // over all steps
+    EXPECT_EQ(arrays["p"]["range"], json::array({0, 56})); // the range covers all steps
     EXPECT_EQ(arrays["U"]["scalars"].size(), 4U);
     EXPECT_EQ(arrays["cell:q"]["scalars"], json::array({"cell:q"}));
     EXPECT_EQ(arrays["late"]["times"], json::array({2}));
@@ -48,7 +48,7 @@ TEST_F(Methods, dataset_describe) {
     EXPECT_EQ(client.error_code("dataset.describe", {{"dataset", "/etc/passwd"}}), -32001);
 }
 
-// cell:q is the cell's id.
+// Values of cell:q are cell ids.
 TEST_F(Methods, tell_which_cells_have_the_extremes) {
     const json box = client.call("dataset.describe", {{"dataset", "box"}});
     std::map<std::string, json> arrays;
@@ -100,7 +100,7 @@ TEST_F(Methods, histogram_counts_every_vertex_once) {
     params["array"] = "nope";
     params.erase("range");
     EXPECT_EQ(client.error_code("dataset.histogram", params), -32001);
-    params["array"] = "late"; // not written at the first time
+    params["array"] = "late"; // the array does not exist at the first time
     EXPECT_EQ(client.error_code("dataset.histogram", params), -32005);
 }
 

@@ -1,4 +1,4 @@
-// Requests that declare the version of the contract that their client knows.
+// Requests that declare the contract version of their client.
 #include "protocol/document.hpp"
 #include "service.hpp"
 

@@ -1,4 +1,4 @@
-// A whole server without a network, and clients of it that remember what they were sent.
+// A complete server without a network, and clients that keep what they receive.
 #pragma once
 
 #include "engine/metrics.hpp"
@@ -21,7 +21,7 @@ namespace ciel::test {
 
 using nlohmann::json;
 
-// Known layers of the small dataset; what a dataset is first shown by depends on its patches.
+// Fixed layers for the small dataset. The default scene would depend on its patches.
 inline json scene_with_iso() {
     return json::parse(
         R"({"dataset": "box", "camera": {"position": [1003, -12, -44], "target": [1003, 3, -47], "up": [0, 0, 1]},
@@ -46,20 +46,20 @@ public:
     ~Client() {
         hang_up();
         if (connection_->is_streaming()) server_.connection_closed(connection_->id);
-        try { // no job of a view is left that could call back
+        try { // waits until the worker has no job of a view that could call back
             server_.frame_workers().run([](engine::Worker&) { return 0; });
-        } catch (const Error&) { // drained: there is none
+        } catch (const Error&) { // the worker has been drained and takes no jobs
         }
     }
     Client(const Client&) = delete;
 
     std::string send(std::string_view text) { return methods::dispatch(server_, *connection_, text); }
     void give_token() { connection_->has_token = true; }
-    // Why the connection would be closed, or nothing.
+    // Sends a binary message. Returns the reason to close the connection, or nullopt.
     std::optional<std::string> send_bytes(std::span<const std::uint8_t> bytes) {
         return methods::receive_binary(server_, *connection_, bytes);
     }
-    // Without waiting: the answer is a text.
+    // Sends a request without waiting. The future holds the answer's text.
     std::future<std::string> post(const json& request) {
         const auto answered = std::make_shared<std::promise<std::string>>();
         methods::dispatch(server_, connection_, request.dump(),
@@ -86,14 +86,14 @@ public:
         return answer.contains("error") ? answer["error"]["code"].get<int>() : 0;
     }
 
-    // The next binary message; waits for it, for a minute at most.
+    // Waits for the next binary message, for at most one minute.
     wire::FrameHeader next_frame() { return wire::read_frame_header(*next(frames_)); }
     std::shared_ptr<const std::vector<std::uint8_t>> next_message() { return next(frames_); }
     json next_text() { return next(texts_); }
     void acknowledge(const wire::FrameHeader& frame) {
         call("view.ack", {{"view", frame.view}, {"frame", frame.frame}});
     }
-    // Acknowledges frames up to the still of this revision and returns them all.
+    // Acknowledges frames up to the still of this revision, and returns all of them.
     std::vector<wire::FrameHeader> frames_until_still(std::uint64_t revision) {
         std::vector<wire::FrameHeader> seen;
         do {
@@ -130,7 +130,7 @@ private:
     std::deque<std::shared_ptr<const std::vector<std::uint8_t>>> frames_;
 };
 
-// The datasets "box" and "bax" (the same content) behind a server.
+// A server with two datasets of the same content, "box" and "bax".
 class Service : public testing::Test {
 protected:
     static void SetUpTestSuite() {

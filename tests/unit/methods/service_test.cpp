@@ -1,4 +1,4 @@
-// What holds across methods: newest wins, one mesh for all, limits, draining, growing datasets.
+// Rules across methods: only the newest version is drawn, meshes are shared, limits, draining, growing datasets.
 #include "service.hpp"
 
 #include "limits/errors.hpp"
@@ -25,7 +25,7 @@ TEST_F(Sharing, of_a_burst_of_patches_at_most_the_first_and_the_last_are_drawn) 
     client.frames_until_still(1);
     const auto before = server.counters().interactive_frames();
 
-    // The worker is held while the burst arrives, as it is by a frame of a large mesh.
+    // Blocks the worker while the burst arrives, as a frame of a large mesh would.
     std::mutex gate;
     std::unique_lock closed(gate);
     for (int i = 0; i < 100; ++i) {
@@ -52,9 +52,9 @@ TEST_F(Sharing, no_more_than_two_frames_wait_for_the_client) {
     const std::string session = client.call("session.open", {{"scene", scene_with_iso()}})["session"];
     client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
     const auto first = client.next_frame();
-    client.next_frame(); // the still
+    client.next_frame(); // the next frame is the still
     for (int i = 0; i < 10; ++i) client.call("scene.patch", {{"session", session}, {"patch", values_patch(5 + i)}});
-    server.frame_workers().run([](engine::Worker&) { return 0; }); // whatever was queued has run
+    server.frame_workers().run([](engine::Worker&) { return 0; }); // waits until the queued jobs have run
     EXPECT_EQ(server.counters().interactive_frames() + server.counters().still_frames(), 2U);
     client.acknowledge(first);
     const auto third = client.next_frame();
@@ -105,7 +105,7 @@ TEST_F(Sharing, a_session_outlives_its_connections_until_it_has_been_idle) {
     EXPECT_THROW((void)server.sessions().find(id), limits::NotFound);
 }
 
-// The dataset "run" of its own, in use by a session.
+// A separate folder with the dataset "run", which one session uses.
 class Growing : public testing::Test {
 protected:
     Growing() { client.call("session.open", {{"dataset", "run"}}); }
@@ -170,10 +170,11 @@ TEST_F(Sharing, the_other_algorithm_serves_the_same_pictures) {
     EXPECT_EQ(pictures[0], pictures[1]);
 }
 
-// One test a row of limits.hpp; message_bytes, json_depth and batch_requests are in json_rpc_test.cpp,
-// unacknowledged_frames and session_idle_seconds above, those of sockets in tests/unit/gateway/test_limits.cpp, and
-// connections in tests/python/test_serve_websocket.py, and those of slow calls in
-// tests/unit/engine/slow_calls_test.cpp.
+// Each row of limits.hpp has one test, here or in these files:
+// json_rpc_test.cpp: message_bytes, json_depth, batch_requests.
+// Above in this file: unacknowledged_frames, session_idle_seconds.
+// tests/unit/gateway/test_limits.cpp: limits of sockets. tests/python/test_serve_websocket.py: connections.
+// tests/unit/engine/slow_calls_test.cpp: limits of slow calls.
 class LimitsOf : public Service {};
 
 TEST_F(LimitsOf, sessions) {

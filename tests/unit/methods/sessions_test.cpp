@@ -1,4 +1,4 @@
-// Sessions: opened, patched, undone, watched by others.
+// Sessions: opening, patching, undo, notifications to subscribers.
 #include "methods.hpp"
 
 #include <gmock/gmock.h>
@@ -60,7 +60,7 @@ TEST_F(Methods, a_session_is_begun_with_the_steps_that_a_client_has_kept) {
     EXPECT_EQ(newest["scene"], json({{"dataset", "box"}, {"time", 2}, {"background", "light"}}));
     EXPECT_EQ(newest["can_redo"], false);
 
-    // One that exists keeps its own.
+    // Opening an existing session ignores the undo steps in the request; the session keeps its history.
     params["undo"] = json::parse(R"([{"time": 0.5}])");
     (void)client.call("session.open", params);
     EXPECT_EQ(client.call("scene.undo", id)["scene"], scene);
@@ -72,7 +72,7 @@ TEST_F(Methods, an_undo_passes_over_what_cannot_be_shown_any_more) {
     client.call("dataset.open", in_session({{"dataset", "gone"}}));
     client.call("dataset.open", in_session({{"dataset", "bax"}}));
     std::filesystem::rename(folder->path() / "gone.ciel", aside.path() / "gone.ciel");
-    client.call("dataset.list"); // looks at the folder
+    client.call("dataset.list"); // makes the server read the folder again
     const json undone = client.call("scene.undo", in_session({}));
     EXPECT_EQ(undone["scene"]["dataset"], "box");
     EXPECT_EQ(undone["can_undo"], false);
@@ -104,7 +104,7 @@ TEST_F(Methods, others_in_a_session_hear_of_changes_and_the_author_does_not) {
     EXPECT_EQ(client.next_text()["params"]["revision"], 3) << "the first it hears is the other's change";
 }
 
-// A scene of more than a message: hidden volumes with as many opacity points as they may have.
+// Layers larger than a message: hidden volumes, each with the maximal number of opacity points.
 json long_layers() {
     json points = json::array();
     for (int i = 0; i < 256; ++i) points.push_back({i / 255.0, 1.0 / (i + 3)});
@@ -132,7 +132,8 @@ TEST_F(Methods, an_answer_too_long_for_a_message_is_refused_on_a_websocket_and_g
     client.call("scene.patch", in_session({{"patch", {{"layers", long_layers()}}}}));
     const json refused = client.request("scene.get", params);
     EXPECT_EQ(refused["error"]["code"], -32006);
-    EXPECT_NE(refused["error"]["data"]["reason"].get<std::string>().find("ask by POST /rpc"), std::string::npos);
+    EXPECT_NE(refused["error"]["data"]["reason"].get<std::string>().find("send the call with POST /rpc"),
+              std::string::npos);
     Client script(server, false);
     EXPECT_GT(script.call("scene.get", params).dump().size(), wire::longest_message);
     json batch{Client::request_of("server.info", json::object()), Client::request_of("scene.get", params)};

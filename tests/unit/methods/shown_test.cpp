@@ -1,4 +1,4 @@
-// What is asked of a scene that is shown: probes, picks, bounds, ranges, exports.
+// Queries about a scene: probes, picks, bounds, ranges, exports.
 #include "methods.hpp"
 
 #include <cmath>
@@ -17,7 +17,7 @@ TEST_F(Methods, probe_by_position_and_by_pixel) {
     params["position"] = {0, 0, 0};
     EXPECT_EQ(client.call("probe.point", params)["hit"], false);
 
-    // Looks along x through the box's middle at the plane x = 1001.
+    // The camera looks along x through the box's center at the plane x = 1001.
     params.erase("position");
     params["scene"] = json::parse(R"({"dataset": "box",
         "camera": {"position": [980, 3, -47], "target": [1003, 3, -47]},
@@ -71,11 +71,11 @@ TEST_F(Methods, color_range_is_that_of_the_values_in_view) {
         "camera": {"position": [980, 3, -47], "target": [1003, 3, -47], "parallel": true, "parallel_height": 100},
         "layers": {"s": {"type": "slice", "axis": "x", "value": 1001, "color": {"array": "U:x"}},
                    "plain": {"type": "slice", "axis": "x", "value": 1002}}})")}};
-    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6})); // U:x is the height over the box's floor
+    EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6})); // U:x is the height above the box's floor
     params["aspect"] = 1;
     EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
     json& camera = params["scene"]["camera"];
-    camera["parallel_height"] = 2.5; // heights from 1.75 to 4.25 are in view
+    camera["parallel_height"] = 2.5; // shows heights from 1.75 to 4.25
     const json part = client.call("color.range", params)["range"];
     EXPECT_GE(part[0], 1.75);
     EXPECT_LE(part[0], 3);
@@ -122,7 +122,7 @@ TEST_F(Methods, a_scene_without_a_camera_is_seen_from_where_its_pictures_are) {
     EXPECT_EQ(client.call("scene.camera", given), given["scene"]["camera"]);
 }
 
-// U:x goes from 0 to 6, p over other values: a range of both would be of neither.
+// U:x ranges from 0 to 6 and p over other values, so a common range would fit neither.
 TEST_F(Methods, color_range_of_contour_lines_is_apart_from_that_of_the_slice_below_them) {
     json params{{"layers", {"s"}}, {"scene", json::parse(R"({"dataset": "box",
         "layers": {"s": {"type": "slice", "axis": "x", "value": 1001, "color": {"array": "U:x"},
@@ -136,7 +136,7 @@ TEST_F(Methods, color_range_of_contour_lines_is_apart_from_that_of_the_slice_bel
     EXPECT_EQ(client.error_code("color.range", params), -32602);
 }
 
-// U:x is the height over the box's floor, at z = -50.
+// U:x is the height above the box's floor at z = -50.
 TEST_F(Methods, color_range_of_a_volume_is_that_of_what_is_in_view_and_not_cut_away) {
     json params{{"layers", {"v"}}, {"scene", json::parse(R"({"dataset": "box",
         "camera": {"position": [980, 3, -47], "target": [1003, 3, -47], "parallel": true, "parallel_height": 100},
@@ -145,7 +145,7 @@ TEST_F(Methods, color_range_of_a_volume_is_that_of_what_is_in_view_and_not_cut_a
     params["aspect"] = 1;
     EXPECT_EQ(client.call("color.range", params)["range"], json({0, 6}));
     json& camera = params["scene"]["camera"];
-    camera["parallel_height"] = 2.5; // heights from 1.75 to 4.25
+    camera["parallel_height"] = 2.5; // shows heights from 1.75 to 4.25
     const json part = client.call("color.range", params)["range"];
     ASSERT_TRUE(part.is_array());
     EXPECT_GE(part[0], 1.75);
@@ -200,7 +200,7 @@ TEST_F(Methods, surfaces_are_exported) {
     EXPECT_EQ(client.error_code("surface.export", params), -32001);
 }
 
-// The floats of an array in an appended VTP file.
+// Reads the floats of an array in the appended data of a VTP file.
 std::vector<float> appended_floats(const std::string& file, const std::string& name) {
     const std::size_t declared = file.find("Name=\"" + name + "\""), offset = file.find("offset=\"", declared) + 8;
     std::size_t at = file.find("_", file.find("<AppendedData")) + 1 + std::stoul(file.substr(offset));
@@ -211,7 +211,7 @@ std::vector<float> appended_floats(const std::string& file, const std::string& n
     return values;
 }
 
-// cell:q is the cell's id, and the slice has one polygon of each cell that it cuts.
+// Values of cell:q are cell ids. The slice has one polygon for each cell that it cuts.
 TEST_F(Methods, values_of_cells_are_exported_as_they_are) {
     json params{{"scene", colored_scene}, {"layer", "s"}, {"format", "vtp"}};
     json& layer = params["scene"]["layers"]["s"];
@@ -225,7 +225,8 @@ TEST_F(Methods, values_of_cells_are_exported_as_they_are) {
     EXPECT_LT(client.call("surface.export", params)["vertices"], flat["vertices"]) << "there they are shared";
 }
 
-// The box of 6 x 6 x 6 with a hole of 2 x 2 x 2, cut in the middle: its file is closed, and is the half that is seen.
+// The box of 6 x 6 x 6 with a cavity of 2 x 2 x 2, cut in the middle. The exported surface is closed and is the visible
+// half.
 TEST_F(Methods, exports_are_cut_as_pictures_are) {
     json params{{"scene", colored_scene}, {"layer", "s"}, {"format", "stl"}};
     json& layers = params["scene"]["layers"];

@@ -1,4 +1,4 @@
-// Pictures, exports and the like while the worker that draws them is busy.
+// Slow calls, for example pictures and exports, while the frame worker is busy.
 #include "service.hpp"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ protected:
         return server.metrics().find("ciel_pictures_total 0\n") != std::string::npos;
     }
 
-    std::mutex gate; // holds the worker, as a picture of a large mesh does
+    std::mutex gate; // blocks the worker while locked
     bool closed = true;
     engine::Server server{options(limits())};
 };
@@ -56,7 +56,7 @@ TEST_F(Slow, quick_methods_do_not_wait_for_slow_ones) {
         client.frames_until_still(2);
     }
     EXPECT_TRUE(server.readiness().ready);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // the last result is older than it may be
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a readiness result stays valid
     EXPECT_TRUE(server.readiness_by_now().ready);
     EXPECT_TRUE(drew_nothing());
     open();
@@ -69,7 +69,7 @@ TEST_F(Slow, too_many_are_refused_with_what_to_do) {
     auto under_way = client.post(picture());
     wait_until_running();
     auto first = client.post(picture()), second = client.post(picture()), third = client.post(picture());
-    EXPECT_THAT(reason(third), HasSubstr("try again in a moment"));
+    EXPECT_THAT(reason(third), HasSubstr("try again in a few seconds"));
     open();
     for (auto* each : {&under_way, &first, &second}) EXPECT_THAT(each->get(), HasSubstr("image/png"));
 }

@@ -1,4 +1,4 @@
-// Views and pictures: frames that are streamed, and pictures that are asked for.
+// Frames streamed to views, and single pictures on request.
 #include "methods.hpp"
 
 #include <gmock/gmock.h>
@@ -71,7 +71,7 @@ TEST_F(Methods, what_a_frame_lacks_is_told_and_the_rest_is_shown) {
     EXPECT_EQ(lacking["params"]["revision"], 2);
     ASSERT_EQ(lacking["params"]["sentences"].size(), 1U);
     EXPECT_THAT(lacking["params"]["sentences"][0].get<std::string>(),
-                testing::AllOf(testing::HasSubstr("iso"), testing::HasSubstr("'late' was not written at time 0")));
+                testing::AllOf(testing::HasSubstr("iso"), testing::HasSubstr("'late' has no values at time 0")));
     const auto rest = client.frames_until_still(2).back().triangles;
     EXPECT_GT(rest, 0U);
     EXPECT_LT(rest, whole);
@@ -90,12 +90,13 @@ TEST_F(Methods, what_was_not_written_is_left_out_of_pictures_and_refused_in_file
     plain["scene"]["layers"]["plane"]["color"] = json::object();
     const json grey = client.call("picture.render", params);
     EXPECT_EQ(grey["remarks"],
-              json::array({"layer plane has no colors: 'late' was not written at time 0; it was at 2"}));
+              json::array({"layer plane has no colors: 'late' has no values at time 0; it has values at 2"}));
     EXPECT_EQ(grey["data"], client.call("picture.render", plain)["data"]);
     layers.erase("plane");
     layers["iso"]["array"] = "late";
     const json alone = client.call("picture.render", params);
-    EXPECT_EQ(alone["remarks"], json::array({"layer iso is not shown: 'late' was not written at time 0; it was at 2"}));
+    EXPECT_EQ(alone["remarks"],
+              json::array({"layer iso is not shown: 'late' has no values at time 0; it has values at 2"}));
     plain["scene"]["layers"] = json::object();
     EXPECT_EQ(alone["data"], client.call("picture.render", plain)["data"]);
 

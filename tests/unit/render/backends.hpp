@@ -1,4 +1,4 @@
-// Tests of every back end that this machine has.
+// Names the parameterized tests after the render back ends of this machine.
 #pragma once
 
 #include "render/renderer.hpp"
@@ -10,7 +10,7 @@ namespace ciel::render {
 
 inline std::string name_of_test(const testing::TestParamInfo<Backend>& backend) {
     std::string name = name_of(backend.param);
-    std::ranges::replace(name, '-', '_'); // which GoogleTest does not take
+    std::ranges::replace(name, '-', '_'); // GoogleTest refuses '-' in test names
     return name;
 }
 

@@ -1,4 +1,4 @@
-// A GL whose making of objects and uploads are counted.
+// OpenGL entry points that count object creation, storage allocation, uploads and read-backs.
 #pragma once
 
 #include "render/context/context.hpp"
@@ -9,9 +9,9 @@
 namespace ciel::render {
 
 struct GlCounts {
-    int objects = 0;       // names made, shaders and programs
-    int storage = 0;       // memory of textures and renderbuffers that was asked for
-    std::size_t bytes = 0; // sent to buffers
+    int objects = 0;       // object names generated, plus shaders and programs created
+    int storage = 0;       // calls that allocate texture or renderbuffer storage
+    std::size_t bytes = 0; // bytes sent to buffers
     int texture_updates = 0;
     std::size_t pixels_read = 0;
 };
@@ -20,7 +20,7 @@ namespace counted {
 
 inline GlCounts counts;
 
-// The entry points before they were exchanged.
+// The entry points of the driver, which the counting functions call.
 inline Gl real;
 
 template <void (*Gl::*Entry)(GLsizei, GLuint*)>
@@ -65,7 +65,8 @@ inline void renderbuffer(GLenum target, GLsizei samples, GLenum format, GLsizei 
 
 } // namespace counted
 
-// One at a time.
+// Returns the driver's entry points, with counting functions in place of some. The counts are global: use one at a
+// time.
 inline Gl counted_gl(const Context& context) {
     using namespace counted;
     real = Gl::load(context.loader());
@@ -87,7 +88,7 @@ inline Gl counted_gl(const Context& context) {
     return gl;
 }
 
-// Since the last time.
+// Returns the counts since the last call and resets them.
 inline GlCounts take_counts() { return std::exchange(counted::counts, {}); }
 
 } // namespace ciel::render

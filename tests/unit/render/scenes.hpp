@@ -1,4 +1,4 @@
-// Shapes with a known look, for the renderer's tests.
+// Shapes and frames with a known appearance, for the renderer's tests.
 #pragma once
 
 #include "render/renderer.hpp"
@@ -23,7 +23,7 @@ struct Shape {
     }
 };
 
-// Rows and columns of a surface (u, v in 0..1) as triangles.
+// Triangulates position(u, v), for u and v from 0 to 1, into columns x rows quadrilaterals of two triangles.
 template <typename Position>
 Shape grid(Index columns, Index rows, Position position) {
     Shape shape;
@@ -57,7 +57,7 @@ inline Shape sphere(double radius, Vec3d center = {}, Index columns = 96) {
     return shape;
 }
 
-// In the plane y = `depth`, from -1 to 1 in x and z; the scalar is x.
+// Square in the plane y = `depth`, from -1 to 1 in x and z. Its scalar is x.
 inline Shape square(double depth) {
     Shape shape = grid(32, 32, [&](double u, double v) {
         return Vec3f{static_cast<float>(2 * u - 1), static_cast<float>(depth), static_cast<float>(2 * v - 1)};
@@ -66,7 +66,7 @@ inline Shape square(double depth) {
     return shape;
 }
 
-// From the first to the second of two ends, which must outlive it; `width` in pixels.
+// Line segment between two points. Borrows `ends`, which must outlive the result; `width` in pixels.
 inline Primitives line_between(const std::vector<Vec3f>& ends, float width, std::array<float, 4> color = {1, 1, 1, 1}) {
     static const std::vector<Index> both{0, 1};
     Primitives line;
@@ -78,7 +78,7 @@ inline Primitives line_between(const std::vector<Vec3f>& ends, float width, std:
     return line;
 }
 
-// Looks along +y, so that x runs to the right and z up; parallel, two units high.
+// Frame with a parallel camera that looks along +y: x to the right, z up, and 3 units high.
 inline Frame front_view(int width = 320, int height = 240) {
     Frame frame;
     frame.width = width;

@@ -1,5 +1,5 @@
-// Ambient occlusion by what must hold for it: what has nothing near it keeps all light, corners lose half of it, and
-// nothing but opaque surfaces takes part.
+// Ambient occlusion: isolated surfaces keep all light, right-angled corners lose half, and only opaque surfaces take
+// part.
 #include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr double full = 255 * 0.6; // of a white surface in twice the ambient light and no other
+constexpr double full = 255 * 0.6; // byte value of an unoccluded white surface at ambient 2, without other lights
 
 class OcclusionTest : public testing::TestWithParam<Backend> {
 protected:
@@ -38,15 +38,14 @@ protected:
         renderer.draw(frame, image);
         return image;
     }
-    // The most that a channel of a pixel differs by with and without occlusion.
+    // Largest difference of any byte between the pictures with and without occlusion.
     int change(double radius) {
         const Image with = draw(radius), without = draw(0);
         int most = 0;
         for (std::size_t i = 0; i < with.rgb.size(); ++i) most = std::max(most, std::abs(with.rgb[i] - without.rgb[i]));
         return most;
     }
-    // Floor z = 0 and wall y = 0, seen along the line between them, which is the x axis; from so far to each side of
-    // it.
+    // Adds the floor z = 0 and the wall y = 0, which meet in the x axis, and looks at the corner at 45 degrees.
     void add_corner() {
         add(grid(1, 1, [](double u, double v) {
             return Vec3f{static_cast<float>(8 * u - 4), static_cast<float>(-4 * v), 0};
@@ -59,7 +58,7 @@ protected:
         frame.bounds_min = {-4, -4, 0};
         frame.bounds_max = {4, 0, 4};
     }
-    // Of the corner, `away` from it along the wall or, below zero, along the floor.
+    // Brightness at the distance `away` from the corner, on the wall; negative on the floor. 1 is unoccluded.
     [[nodiscard]] double light(const Image& image, double away) const {
         const double row = image.height * (0.5 - away / std::sqrt(2.0) / frame.camera.parallel_height);
         const auto y = static_cast<std::size_t>(row);
@@ -100,7 +99,8 @@ TEST_P(OcclusionTest, ACornerLosesHalfOfTheLight) {
     frame.height = 720;
     frame.samples = 4;
     const Image image = draw(0.7);
-    for (const double away : {0.01, -0.01}) { // two pixels: half a hemisphere is all but hidden by the other side
+    // 0.01 is about two pixels. The other side hides almost half of the hemisphere there.
+    for (const double away : {0.01, -0.01}) {
         EXPECT_GT(light(image, away), 0.5);
         EXPECT_LT(light(image, away), 0.6);
     }
@@ -153,7 +153,7 @@ TEST_P(OcclusionTest, IsTheSameAtAnyResolutionAndWhileSomethingMoves) {
     }
 }
 
-// The samples of a radius that fills the picture would lie too far apart: it counts as a quarter of the height.
+// With a larger radius the samples would lie too far apart, so a quarter of the picture's height is the maximum.
 TEST_P(OcclusionTest, AVeryLargeRadiusIsThatOfAQuarterOfThePicture) {
     add_corner();
     frame.samples = 4;
@@ -163,7 +163,7 @@ TEST_P(OcclusionTest, AVeryLargeRadiusIsThatOfAQuarterOfThePicture) {
     EXPECT_EQ(light(huge, 0.8), 1);
 }
 
-// A wide perspective: what is seen at a slant at the picture's side is as dark as in the middle.
+// Wide perspective: surfaces seen obliquely at the picture's sides are as dark as in the middle.
 TEST_P(OcclusionTest, ACornerIsTheSameAllAlongItInAPerspective) {
     add_corner();
     frame.camera.parallel = false;
@@ -174,7 +174,7 @@ TEST_P(OcclusionTest, ACornerIsTheSameAllAlongItInAPerspective) {
     frame.samples = 4;
     const Image image = draw(0.4);
     const auto seen = [&](double along, double away, bool wall) {
-        const Vec3d from{along, (wall ? 0 : -away) + 1.2, (wall ? away : 0) - 1.2}; // of the eye
+        const Vec3d from{along, (wall ? 0 : -away) + 1.2, (wall ? away : 0) - 1.2}; // vector from the eye to the place
         const double depth = (from[1] - from[2]) / std::numbers::sqrt2, up = (from[1] + from[2]) / std::numbers::sqrt2;
         const auto x = static_cast<std::size_t>(320 + 240 * from[0] / depth);
         const auto y = static_cast<std::size_t>(240 - 240 * up / depth);
@@ -188,7 +188,7 @@ TEST_P(OcclusionTest, ACornerIsTheSameAllAlongItInAPerspective) {
         }
 }
 
-// The eye stays where it is and turns its head: what is seen of a place does not change, wherever in the picture it is.
+// The eye stays in place while the camera turns: a place keeps its darkness wherever it is in the picture.
 TEST_P(OcclusionTest, APlaceIsAsDarkAnywhereInAPerspective) {
     add_corner();
     frame.camera.parallel = false;
@@ -221,7 +221,7 @@ TEST_P(OcclusionTest, APlaceIsAsDarkAnywhereInAPerspective) {
     }
 }
 
-// The same surfaces in a picture whose middle is elsewhere: the pattern of the pixels does not show.
+// Brightness is constant along the corner: the sampling pattern, which differs from pixel to pixel, is not visible.
 TEST_P(OcclusionTest, IsEvenAlongACorner) {
     add_corner();
     for (const int samples : {1, 4}) {
@@ -267,7 +267,7 @@ TEST_P(OcclusionTest, ABallOnAPlaneShadesItAllAround) {
     }
 }
 
-// Its outline is where pixels belong to both.
+// Pixels on the ball's outline cover both the ball and the plane.
 TEST_P(OcclusionTest, ABallFarInFrontOfAPlaneHasNoHalo) {
     add(square(1));
     add(sphere(0.5, {0, -1, 0}));
@@ -277,7 +277,7 @@ TEST_P(OcclusionTest, ABallFarInFrontOfAPlaneHasNoHalo) {
     }
 }
 
-// A wall far behind a ball in a corner: nothing of the corner's shade on the ball's outline.
+// The corner far behind the ball must not darken the ball's outline.
 TEST_P(OcclusionTest, AnOutlineInFrontOfACornerKeepsItsOwnLight) {
     add_corner();
     add(sphere(0.3, {0, -2, 2}));
@@ -292,8 +292,8 @@ TEST_P(OcclusionTest, AnOutlineInFrontOfACornerKeepsItsOwnLight) {
     }
 }
 
-// Each pixel looks up the light of its own surface: of what is beside it in the picture and far behind it, nothing. The
-// ball is red, so the red of a pixel is how much of it is the ball, times its light.
+// A pixel on the outline must use the occlusion of its own surface, not of a neighbor far behind. The ball is red and
+// the corner blue, so each channel shows the share of one surface times its light.
 TEST_P(OcclusionTest, ABallsOutlineHasNoLightOfTheCornerBehindNorTheCornerOfTheBall) {
     add_corner();
     for (Primitives& mesh : frame.primitives) mesh.color = {0, 0, 1, 1};
@@ -352,7 +352,7 @@ TEST_P(OcclusionTest, AVolumeNeitherShadesNorIsShaded) {
 
 TEST_P(OcclusionTest, SlicesKeepTheirColorsButShadeWhatIsLit) {
     add_corner();
-    frame.primitives[0].lit = false; // the floor
+    frame.primitives[0].lit = false; // primitives[0] is the floor
     frame.samples = 4;
     const Image image = draw(0.8);
     EXPECT_LT(light(image, 0.1), 0.85);
@@ -363,7 +363,7 @@ TEST_P(OcclusionTest, WhatAClipPlaneTookAwayShadesNothing) {
     add_corner();
     frame.samples = 4;
     EXPECT_LT(light(draw(0.8), -0.1), 0.85);
-    frame.clip = {{0, -1, 0, -0.001F}}; // the wall
+    frame.clip = {{0, -1, 0, -0.001F}}; // removes the wall
     EXPECT_EQ(light(draw(0.8), -0.1), 1);
     EXPECT_EQ(change(0.8), 0);
 }

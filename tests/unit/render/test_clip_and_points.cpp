@@ -1,4 +1,4 @@
-// Clip planes cut every kind of mesh, in the picture and under the pointer; points have their size.
+// Clip planes cut every kind of primitive, in pictures and when picking. Points have their size in pixels.
 #include "backends.hpp"
 #include "scenes.hpp"
 
@@ -22,7 +22,7 @@ protected:
         const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
         return (p[0] + p[1] + p[2]) / 3;
     }
-    // Pixels to the left and to the right of the middle that are lit.
+    // Lit pixels in the left and in the right half of the picture.
     [[nodiscard]] std::array<int, 2> lit() const {
         std::array<int, 2> count{};
         for (int y = 0; y < image.height; ++y)
@@ -53,13 +53,13 @@ TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {
             const std::array<int, 2> whole = lit();
             EXPECT_EQ(whole[0], whole[1]);
             EXPECT_TRUE(picked(200, 120));
-            frame.clip = {{-1, 0, 0, 0}}; // x <= 0 stays
+            frame.clip = {{-1, 0, 0, 0}}; // keeps x <= 0
             draw();
             EXPECT_NEAR(lit()[0], whole[0], 240) << opacity;
             EXPECT_EQ(lit()[1], 0) << opacity;
             EXPECT_TRUE(picked(120, 120)) << opacity;
             EXPECT_FALSE(picked(200, 120)) << opacity;
-            frame.clip = {{-1, 0, 0, 0}, {0, 0, 1, 0}}; // and z >= 0
+            frame.clip = {{-1, 0, 0, 0}, {0, 0, 1, 0}}; // keeps x <= 0 and z >= 0
             draw();
             EXPECT_NEAR(lit()[0], whole[0] / 2, 240);
             EXPECT_FALSE(picked(120, 200));
@@ -69,7 +69,7 @@ TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {
         }
 }
 
-// Without planes a surface of one color with normals is drawn by a program that knows none.
+// Without clip planes, a lit surface of one color with normals is drawn by a shader program without plane code.
 TEST_P(ClipAndPoints, ABallIsWholeAgainAfterAPlane) {
     const Shape ball = sphere(0.8);
     frame.primitives = {ball.mesh()};
@@ -81,7 +81,7 @@ TEST_P(ClipAndPoints, ABallIsWholeAgainAfterAPlane) {
     frame.clip = {};
     draw();
     EXPECT_EQ(image.rgb, whole.rgb);
-    frame.clip = {{0, 0, 0, 1}}; // keeps everything, but by the program that knows planes
+    frame.clip = {{0, 0, 0, 1}}; // keeps everything, but selects the program with plane code
     draw();
     std::size_t differing = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) differing += std::abs(image.rgb[i] - whole.rgb[i]) > 1 ? 1 : 0;

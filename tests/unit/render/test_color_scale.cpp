@@ -1,5 +1,4 @@
-// The rule of color_scale.hpp on the graphics card: pictures of a square whose scalar is known at every pixel, held to
-// the rule on the CPU.
+// The shader's color mapping against color_scale.hpp's: pictures of a square whose scalar is known at every pixel.
 #include "backends.hpp"
 #include "color/color_map.hpp"
 #include "color/color_scale.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 constexpr int width = 400, height = 40;
 
-// In the plane y = 0 over the whole picture: `left` at its left edge, `right` at its right one, linear between.
+// Rectangle in the plane y = 0 over the whole picture. Its scalar rises linearly from `left` to `right`.
 Shape band(float left, float right, Index columns = 1) {
     Shape shape = grid(columns, 1, [](double u, double v) {
         return Vec3f{static_cast<float>(20 * u - 10), 0, static_cast<float>(2 * v - 1)};
@@ -30,7 +29,7 @@ protected:
 
     void draw(const std::vector<Primitives>& meshes) {
         Frame frame = front_view(width, height);
-        frame.camera.parallel_height = 2; // 20 wide
+        frame.camera.parallel_height = 2; // 20 units wide
         frame.primitives = meshes;
         renderer.draw(frame, image);
     }
@@ -45,7 +44,7 @@ protected:
         const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * width + x)];
         return {p[0], p[1], p[2]};
     }
-    // Every pixel of a row against the rule, but those nearer to an edge of the rule than the pixel's own width.
+    // Compares every pixel of the middle row with color_of, except pixels over which the color jumps.
     void expect_rule(const color::ColorScale& scale, double left, double right, int tolerance) {
         for (int x = 0; x < width; ++x) {
             const auto value = [&](double pixel) { return left + pixel / width * (right - left); };
@@ -69,11 +68,11 @@ color::ColorScale scale_of(const char* map, std::array<double, 2> range) {
     return scale;
 }
 
-// Absolute pressure in a slow flow: 26 floats from end to end, and as many steps as these, with sharp bounds.
+// Absolute pressure in a slow flow: the range is only 26 float32 steps wide. Tests a smooth scale and one of 13 colors.
 TEST_P(ColorScalePicture, OfASmallRangeBesideItsValuesIsAsSmooth) {
     const double low = 101325 - 13.0 / 128, high = 101325 + 13.0 / 128;
     for (const int steps : {0, 13})
-        for (const float opacity : {1.0F, 0.999F}) { // the latter is peeled
+        for (const float opacity : {1.0F, 0.999F}) { // 0.999 selects depth peeling
             color::ColorScale scale = scale_of("turbo", {low, high});
             scale.steps = steps;
             draw(band(static_cast<float>(low), static_cast<float>(high)), scale, opacity);
@@ -92,13 +91,13 @@ TEST_P(ColorScalePicture, EveryMapIsTheTableBothWaysRound) {
         }
 }
 
-// Two vertices, a million apart: what is interpolated and looked up is the value, not its color nor its logarithm.
+// Only two vertices: the value must be interpolated and looked up, not its color or its logarithm.
 TEST_P(ColorScalePicture, LogarithmIsTakenAtEachPixel) {
     color::ColorScale scale = scale_of("viridis", {1, 1e6F});
     scale.log = true;
     draw(band(1, 1e6F), scale);
     expect_rule(scale, 1, 1e6, 3);
-    draw(band(-10, 1e6F), scale); // zero and below have the lowest color
+    draw(band(-10, 1e6F), scale); // values of zero and below have the lowest color
     expect_rule(scale, -10, 1e6, 3);
 }
 
@@ -129,7 +128,7 @@ TEST_P(ColorScalePicture, ColorsOutsideTheRangeAreExact) {
     scale.below = color::Rgb8{12, 34, 250};
     scale.above = color::Rgb8{251, 60, 7};
     scale.nan = {3, 200, 90};
-    for (const float opacity : {1.0F, 0.999F}) { // the transparent pass has rows of its own
+    for (const float opacity : {1.0F, 0.999F}) { // transparent primitives keep their scales in another texture
         draw(band(-2, 2), scale, opacity);
         for (const int x : {0, 50, 98}) EXPECT_EQ(at(x), *scale.below) << x;
         for (const int x : {301, 350, 399}) EXPECT_EQ(at(x), *scale.above) << x;
@@ -146,7 +145,7 @@ TEST_P(ColorScalePicture, ColorsOutsideTheRangeAreExact) {
     EXPECT_EQ(at(200), scale.nan) << "no number either";
 }
 
-// The largest value of the data, interpolated over triangles of many shapes, is never above itself.
+// Rounding during interpolation must not lift the largest value of the data above the range.
 TEST_P(ColorScalePicture, FlatMaximumHasNoSpecks) {
     for (const float value : {1.0F, 0.1F, 273.15F, 101325.0F, -7.3e-9F, 3.3e20F}) {
         color::ColorScale scale = scale_of("grayscale", {value - std::abs(value) / 2, value});
@@ -159,7 +158,7 @@ TEST_P(ColorScalePicture, FlatMaximumHasNoSpecks) {
     }
 }
 
-// A range that is narrow beside its values: 0.001 K at 300 K is 33 floats wide, and no more than that may be lost.
+// The range of 0.001 K at 300 K is only 33 float32 steps wide; all of them must stay distinguishable.
 TEST_P(ColorScalePicture, NarrowRangesKeepTheirDigits) {
     const color::ColorScale scale = scale_of("grayscale", {300, 300.001F});
     draw(band(300, 300.001F), scale);
@@ -176,7 +175,7 @@ TEST_P(ColorScalePicture, PointsHaveTheirColorsAndEdges) {
     EXPECT_EQ(at(390), (color::Rgb8{10, 20, 30}));
 }
 
-// Layers with scales of their own in one frame, opaque and transparent, and the next frame with others.
+// Eight layers of one frame have different scales and opacities. The next frame changes all scales.
 TEST_P(ColorScalePicture, EachLayerHasItsOwnScale) {
     std::vector<Shape> shapes;
     std::vector<Primitives> meshes;

@@ -1,4 +1,4 @@
-// A picture that nobody waits for any more can be given up wherever that is asked, and leaves no trace in the next.
+// A picture can be abandoned at every call of check_wanted, without an effect on the next picture.
 #include "backends.hpp"
 #include "counted_gl.hpp"
 #include "render/painter.hpp"
@@ -39,7 +39,8 @@ protected:
         add(to, lines, opacity).lines = true;
         add(to, corners, opacity).points = true;
     }
-    // False when the picture was finished before that many questions.
+    // Draws `frame` and abandons it at call `questions` (from 0) of check_wanted. False when the picture was finished
+    // before.
     bool give_up_after(int questions) {
         frame.check_wanted = [&] {
             if (--questions < 0) throw Unwanted();
@@ -55,7 +56,8 @@ protected:
         wanted.check_wanted = nullptr;
         return painter->draw(wanted, {});
     }
-    // The same picture, or one of another kind, after each place where it can be given up.
+    // Abandons `frame` at each call of check_wanted in turn, then compares the next picture with a fresh painter's.
+    // That is `frame` or `other`, alternating.
     void expect_no_trace(const char* what, int fewest_places) {
         SCOPED_TRACE(what);
         Painter fresh(Gl::load(chosen.context->loader()));
@@ -150,7 +152,7 @@ protected:
     void add_layers(bool points) {
         for (int i = 0; i < layers; ++i) add(frame, ball, 0.5F).points = points;
     }
-    // What was sent to buffers before the question with this number, where the picture was given up.
+    // Bytes sent to buffers before the picture was abandoned at call `questions` of check_wanted.
     std::size_t sent_before(int questions) {
         (void)take_counts();
         EXPECT_TRUE(give_up_after(questions));
@@ -163,11 +165,11 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(GivenUpUploadTest);
 
 TEST_P(GivenUpUploadTest, TransparentTriangles) {
     add_layers(false);
-    std::size_t whole = 0; // bytes of a picture that nobody gives up
+    std::size_t whole = 0; // bytes sent for a complete picture
     (void)take_counts();
     (void)picture_of(frame);
     whole = take_counts().bytes;
-    for (Primitives& mesh : frame.primitives) mesh.revision += layers; // all changed
+    for (Primitives& mesh : frame.primitives) mesh.revision += layers; // marks all layers as changed
     EXPECT_EQ(sent_before(layers), 0U) << "the layers are gathered one by one";
     int places = layers;
     while (sent_before(places) == 0 && places < 100 * layers) ++places;
@@ -209,7 +211,7 @@ TEST_P(GivenUpUploadTest, TheOrderOfATurnedView) {
     }
 }
 
-// What is divided, because somebody asks, is the same picture.
+// With check_wanted the painter draws in smaller parts. The picture is the same, and nothing is allocated or sent.
 TEST_P(GivenUpTest, NothingIsMadeOrSentForTheQuestions) {
     add(frame, ball, 0.5F);
     add(frame, plane, 1);

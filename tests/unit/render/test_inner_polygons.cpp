@@ -1,4 +1,4 @@
-// What is drawn without asking where rays enter and leave the mesh must be where none does.
+// Slice polygons that are drawn without entry and exit tests of their rays must not meet the mesh's boundary.
 #include "render/volume/boundary_of_slabs.hpp"
 #include "render/volume/inner_polygons.hpp"
 #include "scenes.hpp"
@@ -17,7 +17,7 @@ constexpr std::size_t slab_count = 60;
 
 double ramp(const Vec3d& p) { return 0.5 * p[0] + 0.2 * p[1] + 0.3 * p[2]; }
 
-// A cube of cubes with a hole through it.
+// 8 x 8 x 8 cubes without a 2 x 2 column of them.
 test::Polyhedra with_a_hole() {
     return test::keep_cells(test::hexahedra(Box{{8, 8, 8}, 0, 1, 0.125}), [](test::Id cell) {
         const auto x = cell % 8, y = cell / 8 % 8;
@@ -120,7 +120,7 @@ TEST_P(InnerPolygons, AndTheOthersAreTheWholeSlice) {
                 area(corner(sorted, i).position, corner(sorted, i + 1).position, corner(sorted, i + 2).position);
             sum += size;
             if (i >= sorted.outer) inner += size;
-            // The limits are those of the polygon, so all corners are between them.
+            // The limits belong to the polygon, so the values at all its corners are inside them.
             const auto [low, high] = corner(sorted, i).limits;
             for (std::size_t k = 0; k < 3; ++k)
                 EXPECT_THAT(corner(sorted, i + k).value,
@@ -136,7 +136,7 @@ TEST_P(InnerPolygons, AndTheOthersAreTheWholeSlice) {
     EXPECT_GT(inner, 0.15 * all);
 }
 
-// A surface that covers no pixel has them all drawn by the program of the others.
+// Any surface in the frame turns the fast program for inner polygons off. This one is degenerate and covers no pixel.
 TEST(InnerPolygonsOfAPicture, LookAsTheOthersDo) {
     VolumeScene scene(with_a_hole(), ramp);
     Shape nowhere;

@@ -1,4 +1,4 @@
-// What is kept from frame to frame is never seen: each frame of a sequence is the picture that a new renderer draws.
+// Renderers reuse parts of the last picture. Each frame of a sequence must equal the picture of a new renderer.
 #include "counted_gl.hpp"
 #include "render/painter.hpp"
 #include "render/renderer.hpp"
@@ -12,10 +12,10 @@ namespace {
 class KeptPictureTest : public testing::Test {
 protected:
     void SetUp() override {
-        frame.width = 500; // no whole number of tiles
+        frame.width = 500; // not a multiple of the tile size
         frame.height = 330;
     }
-    // How many pixels differ from those of a renderer that has drawn nothing before.
+    // Number of pixels that differ from a new renderer's picture.
     std::size_t wrong_pixels() {
         Renderer anew(Backend::automatic);
         Image expected;
@@ -101,7 +101,7 @@ TEST_F(KeptPictureTest, WhateverComesBetween) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(moved(-0.1F), 0U) << "another size";
     frame.background_bottom = frame.background_top = {1, 1, 0.5F};
     for (int i = 0; i < 3; ++i) EXPECT_EQ(moved(0.1F), 0U) << "another background";
-    frame.camera.position = {0, -0.05, 0}; // inside the bounds: what is behind the eye may lie anywhere
+    frame.camera.position = {0, -0.05, 0}; // the eye is inside the bounds, so geometry behind the eye may be anywhere
     for (int i = 0; i < 3; ++i) EXPECT_EQ(moved(0.05F), 0U) << "close by";
     frame.camera.position = {0, -5, 0};
     frame.primitives[0].color[3] = 0.5F;
@@ -128,7 +128,7 @@ TEST_F(KeptPictureTest, NothingIsPickedWhereSomethingWas) {
     EXPECT_TRUE(renderer.pick(column_of(0.5), 165, found));
 }
 
-// The point of it: few pixels are read where little is drawn.
+// Few pixels are read back where little is drawn.
 TEST_F(KeptPictureTest, OnlyWhatIsDrawnIsRead) {
     ChosenContext chosen = make_context(Backend::automatic);
     ASSERT_TRUE(make_current(*chosen.context));
@@ -140,7 +140,7 @@ TEST_F(KeptPictureTest, OnlyWhatIsDrawnIsRead) {
         return take_counts().pixels_read;
     };
     EXPECT_EQ(read(), 500U * 330U);
-    (void)read(); // learns the background
+    (void)read(); // the first reading stores the background
     const std::size_t small = read();
     EXPECT_GT(small, 0U);
     EXPECT_LE(small, 4U * TouchedTiles::side * TouchedTiles::side);

@@ -1,4 +1,4 @@
-// A still of 4096 x 4096 of everything at once is the small one with more pixels.
+// A still of 4096 x 4096 with a volume, surfaces and text looks like a small one, with more pixels.
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_scene.hpp"
@@ -21,11 +21,11 @@ Image drawn(Renderer& renderer, Frame& frame, int side) {
     return image;
 }
 
-// Mean of a block of the large picture against the small one's pixel, over all channels of the middle: letters are
-// hinted to whole pixels of either picture.
+// Differences of each pixel of the small picture from the mean of its block in the large one. Leaves the margin out,
+// because text is hinted to whole pixels of each picture.
 struct Difference {
     double mean = 0;
-    int far_off = 0; // channels that differ by more than an edge that lies a little elsewhere in its pixel
+    int far_off = 0; // channels that differ by more than 40 of 255, which a shifted edge does not reach
 };
 
 Difference compare(const Image& large, const Image& little) {
@@ -90,11 +90,12 @@ TEST(LargeStillTest, OfAVolumeTransparentSurfacesAndWriting) {
     const double held = resident_gigabytes();
     frame.primitives[1].color[3] = 0.7F;
     EXPECT_GT(compare(large, drawn(renderer, frame, small)).mean, same.mean + 1) << "a test that sees nothing";
-    if (renderer.gl_renderer().find("llvmpipe") == std::string::npos) return; // its memory is not this program's
+    // Only llvmpipe allocates textures in this process.
+    if (renderer.gl_renderer().find("llvmpipe") == std::string::npos) return;
     EXPECT_LT(resident_gigabytes(), held - 0.5) << "what the large one took is given back";
 }
 
-// Of a 4K screen. A ball of 50 % has a rim of pixels between its own color and the background's.
+// At 3840 x 2160. The ball has an opacity of 50 %, so pixels on its outline lie between its color and the background's.
 TEST(LargeStillTest, OfALargeScreenHasSmoothTransparentOutlines) {
     Renderer renderer(Backend::automatic);
     const Shape ball = sphere(1.2);

@@ -1,5 +1,5 @@
-// A volume that nothing is seen of changes nothing: transparent surfaces lie on opaque ones, and cross them, where they
-// do without it.
+// A fully transparent volume switches the renderer to depth peeling, but must not change the picture: transparent
+// surfaces on opaque ones and through them.
 #include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -10,7 +10,7 @@
 namespace ciel::render {
 namespace {
 
-// From -0.8 to 0.8 along each axis.
+// Surface of the cube from -0.8 to 0.8 along each axis.
 Shape cube() {
     Shape all;
     for (std::size_t axis = 0; axis < 3; ++axis)

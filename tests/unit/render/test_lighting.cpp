@@ -1,4 +1,4 @@
-// The lights of a frame against what they are said to add.
+// The brightness of each light of a frame, against its formula.
 #include "backends.hpp"
 #include "scenes.hpp"
 
@@ -13,11 +13,12 @@ constexpr double gray = 0.5;
 const double key_length = std::sqrt(0.45 * 0.45 + 0.65 * 0.65 + 0.6 * 0.6);
 const Vec3d key{-0.45 / key_length, 0.65 / key_length, 0.6 / key_length};
 
-// Of a surface with this normal along the eye's axes: right, up, towards the viewer.
+// Expected brightness (0 to 1) of a surface. `normal` is in eye space: right, up, towards the viewer.
 double expected(const Lighting& lighting, const Vec3d& normal = {0, 0, 1}) {
     const double to_key = normal[0] * key[0] + normal[1] * key[1] + normal[2] * key[2];
     const double wrapped = 0.5 + 0.5 * to_key;
-    const double half = std::max(0.0, (normal[2] + to_key) / std::sqrt(2 + 2 * key[2])); // cosine to key + viewer
+    // Cosine between the normal and the half vector of key light and viewer.
+    const double half = std::max(0.0, (normal[2] + to_key) / std::sqrt(2 + 2 * key[2]));
     return gray * (0.30 * lighting.ambient + 0.38 * lighting.headlight * normal[2] +
                    0.40 * lighting.key_light * wrapped * wrapped) +
            0.10 * lighting.key_light * std::pow(half, 40);
@@ -30,7 +31,7 @@ protected:
     Shape shape = square(0);
     bool winds_to_viewer = true;
 
-    // Polygons are wound about the normals of their vertices, which here look at the viewer or away.
+    // Polygons must be wound about their vertex normals, which face the viewer or look away in these tests.
     void wind(bool to_viewer) {
         if (std::exchange(winds_to_viewer, to_viewer) != to_viewer)
             std::reverse(shape.indices.begin(), shape.indices.end());
@@ -55,7 +56,8 @@ TEST_P(LightingTest, EachLightAddsItsStrength) {
     }
 }
 
-// The highlight's own direction is among them; a color of its own and a back side take other programs.
+// Normals include the direction of the strongest highlight. Uniform color, clip planes and back sides use other
+// programs.
 TEST_P(LightingTest, EachLightAddsWhatTheNormalTakesOfIt) {
     const double long_half = std::hypot(key[0], key[1], key[2] + 1);
     const Vec3d half{key[0] / long_half, key[1] / long_half, (key[2] + 1) / long_half};
@@ -76,7 +78,7 @@ TEST_P(LightingTest, EachLightAddsWhatTheNormalTakesOfIt) {
                 }
 }
 
-// The rim of a smooth shape: its polygons still face the viewer where the field's normals no longer do.
+// On the rim of a smooth shape, vertex normals may look away from the viewer while the polygon still faces it.
 TEST_P(LightingTest, NormalsThatLookAwayAreMirrored) {
     const double across = std::hypot(key[0], key[1]);
     for (const double away : {0.02, 0.3})
@@ -108,9 +110,10 @@ TEST_P(LightingTest, PointsAreLitAsBallsOrNotAtAll) {
     point.indices = {0};
     Primitives mesh = point.mesh();
     mesh.points = true;
-    mesh.point_size = 41; // its middle is a pixel
+    mesh.point_size = 41; // odd, so that the point's center is the center of a pixel
     EXPECT_NEAR(middle(mesh), gray, 0.01);
-    for (const std::size_t right : {8, 14, 18}) { // of a ball whose rim is 21 from its middle, a corner of pixels
+    // Pixels to the right of the center. The point is shaded as a ball with a radius of 21 pixels.
+    for (const std::size_t right : {8, 14, 18}) {
         const double side = std::hypot(static_cast<double>(right) + 0.5, 0.5) / 21;
         EXPECT_NEAR(middle(mesh, right), gray * (0.55 + 0.45 * std::sqrt(1 - side * side)), 0.004) << right;
     }

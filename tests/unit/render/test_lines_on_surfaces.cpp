@@ -1,5 +1,4 @@
-// Lines and points on surfaces are whole, what is well behind a surface is hidden, and no surface shows through one
-// that is before it, however steep they are.
+// Lines and points on surfaces have no gaps at any slope. Surfaces and lines well behind a surface are hidden.
 #include "backends.hpp"
 #include "scenes.hpp"
 
@@ -8,8 +7,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr double pixel = 3.0 / 240; // of front_view(), in the scene's units
-constexpr double leaning = 0.3;     // of the lines, to the picture's rows
+constexpr double pixel = 3.0 / 240; // size of a pixel of front_view(), in scene units
+constexpr double leaning = 0.3;     // angle between the lines and the picture's columns, in radians
 
 class LinesOnSurfaces : public testing::TestWithParam<Backend> {
 protected:
@@ -19,7 +18,8 @@ protected:
         frame.bounds_max = {2, 25, 2};
         frame.camera.position = {0, -60, 0};
     }
-    // Red, from -1 to 1 in x and z; of two triangles each side of the line, which runs along their edges.
+    // Red sheet from -1 to 1 in x and z, turned by `leaning`. Its triangle edges run along the line, which lies in its
+    // middle.
     template <typename Depth>
     static Shape sheet(Depth depth) {
         return grid(2, 1, [&](double u, double v) {
@@ -38,7 +38,7 @@ protected:
     [[nodiscard]] const std::uint8_t* at(int x, int y) const {
         return &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
     }
-    // Pixels that are not all green within `reach` pixels of the line, of those that are not near its ends.
+    // Pixels that are not fully green within `reach` pixels of the line, except near the line's ends.
     [[nodiscard]] int gaps(double reach) const {
         int count = 0;
         for (int y = 0; y < image.height; ++y)
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, LinesOnSurfaces, testing::ValuesIn(available_
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(LinesOnSurfaces);
 
 struct Bend {
-    double left, right, along; // depth a unit, on either side of the line and along it
+    double left, right, along; // depth per unit: left of the line, right of it, and along it
 };
 
 constexpr Bend bends[] = {{0, 0, 0},   {-1, 1, 0.5}, {-8, 8, 0},     {-20, 20, 3}, {8, -8, -2}, {0, 0, 20},
@@ -99,7 +99,7 @@ TEST_P(LinesOnSurfaces, AreHiddenWellBehindThem) {
         for (Vec3f& end : ends) end[1] += static_cast<float>(behind);
         for (const int samples : {1, 4}) {
             frame.samples = samples;
-            ends[0][0] *= 0.9F; // all of it behind the sheet, the ends too
+            ends[0][0] *= 0.9F; // shortens the line, so that its ends are behind the sheet too
             Primitives line = line_between(ends, width, {0, 1, 0, 1});
             frame.primitives = {line, colored(shape, {1, 0, 0, 1})};
             for (Vec3f& end : ends)
@@ -129,8 +129,8 @@ TEST_P(LinesOnSurfaces, PointsAreWhole) {
     }
 }
 
-// A disc in a ball, everywhere less than three pixels behind what is seen of the ball: where that is as steep as it
-// is at the disc's rim, it must not be pushed behind the disc.
+// A disc inside a ball, everywhere less than three pixels behind the ball's surface. Surfaces are drawn a little
+// further back so that lines on them stay visible. That offset must not push the steep rim of the ball behind the disc.
 TEST_P(LinesOnSurfaces, NothingInAClosedSurfaceIsSeenFromOutside) {
     constexpr double radius = 0.9, rim = 0.85;
     frame.bounds_min = {-1, -1, -1};
@@ -145,7 +145,7 @@ TEST_P(LinesOnSurfaces, NothingInAClosedSurfaceIsSeenFromOutside) {
     });
     const std::vector<Vec3f> ends{{-1.4F, 0, 1.3F}, {1.4F, 0, 1.3F}};
     for (const int samples : {1, 4})
-        for (const float width : {0.0F, 1.5F, 10.0F}) { // of a line elsewhere
+        for (const float width : {0.0F, 1.5F, 10.0F}) { // width of a line elsewhere in the picture; 0 for no line
             frame.samples = samples;
             frame.primitives = {colored(disc, {0, 1, 0, 1}), colored(ball, {1, 0, 0, 1})};
             if (width > 0) frame.primitives.push_back(line_between(ends, width, {1, 0, 1, 1}));
@@ -154,7 +154,7 @@ TEST_P(LinesOnSurfaces, NothingInAClosedSurfaceIsSeenFromOutside) {
         }
 }
 
-// A green strip close behind a steep red sheet is seen through it, though a wide line is somewhere.
+// The green strip lies close behind a steep transparent red sheet. A wide line elsewhere must not change their order.
 TEST_P(LinesOnSurfaces, TransparentSurfacesKeepTheirOrder) {
     frame.background_top = frame.background_bottom = {0, 0, 0};
     const Shape steep = grid(1, 1, [](double u, double v) {
@@ -175,12 +175,12 @@ TEST_P(LinesOnSurfaces, TransparentSurfacesKeepTheirOrder) {
         }
 }
 
-// Over the very faces of an opaque surface, wherever its samples are.
+// The transparent surface coincides with an opaque one and must show everywhere, at any sample position.
 TEST_P(LinesOnSurfaces, ATransparentSurfaceOnAnOpaqueOneIsSeenAllOver) {
     const Shape ball = sphere(0.9, {0.1, 0, 0.05}, 64);
     const std::vector<Vec3f> center{{-1.5F, 0, -1.2F}};
     const std::vector<Index> one{0};
-    Primitives point; // elsewhere, among the layers
+    Primitives point; // a point elsewhere in the picture, drawn among the transparent layers
     point.positions = center;
     point.indices = one;
     point.points = true;

@@ -1,5 +1,5 @@
-// A volume while something moves, every third or fifth slice at half the resolution, and its still are the same to the
-// eye: nothing gets lighter, darker or another color when the hand lets go.
+// A volume drawn while something moves uses every third or fifth slice at half resolution. Its brightness and color
+// must match the still's.
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
@@ -13,18 +13,19 @@ struct Colors {
     bool shaded;
 };
 
-// Of 255, of the pixels well inside or outside the mesh's outline, where a coarse pixel has no other neighbour.
+// Limits on the differences, in 255ths. Pixels near the mesh's outline are left out, where coarse pixels mix mesh and
+// background.
 constexpr double most_mean = 1, most_of_pixels = 6, share_of_pixels = 0.995;
 
 void expect_alike(const Image& moving, const Image& still, const std::string& what) {
     const auto at = [](const Image& image, int x, int y, std::size_t k) {
         return static_cast<int>(image.rgb[3 * static_cast<std::size_t>(y * image.width + x) + k]);
     };
-    const auto is_on_outline = [&](int x, int y) { // background within two pixels, but not only that
+    const auto is_on_outline = [&](int x, int y) { // within two pixels there is background and something else
         bool any = false, all = true;
         for (int v = std::max(0, y - 2); v <= std::min(still.height - 1, y + 2); ++v)
             for (int u = std::max(0, x - 2); u <= std::min(still.width - 1, x + 2); ++u) {
-                const bool is_empty = at(still, u, v, 2) <= 20; // the background
+                const bool is_empty = at(still, u, v, 2) <= 20; // the pixel shows the background
                 any = any || is_empty;
                 all = all && is_empty;
             }
@@ -80,7 +81,7 @@ TEST(MovingVolume, HasTheColorsOfItsStill) {
         }
 }
 
-// Least and most of a channel in a pixel and around it.
+// Smallest and largest value of channel k among the 3 x 3 pixels around (x, y).
 std::array<int, 2> ends_around(const Image& image, int x, int y, std::size_t k) {
     std::array<int, 2> ends{255, 0};
     for (int v = std::max(0, y - 1); v <= std::min(image.height - 1, y + 1); ++v)
@@ -91,8 +92,8 @@ std::array<int, 2> ends_around(const Image& image, int x, int y, std::size_t k) 
     return ends;
 }
 
-// A ray for four pixels that met the ball has no fog from behind it to give to the pixels beside the ball, and one that
-// went past has too much for those on it.
+// At half resolution one ray serves 2 x 2 pixels. A ray that hit the ball has no fog from behind it for neighbors
+// beside the ball. A ray that missed the ball has too much fog for pixels on it.
 TEST(MovingVolume, HasNoFringeAtTheOutlineOfASurface) {
     VolumeScene fog(test::hexahedra({{6, 6, 6}, 0, 1, 1.0 / 6}), [](const Vec3d&) { return 1; });
     const Shape ball = sphere(0.3, {0.5, 0.5, 0.5}, 96);
@@ -113,7 +114,7 @@ TEST(MovingVolume, HasNoFringeAtTheOutlineOfASurface) {
         frame.volumes[0].coarseness = 2;
         renderer().draw(frame, moving);
         int off = 0;
-        for (int y = 7 * side / 20; y < 13 * side / 20; ++y) // away from the outline of the volume itself
+        for (int y = 7 * side / 20; y < 13 * side / 20; ++y) // leaves out the volume's own outline
             for (int x = 7 * side / 20; x < 13 * side / 20; ++x)
                 for (std::size_t k = 0; k < 3; ++k) {
                     const auto [low, high] = ends_around(sharp, x, y, k);

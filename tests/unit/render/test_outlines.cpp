@@ -1,5 +1,5 @@
-// Outlines of opaque surfaces in fog, in a still: as smooth as those in the open, where each sample is by itself. Rays
-// through every part of a pixel say how bright it is.
+// In stills, outlines of opaque surfaces in fog are as smooth as outlines without fog, which are multisampled. The
+// expected brightness is the mean over 8 x 8 rays in each pixel.
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
@@ -10,7 +10,7 @@ namespace {
 using test::Box;
 
 constexpr double fog_opacity = 0.9;
-constexpr int parts = 8; // of a pixel along a side
+constexpr int parts = 8; // rays per pixel along each axis
 
 Ray ray_of_part(const Frame& frame, int x, int y, int part) {
     const int column = part % parts, row = part / parts;
@@ -21,7 +21,7 @@ struct Ball {
     Vec3d center;
     double radius;
 
-    // Where a ray meets it; infinite where it does not.
+    // Distance along the ray to the first intersection, infinite when there is none.
     [[nodiscard]] double hit(const Ray& ray) const { return hits(ray)[0]; }
     [[nodiscard]] std::array<double, 2> hits(const Ray& ray) const {
         const Vec3d to = plus(center, ray[0], -1);
@@ -38,7 +38,7 @@ class OutlineInFog : public testing::Test {
 protected:
     void SetUp() override {
         frame.samples = 4;
-        frame.bounds_min = {-1, -0.2, -1}; // of all that is drawn
+        frame.bounds_min = {-1, -0.2, -1}; // bounds of everything drawn
         Volume volume = fog.volume({0, 1, 0}, 100);
         volume.scale.points = {{0, {255, 255, 255}}, {1, {255, 255, 255}}};
         volume.scale.range = {0, 1};
@@ -68,8 +68,8 @@ protected:
         }
         return sum;
     }
-    // Mean difference of the pixels that the ball's outline runs through, of the step that it is there; `dimmed`: the
-    // share of the light that comes through what else there is.
+    // Mean error of the pixels on the ball's outline, relative to the step in brightness there. `dimmed`: share of the
+    // light that everything else in front lets through.
     [[nodiscard]] double roughness(double dimmed = 1) {
         Image image;
         renderer().draw(frame, image);
@@ -98,8 +98,8 @@ protected:
 
     VolumeScene fog{test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; }};
     Ball ball{{0.5, 0.5, 0.5}, 0.3};
-    double ball_opacity = 1;                               // of its surface, which is black
-    double wall = std::numeric_limits<double>::infinity(); // its place
+    double ball_opacity = 1;                               // opacity of the ball's black surface
+    double wall = std::numeric_limits<double>::infinity(); // position of an opaque wall along y
     std::vector<Shape> shapes = [] {
         std::vector<Shape> kept;
         kept.reserve(4);
@@ -108,7 +108,8 @@ protected:
     Frame frame = frame_of({"", {0.2, -1, 0.15}, 30});
 };
 
-constexpr double smooth = 0.12; // four samples are off by so much of a step, one by a quarter
+// Limit on the roughness. Four samples have an error of about this size; one sample has an error of 0.25.
+constexpr double smooth = 0.12;
 
 TEST_F(OutlineInFog, IsSmooth) { EXPECT_LT(roughness(), smooth); }
 
@@ -124,7 +125,7 @@ TEST_F(OutlineInFog, IsSmoothInFrontOfAWall) {
     EXPECT_LT(roughness(), smooth);
 }
 
-// Thick lines must not move the surface that they may lie on, most of all where it is steep.
+// Surfaces are drawn further back when thick lines may lie on them. That offset must not move steep outlines.
 TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     Shape line;
     line.positions = {{0, 0, 0}, {0, 0, 1}};
@@ -134,14 +135,14 @@ TEST_F(OutlineInFog, IsSmoothWithLinesAround) {
     EXPECT_LT(roughness(), smooth);
 }
 
-// Each part of a pixel has the fog in front of what it sees of the ball, not of what the pixel's one ray met.
+// Each sample of a pixel must use the fog in front of its own surface, not the fog of the pixel's single ray.
 TEST_F(OutlineInFog, IsSmoothOfATransparentBall) {
     ball_opacity = 0.8;
     frame.primitives[0].color[3] = 0.8F;
     EXPECT_LT(roughness(), smooth);
 }
 
-// Volumes that are opaque within a pixel or two.
+// The volumes are opaque within one or two pixels.
 class OutlineOfAVolume : public testing::Test {
 protected:
     static Volume rock(VolumeScene& scene, const Vec3d& normal = {0, 1, 0}) {
@@ -152,7 +153,7 @@ protected:
         volume.unit_length = 0.002;
         return volume;
     }
-    // Of pixels that are covered in part, how far they are from what their parts' rays have on average.
+    // Mean error, from 0 to 1, of the partly covered pixels.
     static double roughness(const Frame& frame, const std::function<double(const Ray&)>& light) {
         Image image;
         renderer().draw(frame, image);
@@ -190,7 +191,7 @@ TEST_F(OutlineOfAVolume, IsSmooth) {
             Frame frame = frame_of(view);
             frame.samples = 4;
             frame.volumes = {rock(cube)};
-            const Shape behind = square(0.99); // in the dark
+            const Shape behind = square(0.99); // behind the opaque front of the volume
             Primitives sheet = behind.mesh();
             sheet.scalars = {};
             sheet.color = {0, 0, 0, 0.5F};
@@ -199,7 +200,7 @@ TEST_F(OutlineOfAVolume, IsSmooth) {
         }
 }
 
-// A ray beside an edge that is seen from the side has only a little of the volume in it, and the next one a lot more.
+// Thin volume at an edge seen from the side: from one ray to the next, the length inside the mesh rises steeply.
 TEST_F(OutlineOfAVolume, IsSmoothWhereItIsThinAtItsEdge) {
     for (const View& view : outline_views)
         for (const auto& [unit_length, most] : {std::array{0.3, 0.01}, {0.1, 0.02}, {0.03, 0.05}, {0.01, 0.08}}) {
@@ -216,7 +217,7 @@ TEST_F(OutlineOfAVolume, IsSmoothWhereItIsThinAtItsEdge) {
         }
 }
 
-// Without a face of the mesh between two planes only the planes say where there is something.
+// Between two clip planes there may be no mesh face. Only the planes tell then which samples are covered.
 TEST_F(OutlineOfAVolume, IsSmoothWherePlanesCutIt) {
     const Vec3d middle{0.43, 0.57, 0.51};
     const Cut one{"one plane", {plane_through(middle, {1, -0.6, 0.35})}};
@@ -231,7 +232,8 @@ TEST_F(OutlineOfAVolume, IsSmoothWherePlanesCutIt) {
     const View inside{"eye inside", {0.3, -1, 0.4}, 70, 0.3};
     for (const Cut& cut : {one, behind, wedge, sheet, box})
         for (const View& view : {outline_views[0], outline_views[1], inside}) {
-            if (view.distance < 1 && cut.planes.size() < 6) continue; // it is all around
+            // The volume covers the whole picture, so there is no outline.
+            if (view.distance < 1 && cut.planes.size() < 6) continue;
             Frame frame = frame_of(view);
             frame.samples = 4;
             frame.volumes = {rock(cube)};
@@ -241,12 +243,12 @@ TEST_F(OutlineOfAVolume, IsSmoothWherePlanesCutIt) {
                 return from < to;
             };
             EXPECT_LT(roughness(frame, meets), smooth) << cut.name << ", " << view.name;
-            frame.bounds_max[1] = 0.9; // the frame's are not all of the mesh
+            frame.bounds_max[1] = 0.9; // bounds smaller than the mesh
             EXPECT_LT(roughness(frame, meets), smooth) << cut.name << ", " << view.name << ", in narrow bounds";
         }
 }
 
-// The mesh of each is its own, and so is its outline.
+// Two volumes with different meshes have different outlines.
 TEST_F(OutlineOfAVolume, IsSmoothOfEachOfSeveral) {
     VolumeScene slab(test::hexahedra(Box{{4, 1, 1}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
     for (const View& view : outline_views)
@@ -259,7 +261,7 @@ TEST_F(OutlineOfAVolume, IsSmoothOfEachOfSeveral) {
         }
 }
 
-// Where a place is in the picture.
+// Pixel coordinates of a point.
 std::array<double, 2> pixel_of(const Frame& frame, const Vec3d& place) {
     const Ray middle = ray_of(frame, frame.width / 2.0, frame.height / 2.0);
     const auto along = [&](const Vec3d& direction) {
@@ -283,7 +285,7 @@ bool is_in_front_of_cube(const Frame& frame, const Vec3d& place) {
     return from >= end || there < from + 1e-3;
 }
 
-// With a pixel around it.
+// True when the pixel and its eight neighbors are inside the picture.
 bool is_in_picture(const Image& image, const std::array<double, 2>& place) {
     return place[0] >= 1 && place[1] >= 1 && place[0] < image.width - 1 && place[1] < image.height - 1;
 }
@@ -296,11 +298,12 @@ int darkest_around(const Image& image, const std::array<double, 2>& place) {
     return darkest;
 }
 
-// They are neither in front of the mesh nor behind: rounding must not make dashes of them.
+// The lines coincide with mesh edges. Rounding must not hide parts of them behind the volume.
 TEST_F(OutlineOfAVolume, LinesAlongTheEdgesOfItsMeshAreWhole) {
-    const std::array<std::array<Vec3d, 2>, 3> edges{{{{{0, 0, 0}, {0, 0, 1}}},   //
-                                                     {{{0, 0, 1}, {1, 0, 1}}},   //
-                                                     {{{0, 0, 1}, {0, 1, 1}}}}}; // those of the corner that is nearest
+    const std::array<std::array<Vec3d, 2>, 3> edges{{{{{0, 0, 0}, {0, 0, 1}}}, //
+                                                     {{{0, 0, 1}, {1, 0, 1}}}, //
+                                                     // The edges at the corner nearest to the eye.
+                                                     {{{0, 0, 1}, {0, 1, 1}}}}};
     std::vector<Vec3f> ends;
     for (const auto& edge : edges)
         for (const Vec3d& end : edge)
@@ -334,7 +337,7 @@ TEST_F(OutlineOfAVolume, LinesAlongTheEdgesOfItsMeshAreWhole) {
         }
 }
 
-// What is well behind the boundary is not.
+// A line well behind the volume's boundary is hidden.
 TEST_F(OutlineOfAVolume, ALineInsideIsHidden) {
     const std::vector<Vec3f> ends{{0.05F, 0.05F, 0.2F}, {0.05F, 0.05F, 0.8F}};
     const Primitives line = line_between(ends, 1.5F, {0, 0, 0, 1});
@@ -350,7 +353,7 @@ TEST_F(OutlineOfAVolume, ALineInsideIsHidden) {
     }
 }
 
-// In front of all of it, so that its picture is made of layers.
+// The sheet in front of the fog turns depth peeling on.
 TEST_F(OutlineInFog, IsSmoothBehindATransparentSheet) {
     add(square(-0.1)).color[3] = 0.4F;
     EXPECT_LT(roughness(0.6), smooth);

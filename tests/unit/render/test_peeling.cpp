@@ -1,4 +1,5 @@
-// Transparent layers against what is worked out by hand: in their order at every pixel, and mixed with volumes.
+// Depth peeling against computed colors: transparent layers are blended in depth order at every pixel, also with
+// volumes.
 #include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 using Color = std::array<double, 3>;
 
-// One color over others, each `opacity` of itself: from the nearest to the background.
+// Blends layers of (color, opacity), given from the nearest on, over the background.
 Color over(const std::vector<std::pair<Color, double>>& nearest_first, const Color& background) {
     Color sum{};
     double through = 1;
@@ -50,7 +51,7 @@ protected:
     }
 };
 
-// Two squares that cross in the middle, each of two triangles: one is nearer on the left, the other on the right.
+// Two squares of two triangles each cross in the middle. One is nearer on the left, the other on the right.
 TEST_P(PeelingTest, SurfacesThatCross) {
     const auto leaning = [](float lean) {
         return grid(1, 1, [&](double u, double v) {
@@ -59,7 +60,7 @@ TEST_P(PeelingTest, SurfacesThatCross) {
         });
     };
     const Color red{1, 0, 0}, blue{0, 0, 1};
-    add(leaning(0.5F), red, 0.5); // nearer, which is less y, on the left
+    add(leaning(0.5F), red, 0.5); // nearer on the left, where y is smaller
     add(leaning(-0.5F), blue, 0.5);
     renderer.draw(frame, image);
     expect(100, 120, over({{red, 0.5}, {blue, 0.5}}, {}));
@@ -89,8 +90,7 @@ TEST_P(PeelingTest, OpaqueSurfacesHideWhatIsBehind) {
     expect(160, 120, over({{red, 0.5}}, green));
 }
 
-// Of an opaque sliver in front of a sheet, less than a pixel high, no part is lost and none is a whole pixel high: it
-// would look like a line of dashes.
+// An opaque sliver less than a pixel high in front of a sheet. Uneven coverage would make it a dashed line.
 TEST_P(PeelingTest, AnOpaqueSliverInFrontOfASheetIsNoLineOfDashes) {
     add(square(0.5), {1, 1, 1}, 0.5);
     const double pixel = frame.camera.parallel_height / frame.height;
@@ -109,7 +109,7 @@ TEST_P(PeelingTest, AnOpaqueSliverInFrontOfASheetIsNoLineOfDashes) {
     }
 }
 
-// What is in front of a sphere and what is in it: four layers in the middle, two where the small one is not.
+// A small sphere inside a large one: four layers in the middle, two where only the large sphere is.
 TEST_P(PeelingTest, SurfacesThatEncloseEachOther) {
     const Color red{1, 0, 0}, green{0, 1, 0};
     add(sphere(0.9), red, 0.3);
@@ -128,7 +128,7 @@ TEST_P(PeelingTest, EdgesAreSmooth) {
     EXPECT_GT(between, 200U) << "pixels along the outline that are partly covered";
 }
 
-// As many as depth_peeling.cpp says, from the nearest on; what is behind the last shows as if there were no more.
+// The nearest 32 layers are drawn (depth_peeling.cpp). Layers beyond are dropped as if absent, with a remark.
 TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
     std::vector<std::pair<Color, double>> expected;
     for (int i = 39; i >= 0; --i) {
@@ -174,7 +174,7 @@ TEST_P(PeelingTest, MoreThanEightLayersAreSeenInAVolume) {
     }
 }
 
-// Those after the eighth are seen through a little less fog than there is.
+// Layers beyond the eighth are drawn with slightly too little fog in front of them, so the tolerance is larger.
 TEST_P(PeelingTest, TwentyLayersInFogAreSeenThroughIt) {
     VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
     Volume volume = fog.volume({0, 1, 0}, 60);
@@ -217,7 +217,7 @@ TEST_P(PeelingTest, AClipPlaneCutsLayers) {
     expect(100, 120, {});
 }
 
-// The sheet rises towards the viewer within the width of the line: half of the line would be under it.
+// The sheet rises towards the viewer across the line's width, so it would cover half of the line without an offset.
 TEST_P(PeelingTest, LinesOnASheetAreNotBuried) {
     add(grid(1, 1,
              [](double u, double v) {
@@ -235,7 +235,7 @@ TEST_P(PeelingTest, LinesOnASheetAreNotBuried) {
     for (int x = 157; x < 163; ++x) expect(x, 120, {0, 1, 0});
 }
 
-// A soft edge of a line lets the sheet behind it through, not what is behind the sheet: red and green share each pixel.
+// A line's soft edge must show the sheet under it, not what is behind the sheet: red and green add up at each pixel.
 TEST_P(PeelingTest, LinesOnASheetHaveNoHoleAroundThem) {
     const Color red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1};
     const auto leaning = grid(1, 1, [](double u, double v) {
@@ -249,7 +249,7 @@ TEST_P(PeelingTest, LinesOnASheetHaveNoHoleAroundThem) {
     for (const bool sheet_in_front : {false, true}) {
         if (sheet_in_front) add(square(-0.9), blue, 0.5);
         renderer.draw(frame, image);
-        const double most = sheet_in_front ? 0.5 : 1; // of what is seen through the sheet
+        const double most = sheet_in_front ? 0.5 : 1; // share of the light that passes the front sheet
         std::size_t partly = 0;
         for (int y = 90; y < 150; ++y)
             for (int x = 130; x < 190; ++x) {
@@ -261,8 +261,8 @@ TEST_P(PeelingTest, LinesOnASheetHaveNoHoleAroundThem) {
     }
 }
 
-// While something moves, triangles are sorted and drawn after the lines: no pixel of a line's edge is a hole to the
-// black behind the sheet, and the line has no gaps, in front of the sheet and, half as bright, behind it.
+// While something moves, triangles are sorted and drawn after the lines. The line must have no gaps and no dark edge
+// pixels. Behind the sheet it is half as bright.
 TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
     add(square(0), {1, 0, 0}, 0.5);
     for (const float depth : {-0.1F, 0.1F})
@@ -276,7 +276,7 @@ TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
             frame.samples = 1;
             frame.camera.position = {0.3, -5, 0.2};
             renderer.draw(frame, image);
-            const double most = depth < 0 ? 1 : 0.5; // of the line's light
+            const double most = depth < 0 ? 1 : 0.5; // brightness of the line
             int seen = 0;
             for (int x = 0; x < image.width; ++x) {
                 double brightest = 0;
@@ -296,8 +296,8 @@ TEST_P(PeelingTest, LinesOnASheetAreWholeWhileSomethingMoves) {
         }
 }
 
-// A cube of even fog with a sheet in its middle: half of the fog is before the sheet, half behind it.
-// Along the slabs, and across four thick ones: both sheets are before the middles of theirs.
+// A cube of constant fog with a sheet in its middle: half of the fog is in front of the sheet. Tested with slabs along
+// the view, and across it with four thick slabs.
 TEST_P(PeelingTest, ASheetInAVolume) {
     VolumeScene along(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
     VolumeScene across(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
@@ -312,7 +312,8 @@ TEST_P(PeelingTest, ASheetInAVolume) {
             return Vec3f{static_cast<float>(4 * u), static_cast<float>(y), static_cast<float>(4 * v)};
         });
     };
-    const auto fog = [](double length) { return 1 - std::pow(0.5, length / 2); }; // two take half of the light
+    // A length of 2 takes half of the light.
+    const auto fog = [](double length) { return 1 - std::pow(0.5, length / 2); };
     for (Volume volume : {along.volume({1, 0, 0}, 50), across.volume({0, 1, 0}, 4)})
         for (const bool parallel : {true, false})
             for (const int samples : {1, 4}) {

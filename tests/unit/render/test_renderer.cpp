@@ -1,4 +1,4 @@
-// Pictures of shapes whose look is known, on every back end of this machine. A failing picture stays in the build
+// Pictures of shapes with a known appearance, on every back end of this machine. Failing pictures stay in the build
 // folder.
 #include "annotations/camera.hpp"
 #include "backends.hpp"
@@ -83,10 +83,10 @@ TEST_P(RendererTest, SphereIsLitAndHasNoBlackPatches) {
             mesh.normals = smooth ? std::span<const Vec3f>(normals) : std::span<const Vec3f>();
             frame.primitives = {mesh};
             draw();
-            // A disc of radius 1 in a view of 3 x 4.
+            // The ball is a disc of radius 1 in a view of 3 x 4 units.
             const double covered = share([](Pixel p) { return p.brightness() > 42; });
             EXPECT_NEAR(covered, std::numbers::pi / 12, 0.004) << smooth << inverted;
-            // Nothing inside nine tenths of the radius is dark.
+            // Within nine tenths of the radius no pixel is dark.
             int darkest = 255;
             for (int y = 0; y < 480; ++y)
                 for (int x = 0; x < 640; ++x)
@@ -100,7 +100,7 @@ TEST_P(RendererTest, SphereIsLitAndHasNoBlackPatches) {
     }
 }
 
-// The color of the map at the pixel's own x: the picture is 4 units wide.
+// Each pixel has the color that the map gives its x coordinate. The picture is 4 units wide.
 TEST_P(RendererTest, UnlitSliceShowsTheColorMapExactly) {
     const Shape shape = square(0);
     for (const std::string& name : color::color_map_names()) {
@@ -138,7 +138,7 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
     EXPECT_NEAR(grey.r, 128, 2);
     EXPECT_NEAR(grey.g, 128, 2);
     EXPECT_NEAR(grey.b, 128, 2);
-    mesh.scale.range = {0, 0}; // of a constant field: the middle of the map
+    mesh.scale.range = {0, 0}; // range of a constant field, which has the color in the middle of the map
     frame.primitives = {mesh};
     draw();
     EXPECT_NEAR(center().g, viridis[128][1], 3);
@@ -154,7 +154,7 @@ TEST_P(RendererTest, LinesHaveTheirWidthAndHideBehindSurfaces) {
     EXPECT_NEAR(lit, 8, 1);
     EXPECT_LT(at(20, 120).r, 60) << "the line ends";
 
-    const Shape shape = square(-0.5); // in front of the line
+    const Shape shape = square(-0.5); // the square is in front of the line
     Primitives surface = shape.mesh();
     surface.scalars = {};
     surface.color = {0, 0, 1, 1};
@@ -175,7 +175,7 @@ TEST_P(RendererTest, LinesThroughTheEyeAreCutAtTheNearestPlane) {
     EXPECT_LT(at(20, 120).r, 60) << "what is behind the eye must not appear on the other side";
 }
 
-// Red behind, green before it, half covering each: the same whatever the order of the layers.
+// A red square behind a green one, both half transparent. The order of the primitives has no effect.
 TEST_P(RendererTest, TransparentSurfacesBlendFromTheBackToTheFront) {
     const Shape near_shape = square(-0.5);
     const Shape far_shape = square(0.5);
@@ -215,7 +215,7 @@ TEST_P(RendererTest, TransparentSurfaceIsHiddenByAnOpaqueOne) {
 
 TEST_P(RendererTest, PickFindsTheNearestSurfaceEvenATransparentOne) {
     frame.camera.parallel = false;
-    frame.origin = {500000, 4000000, 100}; // far off: what float32 cannot hold
+    frame.origin = {500000, 4000000, 100}; // large coordinates, where float32 is too coarse without `origin`
     frame.camera.position = {500000.3, 3999994, 100.2};
     frame.camera.target = {500000, 4000000, 100};
     frame.bounds_min = {499999, 3999999, 99};
@@ -265,9 +265,11 @@ TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
     const std::vector<Row> rows{
         {"no pixels", [](Frame& f) { f.width = 0; }, "cannot be drawn"},
         {"too large", [](Frame& f) { f.height = 1 << 20; }, "cannot be drawn"},
-        {"index beyond", [&](Frame& f) { f.primitives[0].indices = beyond; }, "do not fit together"},
-        {"half a triangle", [](Frame& f) { f.primitives[0].indices = f.primitives[0].indices.first(4); }, "do not fit"},
-        {"normals missing", [](Frame& f) { f.primitives[0].normals = f.primitives[0].normals.first(3); }, "do not fit"},
+        {"index beyond", [&](Frame& f) { f.primitives[0].indices = beyond; }, "do not match"},
+        {"half a triangle", [](Frame& f) { f.primitives[0].indices = f.primitives[0].indices.first(4); },
+         "do not match"},
+        {"normals missing", [](Frame& f) { f.primitives[0].normals = f.primitives[0].normals.first(3); },
+         "do not match"},
         {"unknown map",
          [&](Frame& f) {
              f.primitives[0].scalars = {&shape.positions[0][0], shape.positions.size()};
@@ -304,14 +306,15 @@ TEST_P(RendererTest, DegenerateCamerasAndBoundsStillGiveAPicture) {
     draw();
     const Image usual = image;
     EXPECT_GT(center().brightness(), 100);
-    frame.camera.target = frame.camera.position; // looks along y then, as the usual one does
+    frame.camera.target = frame.camera.position; // falls back to looking along y, like the usual camera here
     draw();
     EXPECT_EQ(image.rgb, usual.rgb);
     frame.camera.target = {0, 0, 0};
-    frame.camera.up = {0, 1, 0}; // along the view
+    frame.camera.up = {0, 1, 0}; // parallel to the viewing direction
     draw();
     EXPECT_EQ(image.rgb, usual.rgb);
-    frame.bounds_max = frame.bounds_min; // no depth but a margin around the sphere's nearest point
+    // Empty bounds: the depth range is only a margin around the sphere's nearest point.
+    frame.bounds_max = frame.bounds_min;
     draw();
     EXPECT_GT(center().brightness(), 100);
     EXPECT_LT(at(200, 120).brightness(), 42);

@@ -1,4 +1,4 @@
-// While somebody drags and turns, the GL makes no object and gets nothing that it has already.
+// While the camera turns or a plane moves, the renderer creates no OpenGL objects and sends no unchanged data.
 #include "backends.hpp"
 #include "counted_gl.hpp"
 #include "render/painter.hpp"
@@ -48,7 +48,7 @@ protected:
         mesh.revision = ++revision;
         frame.primitives[at] = mesh;
     }
-    // No object and no memory for pictures: what every frame of a drag must have in common.
+    // Checks that the last frame created no objects and allocated no storage.
     void expect_nothing_made(const GlCounts& counts) {
         EXPECT_EQ(counts.objects, 0);
         EXPECT_EQ(counts.storage, 0);
@@ -171,7 +171,7 @@ TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
         turn();
         expect_nothing_sent(draw());
     }
-    frame.volumes[0].stride = 3; // as while the camera moves
+    frame.volumes[0].stride = 3; // the stride while the camera moves
     (void)draw();
     for (const std::size_t stride : {1, 3, 1}) {
         frame.volumes[0].stride = stride;
@@ -181,10 +181,10 @@ TEST_P(SteadyStateTest, AVolumeIsSentOnce) {
     add(ball).color[3] = 0.5F;
     (void)draw();
     turn();
-    expect_nothing_sent(draw()); // layers in a volume are peeled: their triangles have no order
+    expect_nothing_sent(draw()); // layers inside a volume are depth-peeled, so no sorted triangle order is sent
 }
 
-// All that a scene may hold: nothing of it is sent or made again while the camera turns or a plane moves.
+// Every kind of layer: nothing is sent or created again while the camera turns or a plane moves.
 class SteadyScenes : public SteadyStateTest {
 protected:
     void add_all(float opacity) {
@@ -197,8 +197,8 @@ protected:
         add(plane);
         frame.occlusion = {0.5, 1};
     }
-    // While the camera turns and a plane moves. A volume may be met by rays in more parts than before: the
-    // `first_rounds` make what that takes.
+    // Turns the camera and moves a plane, and expects no uploads. `first_rounds` unchecked rounds come first, because
+    // more layers of ray segments may need storage.
     void expect_steady(const char* what, int first_rounds = 0) {
         SCOPED_TRACE(what);
         const double from = angle;

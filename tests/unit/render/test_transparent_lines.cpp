@@ -1,5 +1,4 @@
-// Lines that one can see through take their share of the light once at every pixel, however many segments of one layer
-// meet there, and layers of them are mixed in their order.
+// Segments of one transparent line layer that meet at a pixel are blended once. Line layers are blended in depth order.
 #include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -31,7 +30,7 @@ struct Lines {
     }
 };
 
-// `depth`: of a place in the picture.
+// `depth(x, z)` gives y.
 template <typename Depth>
 Lines zigzag(Depth depth) {
     Lines lines;
@@ -43,7 +42,7 @@ Lines zigzag(Depth depth) {
     return lines;
 }
 
-// The edges of a mesh of triangles: six and more meet in a point, and each edge is there twice.
+// All triangle edges of a mesh: up to six meet at a vertex, and each inner edge occurs twice.
 template <typename Depth>
 Lines wires(Depth depth) {
     const Shape shape = grid(6, 5, [&](double u, double v) {
@@ -71,7 +70,7 @@ protected:
     [[nodiscard]] const std::uint8_t* at(int x, int y) const {
         return &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
     }
-    // Distance in pixels of a pixel's middle from the nearest segment.
+    // Distance in pixels from a pixel's center to the nearest segment.
     [[nodiscard]] double distance(const Lines& lines, int x, int y) const {
         double least = 1e9;
         const double pixels = image.height / frame.camera.parallel_height;
@@ -87,13 +86,14 @@ protected:
         }
         return least;
     }
-    // Along the middle of the lines, joints included.
+    // Expects `color` in all pixels along the middle of the lines, joints included.
     void expect_even(const Lines& lines, float width, const std::array<double, 3>& color, const std::string& what,
                      double most = 2) {
         int pixels = 0, off = 0, worst = 0, worst_x = 0, worst_y = 0;
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
-                if (distance(lines, x, y) > width / 4 - 0.25) continue; // as far as ends reach
+                // The range in which line ends have full coverage too.
+                if (distance(lines, x, y) > width / 4 - 0.25) continue;
                 ++pixels;
                 for (std::size_t k = 0; k < 3; ++k) {
                     const int difference = static_cast<int>(std::lround(at(x, y)[k] - 255 * color[k]));
@@ -136,7 +136,7 @@ TEST_P(TransparentLines, AreEvenAlongTheirMiddleAndInTheirJoints) {
         }
 }
 
-// Of a mesh that the lines lie on, opaque or not.
+// The lines lie on a mesh, opaque or transparent.
 TEST_P(TransparentLines, AreEvenOnASurface) {
     for (const float opacity : {1.0F, 0.5F})
         for (const int samples : {1, 4}) {
@@ -158,8 +158,8 @@ TEST_P(TransparentLines, AreEvenOnASurface) {
 
 struct Tube {
     double tilt = 0;
-    double turn = 0;  // of a side; half: one lies along the view
-    double aside = 0; // of where its axis is, in x
+    double turn = 0;  // rotation in sides of the tube; at 0.5 one side is parallel to the view
+    double aside = 0; // x coordinate of the tube's axis
 
     [[nodiscard]] Shape shape() const {
         constexpr Index columns = 24;
@@ -171,7 +171,7 @@ struct Tube {
     }
 };
 
-// Along two sides of each quadrilateral of a grid.
+// Two sides of each quadrilateral of a grid.
 Lines sides_of(const Shape& shape) {
     Lines lines{shape.positions, {}};
     for (std::size_t i = 0; i < shape.indices.size(); i += 6)
@@ -188,7 +188,7 @@ std::vector<Tube> steep_tubes() {
     return tubes;
 }
 
-// Where a sheet is steep its lines come far before it, but not before what is well before it.
+// Lines on a steep sheet are drawn far in front of it, but must stay behind a pane well in front of the sheet.
 TEST_P(TransparentLines, OnSteepSheetsStayBehindAPane) {
     const Shape in_front = square(-1.2);
     Primitives pane = in_front.mesh();
@@ -218,8 +218,8 @@ TEST_P(TransparentLines, OnSteepSheetsStayBehindAPane) {
     }
 }
 
-// Whatever the slope of a sheet just in front, lines on what is opaque are not the sheet's: they look as through a
-// pane.
+// A steep transparent sheet just in front of lines on an opaque wall. The lines must look as behind a flat pane, not as
+// lines on the sheet.
 TEST_P(TransparentLines, OnOpaqueSurfacesStayBehindSteepSheets) {
     const auto wall_at = [](double x, double) { return 0.3 * x; };
     const Lines lines = wires(wall_at);
@@ -256,7 +256,7 @@ TEST_P(TransparentLines, OnOpaqueSurfacesStayBehindSteepSheets) {
     }
 }
 
-// Two layers in any order in the document; the nearer is red.
+// The red layer is nearer. The order of the layers in the document has no effect.
 TEST_P(TransparentLines, OfTwoLayersAreMixedInTheirOrder) {
     const Lines near{{{-1, -0.5F, 0}, {1, -0.5F, 0}}, {0, 1}}, far{{{0, 0.5F, -1}, {0, 0.5F, 1}}, {0, 1}};
     for (const int samples : {1, 4})
@@ -270,7 +270,7 @@ TEST_P(TransparentLines, OfTwoLayersAreMixedInTheirOrder) {
         }
 }
 
-// Lines of one layer that cross far from each other are two lines.
+// Two lines of one layer that cross far apart in depth are blended twice.
 TEST_P(TransparentLines, OfOneLayerAreSeenThroughEachOther) {
     const Lines both{{{-1, -0.5F, 0}, {1, -0.5F, 0}, {0, 0.5F, -1}, {0, 0.5F, 1}}, {0, 1, 2, 3}};
     for (const int samples : {1, 4}) {
@@ -301,7 +301,7 @@ TEST_P(TransparentLines, AreMixedWithSheetsAndOpaqueLines) {
     }
 }
 
-// Once in front of the fog, not before and after it.
+// Lines in front of the fog are blended once, not once in front of it and once behind.
 TEST_P(TransparentLines, InFrontOfAVolumeAreSeenOnce) {
     VolumeScene fog(test::hexahedra({{2, 2, 2}}), [](const Vec3d&) { return 1.0; });
     Volume volume = fog.volume({0, 1, 0}, 40);

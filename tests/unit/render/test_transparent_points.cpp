@@ -1,5 +1,5 @@
-// Points are mixed with surfaces, lines, volumes and each other in their order at every pixel, edges included: against
-// what is worked out by hand.
+// Points, surfaces, lines and volumes are blended in depth order at every pixel, soft edges included. Compared with
+// computed colors.
 #include "backends.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -12,7 +12,7 @@ namespace ciel::render {
 namespace {
 
 using Color = std::array<double, 3>;
-using Layers = std::vector<std::pair<Color, double>>; // colors and their opacity, from the nearest on
+using Layers = std::vector<std::pair<Color, double>>; // colors with opacity, from the nearest on
 
 constexpr Color red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1}, white{1, 1, 1}, black{};
 
@@ -67,7 +67,7 @@ protected:
         for (std::size_t k = 0; k < 3; ++k)
             EXPECT_NEAR(at(x, y)[k], 255 * color[k], most) << what << " at " << x << ", " << y;
     }
-    // In any order of the meshes, moving and still.
+    // Expects `color` for every order of the primitives, at 1 and 4 samples.
     void expect_in_any_order(const Color& color, const char* what, double most = 2) {
         for (const int samples : {1, 4}) {
             frame.samples = samples;
@@ -78,7 +78,7 @@ protected:
             }
         }
     }
-    // Of all pixels within so many of the middle.
+    // Darkest byte of the pixels up to `reach` pixels from the middle.
     [[nodiscard]] int darkest(int reach) const {
         int least = 255;
         for (int y = 120 - reach; y < 120 + reach; ++y)
@@ -142,7 +142,7 @@ TEST_P(Points, AreMixedWithLines) {
         }
 }
 
-// Each takes its share, as deep as the others or not, and there may be more than layers are peeled.
+// All 50 points count, at equal or different depths, though only 32 layers are peeled.
 TEST_P(Points, OfOneLayerAreSeenThroughEachOther) {
     std::vector<Vec3f> places(50, {0, 0.3F, 0});
     for (std::size_t i = 25; i < places.size(); ++i) places[i][1] = 0.01F * static_cast<float>(i);
@@ -170,7 +170,7 @@ TEST_P(Points, OfManyLayersAreMixedInTheirOrder) {
     }
 }
 
-// Discs of any opacity, lines and a sheet, in one order and in the other.
+// Discs of several opacities, lines and a sheet. Reversing the primitives does not change the picture.
 TEST_P(Points, TheOrderOfTheDocumentDoesNotShow) {
     for (const bool with_sheet : {false, true})
         for (const bool with_half : {false, true}) {
@@ -196,7 +196,7 @@ TEST_P(Points, TheOrderOfTheDocumentDoesNotShow) {
         }
 }
 
-// All is white but the background: no pixel is darker than the sheet alone.
+// Everything is white except the background, so no pixel may be darker than the sheet alone.
 TEST_P(Points, NoPixelIsDarkerThanWhatItIsMixedFrom) {
     for (const double sheet : {0.5, 0.9, 1.0})
         for (const double opacity : {0.5, 1.0})
@@ -215,7 +215,7 @@ TEST_P(Points, NoPixelIsDarkerThanWhatItIsMixedFrom) {
             }
 }
 
-// The edge of one that is nearer lets the farther one through, not what is behind both.
+// The soft edge of a nearer point shows the farther point under it, not the background behind both.
 TEST_P(Points, EdgesOverPointsAndLinesAreNoHoles) {
     for (const bool near_first : {true, false})
         for (const int samples : {1, 4}) {
@@ -254,7 +254,7 @@ TEST_P(Points, HaveSmoothEdgesInAStill) {
     }
 }
 
-// Half of the fog is in front of the point.
+// The point is in the middle of the fog, so half of the fog is in front of it.
 TEST_P(Points, InAVolumeAreSeenThroughWhatIsInFront) {
     VolumeScene fog(test::hexahedra({{4, 4, 4}}), [](const Vec3d&) { return 1.0; });
     Volume volume = fog.volume({0, 1, 0}, 50);

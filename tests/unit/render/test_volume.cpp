@@ -1,4 +1,4 @@
-// Volumes against closed forms: Beer and Lambert for a constant property, the integral for a linear one.
+// Volumes against closed forms: Beer-Lambert for a constant property, the integral for a linear one.
 #include "color/transfer_table.hpp"
 #include "scenes.hpp"
 #include "support/fields.hpp"
@@ -17,8 +17,8 @@ using test::Box;
 struct Solid {
     const char* name;
     test::Polyhedra (*make)();
-    std::vector<std::array<Vec3d, 2>> boxes; // that it fills
-    std::vector<std::array<Vec3d, 2>> holes; // in them
+    std::vector<std::array<Vec3d, 2>> boxes; // boxes that the solid fills
+    std::vector<std::array<Vec3d, 2>> holes; // holes in the boxes
 
     [[nodiscard]] double length(const Ray& ray) const {
         double sum = 0;
@@ -66,14 +66,14 @@ const std::vector<Solid> solids{
      [] { return cube_without(4, [](auto c) { return c[1] == 1 || (c[1] == 2 && c[2] > 1); }); },
      unit_cube,
      {{Vec3d{0, 0.25, 0}, Vec3d{1, 0.5, 1}}, {Vec3d{0, 0.5, 0.5}, Vec3d{1, 0.75, 1}}}},
-    {"comb", // a ray across it is in it eight times
+    {"comb", // a ray across the comb passes through eight teeth
      [] { return cube_without(15, [](auto c) { return c[1] % 2 == 1; }); }, unit_cube,
      [] {
          std::vector<std::array<Vec3d, 2>> gaps;
          for (int i = 1; i < 15; i += 2) gaps.push_back({Vec3d{0, i / 15.0, 0}, Vec3d{1, (i + 1) / 15.0, 1}});
          return gaps;
      }()},
-    {"inner_wall", // two parts that touch without sharing a vertex: a wall of two sides in the middle
+    {"inner_wall", // two parts that touch without shared vertices: a double wall in the middle
      [] {
          const auto half = test::hexahedra(Box{{2, 4, 4}, 0, 1, 0.25});
          return test::joined(half, half, {0.5, 0, 0});
@@ -87,12 +87,12 @@ class ConstantVolumes : public testing::TestWithParam<Solid> {};
 INSTANTIATE_TEST_SUITE_P(Solids, ConstantVolumes, testing::ValuesIn(solids),
                          [](const auto& solid) { return std::string(solid.param.name); });
 
-constexpr double opacity = 0.8; // after one unit
+constexpr double opacity = 0.8; // opacity of one unit of length
 
 TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
     Solid solid = GetParam();
     const test::Polyhedra mesh = solid.make();
-    if (solid.boxes.empty()) { // its bounds
+    if (solid.boxes.empty()) { // uses the mesh's bounding box
         std::array<Vec3d, 2> box{mesh.position(0), mesh.position(0)};
         for (test::Id v = 0; v < mesh.vertex_count(); ++v)
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -115,7 +115,7 @@ TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
             }
 }
 
-// Why volumes are added up in floats: a slab here loses 0.33 of 255.
+// Volumes are accumulated in floats: a thin slab here changes a byte by only 0.33.
 TEST(ConstantVolume, IsLostInBytesWhereSlabsAreThinAndBackInFloats) {
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
     Frame frame = frame_of(views[0]);
@@ -134,7 +134,7 @@ TEST(ConstantVolume, IsLostInBytesWhereSlabsAreThinAndBackInFloats) {
     EXPECT_EQ(brightest(false), in_floats);
 }
 
-// Slices behind the eighth part of a ray are whole: what is lost at both ends of the later parts is all that is wrong.
+// Entry and exit are stored for eight parts of a ray. Later parts use whole slices, so only their ends are wrong.
 TEST(ConstantVolume, IsAlmostRightWhereARayIsInItMoreThanEightTimes) {
     constexpr int rows = 31;
     VolumeScene scene(test::keep_cells(test::hexahedra(Box{{4, rows, 4}, 0, 1, 1}),
@@ -160,7 +160,8 @@ TEST(ConstantVolume, IsAlmostRightWhereARayIsInItMoreThanEightTimes) {
     }
 }
 
-// Of light that a ray meets from the eye on, by small steps: `color` and `extinction` by the length inside the cube.
+// Light that a ray collects inside the unit cube, by numerical integration in 2000 steps. The function returns color
+// and extinction at a point.
 double integral(const Ray& ray, const std::function<std::array<double, 2>(const Vec3d&)>& color_and_extinction) {
     const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
     constexpr int steps = 2000;
@@ -222,7 +223,8 @@ TEST(LinearVolume, DoesNotChangeItsBrightnessWithTheSlicesTheAxisOrAStrideWhileM
     }
 }
 
-// Of the size of a nucleus, and of a galaxy, in metres: squares of such lengths are no floats.
+// Coordinates from the size of a nucleus to that of a galaxy, in meters. Squares of these lengths overflow or underflow
+// float32.
 TEST(LinearVolume, LooksTheSameInAnyUnit) {
     const auto picture = [](const View& view, const Vec3d& normal, double metre) {
         VolumeScene scene(test::zoo(Box{{4, 4, 4}, 0, 3, 0.25 * metre}), [&](const Vec3d& p) {
@@ -256,7 +258,7 @@ TEST(LinearVolume, LooksTheSameInAnyUnit) {
 TEST(ConstantVolume, EndsOnAnOpaqueSurfaceInside) {
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 1.0; });
     const double depth = 0.613;
-    const Shape wall = square(depth); // the lower left quarter of it stands in the cube's way
+    const Shape wall = square(depth); // only the lower left quarter of the square is in front of the cube
     for (const View& view : {View{"ahead", {0.1, -1, 0.2}, 30}, View{"parallel", {0.4, -1, 0.3}, 0}, views[7]})
         for (const std::size_t slices : {50, 200})
             for (const Vec3d& normal : {Vec3d{0, 1, 0}, Vec3d{1, 0, 0}, unit_of(view.from)}) {

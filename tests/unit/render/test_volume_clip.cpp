@@ -1,4 +1,4 @@
-// Clip planes cut volumes: the closed form of what is left of each ray, wherever the planes lie.
+// Clip planes cut volumes: pictures against the closed form for the kept part of each ray.
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using test::Box;
 
-constexpr double opacity = 0.8; // after one unit
+constexpr double opacity = 0.8; // opacity of one unit of length
 
 const Vec3d off_centre{0.43, 0.57, 0.51};
 
@@ -53,7 +53,7 @@ TEST_P(ClippedVolumes, FollowBeerAndLambertOverWhatIsLeftOfARay) {
             }
 }
 
-// A ray leaves the cube at a groove and enters it again: the planes keep of both parts.
+// The mesh has a groove: a ray leaves the cube and enters it again. The planes cut both parts.
 TEST(ClippedVolume, IsCutInEveryPartOfARay) {
     const test::Polyhedra whole = test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25});
     VolumeScene scene(test::keep_cells(whole, [](test::Id cell) { return cell / 4 % 4 != 1; }),
@@ -76,7 +76,7 @@ TEST(ClippedVolume, IsCutInEveryPartOfARay) {
     }
 }
 
-// A cell with a vertex without a value is empty, and what is left has a boundary there: of x below one half.
+// Cells with a vertex without a value are empty, so the volume ends at x = 0.5.
 TEST(ClippedVolume, HasABoundaryWhereValuesAreMissing) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
@@ -85,7 +85,7 @@ TEST(ClippedVolume, HasABoundaryWhereValuesAreMissing) {
                                {plane_through({0.5, 0.37, 0.5}, {0.2, 1, 0.1})},
                                {plane_through({0.2, 0.5, 0.5}, {1, 0, 0})}})
         for (const View& view : views) {
-            if (view.name == std::string("eye_inside")) continue; // of the cube, and in its empty part
+            if (view.name == std::string("eye_inside")) continue; // the eye is in the empty part of the cube
             const Cut cut{"", planes};
             Frame frame = frame_of(view);
             frame.clip = planes;
@@ -100,8 +100,8 @@ TEST(ClippedVolume, HasABoundaryWhereValuesAreMissing) {
         }
 }
 
-// A volume that is all but opaque within a slab: the property that is seen is that of the plane, and does not jump from
-// slab to slab along it.
+// The volume is almost opaque within one slab. Along the cut, the visible property must be that of the plane, without
+// steps from slab to slab.
 TEST(ClippedVolume, HasNoStripesWhereItIsDense) {
     constexpr double extinction = 6.9, unit = 0.05;
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
@@ -130,7 +130,7 @@ TEST(ClippedVolume, HasNoStripesWhereItIsDense) {
     }
 }
 
-// The place that is seen is that of the cut, so a property that only changes along the view shows where it lies.
+// Only the surface of the cut is visible, so a property that changes along the view shows where the cut lies.
 TEST(ClippedVolume, ShowsThePropertyWhereItIsCut) {
     VolumeScene scene(test::voronoi(200, 5), [](const Vec3d& p) { return p[1]; });
     for (const double place : {0.2, 0.5, 0.83}) {
@@ -139,7 +139,7 @@ TEST(ClippedVolume, ShowsThePropertyWhereItIsCut) {
         frame.volumes.push_back(scene.volume({0, 1, 0}, 100));
         frame.volumes[0].scale.range = {0, 1};
         frame.volumes[0].opacity_points = {{0, 1}};
-        frame.volumes[0].unit_length = 0.1; // 99.9 % of the light in a tenth of the cube
+        frame.volumes[0].unit_length = 0.1; // a tenth of the cube takes 99.9 % of the light
         const double tau = std::log(1000.0) / 0.1, rest = 1 - place;
         const double mean = place + (1 - (1 + tau * rest) * std::exp(-tau * rest)) / tau;
         Image image;
@@ -163,7 +163,7 @@ TEST(ClippedVolume, IsNothingWhereThePlanesKeepNothingAndWholeWithoutThem) {
     EXPECT_EQ(whole.rgb, again.rgb);
 }
 
-// A line in a groove: in front of all that is seen of the fog where a plane has taken the near part of the mesh away.
+// A line in a groove of the mesh. It is in front of the visible fog once a plane removes the near part.
 TEST(ClippedVolume, LeavesLinesInSightThatAreInFrontOfWhatIsKept) {
     const test::Polyhedra whole = test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25});
     VolumeScene scene(test::keep_cells(whole, [](test::Id cell) { return cell / 4 % 4 != 1; }),
@@ -172,7 +172,7 @@ TEST(ClippedVolume, LeavesLinesInSightThatAreInFrontOfWhatIsKept) {
     Frame frame = frame_of({"", {0.001, -1, 0.002}, 0});
     frame.primitives = {line_between(ends, 6)};
     frame.volumes.push_back(scene.volume({0, 1, 0}, 60));
-    frame.volumes[0].scale.range = {0, 1}; // black
+    frame.volumes[0].scale.range = {0, 1}; // the property 0 is black
     frame.volumes[0].opacity_points = {{0, 1}};
     frame.volumes[0].unit_length = 0.1;
     Image image;

@@ -45,13 +45,13 @@ TEST(VolumeOrder, PiecesOfSlabsInTheSamePlaceStandBetweenEachOther) {
 TEST(VolumeOrder, SlabsAreDividedAtEachOthersBordersAndAtTheEye) {
     EXPECT_EQ(back_to_front(std::vector<SlabRow>{{0, 2, 1}, {0, 1, 2}}, infinity, {1, 4}),
               (std::vector<SlabOfVolume>{{0, 0, 0.5}, {1, 0}, {1, 1}, {0, 0, 0.5}}));
-    // The second slab's slice stands for what is left of the first one's, whose slice the eye has passed.
+    // After the eye has passed the first slab's slice, the second slab's slice is drawn for the rest of the first slab.
     EXPECT_EQ(back_to_front(std::vector<SlabRow>{{0, 1, 2}, {0, 1, 2}}, 0.75, {1.6, 4}),
               (std::vector<SlabOfVolume>{
                   {0, 0, 0.5}, {1, 0}, {0, 0, 0.5}, {1, 1, 0.4}, {0, 1, 0.8}, {1, 1, 0.4 + 0.2}, {0, 1, 0.2}}));
 }
 
-// Whatever is divided, all of each slab is drawn.
+// However slabs are divided, the shares of each slab add up to 1.
 TEST(VolumeOrder, PiecesMakeUpTheirSlabs) {
     std::mt19937 random(7); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
     std::uniform_real_distribution<double> place(-3, 3);
@@ -70,7 +70,7 @@ TEST(VolumeOrder, PiecesMakeUpTheirSlabs) {
     }
 }
 
-// Whatever the rows and the eye: each slab once, and on each side of the eye middles run to it.
+// Random rows and eyes: each slab occurs once, and slab centers approach the eye on both sides.
 TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
     std::mt19937 random(5); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
     std::uniform_real_distribution<double> place(-3, 3);

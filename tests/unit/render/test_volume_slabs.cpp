@@ -1,5 +1,5 @@
-// A few thick slabs, where what a fragment does along its ray is most of the picture: it follows the property by its
-// gradient from where it knows it to both ends of its piece, within what its cell has.
+// Volumes of a few thick slabs. Each fragment extrapolates the property along its ray by the gradient, limited to the
+// range of its cell.
 #include "scenes.hpp"
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
@@ -14,7 +14,7 @@ using test::Box;
 double ramp(const Vec3d& p) { return 0.5 * p[0] + 0.2 * p[1] + 0.3 * p[2]; }
 double extinction(const Vec3d& p) { return -std::log(1 - 0.9 * ramp(p)); }
 
-// Of white light, which only depends on the sum of the extinction: right at any number of slabs.
+// White light. Its brightness depends only on the integral of the extinction, which is exact for any number of slabs.
 Volume white(Volume volume) {
     volume.scale.points = {{0, {255, 255, 255}}, {1, {255, 255, 255}}};
     volume.scale.range = {0, 1};
@@ -32,7 +32,8 @@ double light_between(const Ray& ray, double from, double to) {
 
 class ThickSlabs : public testing::TestWithParam<std::size_t> {
 protected:
-    VolumeScene scene{test::hexahedra(Box{{1, 1, 1}, 0, 1, 1}), ramp}; // one cell: no range of a cell stops it
+    // One cell, so no limit of a cell applies inside.
+    VolumeScene scene{test::hexahedra(Box{{1, 1, 1}, 0, 1, 1}), ramp};
 
     void expect_integral(const Frame& shown, const View& view,
                          const std::function<std::array<double, 2>(const Ray&)>& inside) {
@@ -56,7 +57,7 @@ TEST_P(ThickSlabs, OfALinearFieldHaveTheIntegral) {
         expect_integral(frame_of(view), view, [](const Ray& ray) { return inside_box(ray, {0, 0, 0}, {1, 1, 1}); });
 }
 
-// What is left of a slab lies to one side of its slice: ends that are taken for each other are not right any more.
+// The kept part of a slab lies on one side of its slice. Swapped ends of the ray segment would give a wrong integral.
 TEST_P(ThickSlabs, OfALinearFieldHaveTheIntegralOfWhatAPlaneKeeps) {
     for (const float side : {1.0F, -1.0F})
         for (const View& view : views) {
@@ -73,8 +74,8 @@ TEST_P(ThickSlabs, OfALinearFieldHaveTheIntegralOfWhatAPlaneKeeps) {
         }
 }
 
-// A step from 0 to 1 within one layer of cells. The gradients of its corners are those of both their cells, so from the
-// middle of the flat cells beside it the property would rise beyond what any cell has.
+// The property rises from 0 to 1 within one layer of cells. Vertex gradients average neighboring cells, so
+// extrapolation from the flat cells would exceed the range of every cell.
 TEST(ThickSlabsOfAStep, NeverLeaveTheRangeOfACell) {
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
                       [](const Vec3d& p) { return p[0] < 0.4 ? 0.0 : 1.0; });
@@ -84,7 +85,7 @@ TEST(ThickSlabsOfAStep, NeverLeaveTheRangeOfACell) {
                 Frame frame = frame_of(view);
                 frame.volumes = {white(scene.volume(normal, slices))};
                 frame.volumes[0].scale.range = {-1, 2};
-                // Light of nothing but values that are nowhere.
+                // Opaque only for values that no cell contains.
                 frame.volumes[0].opacity_points = {{0, 0.9}, {0.3, 0.9}, {0.3, 0}, {0.7, 0}, {0.7, 0.9}, {1, 0.9}};
                 Image image;
                 renderer().draw(frame, image);
@@ -93,21 +94,21 @@ TEST(ThickSlabsOfAStep, NeverLeaveTheRangeOfACell) {
             }
 }
 
-// Four sheets of fog with gaps between them: a line in a gap or behind all is hidden by what is kept before it, of
-// whichever part of the ray that is the first.
+// Four sheets of fog with gaps. Each line in a gap or behind all sheets is hidden by the first kept part of the ray.
 TEST(ClippedSheets, HideLinesBehindTheFirstPartThatIsKept) {
     const test::Polyhedra whole = test::hexahedra(Box{{8, 8, 8}, 0, 1, 0.125});
     VolumeScene scene(test::keep_cells(whole, [](test::Id cell) { return cell / 8 % 8 % 2 == 0; }),
                       [](const Vec3d&) { return 0.0; });
-    for (int first = 0; first < 4; ++first) // the sheet from first / 4 to first / 4 + 1 / 8 is the first that is kept
+    for (int first = 0; first < 4; ++first) // the first kept sheet is from first / 4 to first / 4 + 1 / 8
         for (int gap = first; gap <= 4; ++gap) {
-            const float place = static_cast<float>(gap) / 4 - 0.0625F; // of the line; gap 0 is in front of everything
+            // y of the line. Gap 0 is in front of everything.
+            const float place = static_cast<float>(gap) / 4 - 0.0625F;
             const std::vector<Vec3f> ends{{0, place, 0.5F}, {1, place, 0.5F}};
             Frame frame = frame_of({"", {0.001, -1, 0.002}, 0}, {0, -0.1, 0}, {1, 1.1, 1});
             frame.primitives = {line_between(ends, 6)};
             frame.clip = {{0, 1, 0, 0.1F - static_cast<float>(first) / 4}};
             frame.volumes = {scene.volume({0, 1, 0}, 64)};
-            frame.volumes[0].scale.range = {0, 1}; // black
+            frame.volumes[0].scale.range = {0, 1}; // the property 0 is black
             frame.volumes[0].opacity_points = {{0, 1}};
             frame.volumes[0].unit_length = 0.05;
             Image image;

@@ -1,4 +1,4 @@
-// Several volumes in one mesh: their light is mixed place by place, as if they were one, whatever their order.
+// Several volumes in one mesh: their light is blended by depth, independent of the order of the volumes.
 #include "color/color_scale.hpp"
 #include "scenes.hpp"
 #include "support/meshes.hpp"
@@ -18,7 +18,7 @@ const test::Polyhedra& cube() {
     return mesh;
 }
 
-struct Fog { // of one light; opacity after a unit length by the property, from 0 to 1
+struct Fog { // Fog of one color. Opacity per unit length at property 0 and at property 1.
     color::Rgb8 light;
     double opacity_at_0, opacity_at_1;
 
@@ -41,8 +41,8 @@ std::string name_of(const View& view, const Vec3d& normal, std::size_t slices) {
     return std::string(view.name) + ", " + std::to_string(slices) + " slices along " + testing::PrintToString(normal);
 }
 
-// Red shows the white one's share of a light that is lost in both. Rays that run all but along the slabs lose much of
-// it within one of them.
+// The red channel shows the white volume's share of the scattered light. Rays almost parallel to the slabs lose much
+// light within one slab.
 TEST(ConstantVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColor) {
     VolumeScene one(cube(), [](const Vec3d&) { return 1.0; }), other(cube(), [](const Vec3d&) { return 0.0; });
     const Fog bright{white, 0, 0.8}, dark{black, 0.9, 0};
@@ -63,7 +63,7 @@ TEST(ConstantVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColor) {
                 }
 }
 
-// Each slab takes a quarter of the light or more, and what is mixed in it is mixed evenly all the same.
+// Each slab takes a quarter of the light or more. The blending must still be even within the slabs.
 TEST(DenseVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColor) {
     VolumeScene one(cube(), [](const Vec3d&) { return 1.0; }), other(cube(), [](const Vec3d&) { return 0.0; });
     const Fog bright{white, 0.999, 0.999}, dark{black, 0.998, 0.998};
@@ -72,7 +72,7 @@ TEST(DenseVolumesTogether, FollowBeerAndLambertOfTheirSumInTheirMixedColor) {
         for (const auto& [slices, others] : {std::array<std::size_t, 2>{40, 40}, {60, 45}})
             for (const Vec3d& normal : {nearest_axis(view.from), unit_of(view.from)})
                 for (const bool swapped : {false, true}) {
-                    // Along the slabs some rays have most of their light from half a slab at the cube's side.
+                    // For some rays along the slabs, most light comes from half a slab at the side of the cube.
                     if (view.fov > 70 && view.distance > 1 && slices != others) continue;
                     Frame frame = frame_of(view);
                     frame.volumes = in_order(bright.made(one.volume(normal, slices)),
@@ -103,7 +103,7 @@ double integral(const Ray& ray, const std::function<std::array<double, 2>(const 
 double rising(const Vec3d& p) { return 0.5 * p[0] + 0.2 * p[1] + 0.3 * p[2]; }
 double falling(const Vec3d& p) { return 1 - p[1]; }
 
-// One is in front from one side, the other from another, and they lie in each other from all.
+// The two volumes overlap everywhere. Which one dominates in front depends on the view.
 TEST(LinearVolumesTogether, HaveTheIntegralsLight) {
     VolumeScene one(cube(), rising), other(cube(), falling);
     const Fog bright{white, 0.1, 0.95}, dark{black, 0, 0.95};
@@ -124,7 +124,7 @@ TEST(LinearVolumesTogether, HaveTheIntegralsLight) {
             }
 }
 
-// What hides most of the light in a single slab would be all in front or all behind without turns.
+// A single slab hides most of the light. Slabs of two volumes at the same place must therefore alternate.
 TEST(VolumesTogether, DoNotDependOnTheirOrderFromSixSides) {
     VolumeScene one(cube(), rising), other(cube(), falling);
     const Fog bright{white, 0.1, 0.999}, dark{{0, 0, 255}, 0.6, 0.99};
@@ -175,7 +175,7 @@ TEST(VolumesTogether, KeepTheirBrightnessWhileSomethingMoves) {
     }
 }
 
-// A surface in both, a plane that cuts both.
+// A surface inside both volumes, and a plane that cuts both.
 TEST(VolumesTogether, EndOnSurfacesAndPlanes) {
     VolumeScene one(cube(), [](const Vec3d&) { return 1.0; }), other(cube(), [](const Vec3d&) { return 0.0; });
     const Fog bright{white, 0, 0.8}, dark{black, 0.9, 0};
@@ -225,7 +225,7 @@ TEST(VolumesTogether, AreFadedByTheLargestOpacityAndThinnedByTheirOwn) {
     }
 }
 
-// Where one property is known and the other is not there is one of them: the mesh of each is its own.
+// The second volume's mesh covers half of the first one's. Outside of it only the first volume counts.
 TEST(VolumesTogether, MayHaveDifferentBoundaries) {
     VolumeScene whole(cube(), [](const Vec3d&) { return 1.0; });
     VolumeScene half(test::hexahedra(Box{{2, 4, 4}, 0, 1, 0.25}), [](const Vec3d&) { return 0.0; });
@@ -251,7 +251,7 @@ TEST(VolumesTogether, MayHaveDifferentBoundaries) {
     }
 }
 
-// In front of the one and behind the other, whichever comes first in the frame.
+// The line is in front of one volume and behind the other, in both orders of the volumes.
 TEST(VolumesTogether, HideALineThatIsBehindOneOfThem) {
     const auto layer = [](test::Id row) {
         return test::keep_cells(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
@@ -283,7 +283,7 @@ TEST(VolumesTogether, NeedOneDirection) {
     frame.volumes = {one.volume({0, 1, 0}, 4), other.volume({1, 0, 0}, 4)};
     Image image;
     EXPECT_THAT([&] { renderer().draw(frame, image); },
-                testing::ThrowsMessage<Error>(testing::HasSubstr("slabs across different directions")));
+                testing::ThrowsMessage<Error>(testing::HasSubstr("sliced in different directions")));
 }
 
 } // namespace

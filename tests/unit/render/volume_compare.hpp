@@ -1,4 +1,4 @@
-// Pictures of volumes against what a ray of each pixel should meet, from several places.
+// Compares pictures of volumes with the expected light of each pixel's ray, from several views.
 #pragma once
 
 #include "volume_scene.hpp"
@@ -17,8 +17,8 @@ inline Renderer& renderer() {
 
 struct View {
     const char* name;
-    Vec3d from; // the direction to the eye
-    double fov; // 0: parallel
+    Vec3d from; // direction from the target to the eye
+    double fov; // degrees; 0 for a parallel camera
     double distance = 3;
 
     friend std::ostream& operator<<(std::ostream& out, const View& view) { return out << view.name; }
@@ -32,7 +32,7 @@ inline const std::vector<View> views{
     {"eye_inside", {0.3, -1, 0.4}, 70, 0.3},     {"eye_inside_parallel", {0.3, -1, 0.4}, 0, 0.3},
 };
 
-// A unit cube in the middle of a black picture.
+// Frame of side x side pixels with a black background, centered on the box from `low` to `high`.
 inline Frame frame_of(const View& view, const Vec3d& low = {0, 0, 0}, const Vec3d& high = {1, 1, 1}) {
     Frame frame;
     frame.width = frame.height = side;
@@ -47,7 +47,7 @@ inline Frame frame_of(const View& view, const Vec3d& low = {0, 0, 0}, const Vec3
     return frame;
 }
 
-// dot(xyz, p) + w >= 0 stays.
+// Plane as (xyz, w); points with dot(xyz, p) + w >= 0 are kept.
 inline std::array<float, 4> plane_through(const Vec3d& point, const Vec3d& kept) {
     const Vec3d n = unit_of(kept);
     return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]),
@@ -72,12 +72,12 @@ struct Cut {
 };
 
 struct Difference {
-    double largest = 0, mean = 0; // of 255; the mean with its sign
-    int x = 0, y = 0;             // where it is largest
-    int beyond = 0, pixels = 0;   // pixels that are off by more than is allowed; pixels with anything to see
+    double largest = 0, mean = 0; // in 255ths; `mean` is signed
+    int x = 0, y = 0;             // pixel with the largest difference
+    int beyond = 0, pixels = 0;   // pixels beyond the tolerance, and pixels that are not black in both pictures
 };
 
-// `expected`: 0 to 1 for a ray.
+// `expected` returns the light of a ray, from 0 to 1. `share` is the relative tolerance.
 inline Difference compare(const Frame& frame, const std::function<double(const Ray&)>& expected, double share) {
     Image image;
     renderer().draw(frame, image);
@@ -101,13 +101,12 @@ inline Difference compare(const Frame& frame, const std::function<double(const R
     return difference;
 }
 
-// The rasteriser snaps corners to 1/256 pixel: at the outline of the mesh a pixel may be in on one side of that and out
-// on the other.
+// The rasterizer snaps vertices to 1/256 pixel, so a pixel on the mesh's outline may be covered in one picture only.
 inline void expect_close(const Difference& difference, const std::string& what) {
     EXPECT_GT(difference.pixels, side * side / 20) << what;
     EXPECT_LE(difference.beyond, difference.pixels / 500)
         << what << ", most of all by " << difference.largest << " at " << difference.x << ", " << difference.y;
-    EXPECT_LT(std::abs(difference.mean), 0.6) << what; // 0.5 where all pixels are rounded alike
+    EXPECT_LT(std::abs(difference.mean), 0.6) << what; // rounding all pixels in the same direction gives a mean of 0.5
 }
 
 inline Vec3d nearest_axis(const Vec3d& v) {

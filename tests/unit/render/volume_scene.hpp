@@ -1,4 +1,4 @@
-// A mesh, its property and its slabs, ready to be drawn as a volume.
+// A mesh with a property, cut into slabs to be drawn as a volume.
 #pragma once
 
 #include "ciel/slab.hpp"
@@ -13,7 +13,7 @@
 
 namespace ciel::render {
 
-using Ray = std::array<Vec3d, 2>; // a point, and a direction of unit length
+using Ray = std::array<Vec3d, 2>; // a point and a unit direction
 
 class VolumeScene {
 public:
@@ -27,7 +27,7 @@ public:
         boundary_ = slab_boundary(mesh_.view(), {values_, gradients_, limits_});
     }
 
-    // Borrows from this scene, and from nothing else.
+    // The result borrows from this scene, until the next call.
     [[nodiscard]] Volume volume(const Vec3d& normal, std::size_t slices) {
         const auto distance = plane_distance(mesh_.view(), {}, normal);
         const Field planes(topology_, distance, nullptr);
@@ -57,7 +57,7 @@ private:
     std::vector<std::array<float, 2>> limits_;
     SlabMesh boundary_;
     std::vector<SlabMesh> slices_;
-    static inline std::uint64_t revision_ = 0; // of all scenes: a renderer may meet several
+    static inline std::uint64_t revision_ = 0; // shared by all scenes, because one renderer may draw several
 };
 
 inline Vec3d plus(const Vec3d& a, const Vec3d& b, double factor = 1) {
@@ -71,7 +71,7 @@ inline Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Through the middle of a pixel, from the nearest place that is seen; independent of the renderer's matrices.
+// Ray through the pixel coordinates (x, y), from the nearest visible place on. Does not use the renderer's matrices.
 inline Ray ray_of(const Frame& frame, double x, double y) {
     const annotations::Camera& camera = frame.camera;
     const Vec3d ahead = unit_of(plus(camera.target, camera.position, -1));
@@ -87,7 +87,7 @@ inline Ray ray_of(const Frame& frame, double x, double y) {
     return {camera.position, unit_of(plus(plus(ahead, right, across * half * aspect), up, down * half))};
 }
 
-// Where a ray is inside a box: from, to; from >= to where it misses.
+// Distances along the ray where it enters and leaves the box. The first is at least the second when the ray misses.
 inline std::array<double, 2> inside_box(const Ray& ray, const Vec3d& low, const Vec3d& high) {
     double from = 0, to = std::numeric_limits<double>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {

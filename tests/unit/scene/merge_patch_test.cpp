@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-// RFC 7396, appendix A.
+// Test cases of RFC 7396, appendix A.
 struct Row {
     const char *original, *patch, *result;
 };

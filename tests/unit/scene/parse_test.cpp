@@ -14,7 +14,7 @@ json fallback(const char* schema, const char* name) {
     return contract()["components"]["schemas"][schema]["properties"][name]["default"];
 }
 
-// Adds the members of `schema` that have a default and are absent from `value`, at all depths.
+// Adds members of `schema` that have a default and are missing in `value`, recursively.
 json with_defaults(json value, json schema) {
     while (schema.contains("$ref"))
         schema = contract()[json::json_pointer(schema["$ref"].get<std::string>().substr(1))];
@@ -166,7 +166,7 @@ TEST(scene, every_member_is_read) {
     ASSERT_EQ(scene.layers.size(), 5U);
     std::string order;
     for (const Layer& layer : scene.layers) order += layer.id;
-    EXPECT_EQ(order, "bonzi"); // by (order, id)
+    EXPECT_EQ(order, "bonzi"); // sorted by order, then id
     EXPECT_EQ(std::get<SurfaceLayer>(scene.layers[0].kind).groups, (std::vector<std::string>{"wall", "inlet"}));
     EXPECT_EQ(std::get<OutlineLayer>(scene.layers[1].kind).color.solid[0], 0);
     EXPECT_EQ(plane_of(std::get<SliceLayer>(scene.layers[2].kind)).normal, (std::array<double, 3>{0, 0.6, 0.8}));
@@ -191,7 +191,7 @@ TEST(scene, six_clip_planes_may_be_visible_and_no_more) {
         ADD_FAILURE() << "seven were taken";
     } catch (const Invalid& error) {
         EXPECT_EQ(error.path, "/layers/g");
-        EXPECT_STREQ(error.what(), "at most 6 clip planes can cut at a time; hide or remove one");
+        EXPECT_STREQ(error.what(), "at most 6 clip planes can be visible at a time; hide or remove a clip layer");
     }
     document["layers"]["b"]["visible"] = false;
     EXPECT_EQ(parse(document).layers.size(), 7U);
@@ -241,16 +241,18 @@ constexpr Malformed table[] = {
     {"no_dataset", R"({})", "/dataset", "/dataset is missing"},
     {"empty_dataset", R"({"dataset": ""})", "/dataset", "/dataset must have at least 1 character"},
     {"unknown_member", R"({"dataset": "d", "color": 1})", "/color",
-     "/color is not known here; there are annotations, background, camera, dataset, layers, lighting, time"},
+     "/color is not a known member; the known members are annotations, background, camera, dataset, layers, lighting, "
+     "time"},
     {"legend_of_older_documents", R"({"dataset": "d", "legend": true})", "/legend",
-     "/legend is not known here; it is annotations.legend: {\"annotations\": {\"legend\": true}}"},
+     "/legend is not a member of a scene; use annotations.legend: {\"annotations\": {\"legend\": true}}"},
     {"time_is_text", R"({"dataset": "d", "time": "1"})", "/time", "/time must be a number"},
     {"background", R"({"dataset": "d", "background": "pink"})", "/background",
      "/background must be one of \"dark\", \"light\", or must be a color of the form #rrggbb"},
     {"legend", R"({"dataset": "d", "annotations": {"legend": 1}})", "/annotations/legend",
      "/annotations/legend must be true or false"},
     {"unknown_annotation", R"({"dataset": "d", "annotations": {"legends": true}})", "/annotations/legends",
-     "/annotations/legends is not known here; there are axes, dataset, legend, scale, time, title, triad"},
+     "/annotations/legends is not a known member; the known members are axes, dataset, legend, scale, time, title, "
+     "triad"},
     {"annotation_scale", R"({"dataset": "d", "annotations": {"scale": 0.1}})", "/annotations/scale",
      "/annotations/scale must be at least 0.25"},
     {"camera_without_target", R"({"dataset": "d", "camera": {"position": [0, 0, 1]}})", "/camera/target",
@@ -284,56 +286,57 @@ constexpr Malformed table[] = {
     {"id_is_escaped", R"({"dataset": "d", "layers": {"a/b~c": {"type": "outline", "opacity": -1}}})",
      "/layers/a~1b~0c/opacity", "/layers/a~1b~0c/opacity must be at least 0"},
     {"member_of_another_kind", R"({"dataset": "d", "layers": {"a": {"type": "outline", "values": []}}})",
-     "/layers/a/values", "/layers/a/values is not known here; there are color, opacity, order, type, visible"},
+     "/layers/a/values",
+     "/layers/a/values is not a known member; the known members are color, opacity, order, type, visible"},
     {"edges_is_a_flag", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": true}}})", "/layers/a/edges",
      "/layers/a/edges must be an object"},
     {"edges_without_width", R"({"dataset": "d", "layers": {"a": {"type": "surface", "edges": {"width": 0}}}})",
      "/layers/a/edges/width", "/layers/a/edges/width must be more than 0"},
     {"edges_of_an_outline", R"({"dataset": "d", "layers": {"a": {"type": "outline", "edges": {}}}})", "/layers/a/edges",
-     "/layers/a/edges is not known here; there are color, opacity, order, type, visible"},
+     "/layers/a/edges is not a known member; the known members are color, opacity, order, type, visible"},
     {"contours_of_nothing",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {}}}})",
      "/layers/a/contours/array", "/layers/a/contours/array is missing"},
     {"contours_twice",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {"array": "p", "values": [1], "count": 3}}}})",
-     "/layers/a/contours", "contours have either values, or count and range"},
+     "/layers/a/contours", "contours must have either values, or count and range, but not both"},
     {"contours_backwards",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "contours": {"array": "p", "range": [1, 0]}}}})",
-     "/layers/a/contours/range", "a range is [minimum, maximum]"},
+     "/layers/a/contours/range", "a range must be [minimum, maximum] with minimum <= maximum"},
     {"clip_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "clip"}}})", "/layers/a",
-     "a clip has either axis and value, or origin and normal"},
+     "a clip must have either axis and value, or origin and normal"},
     {"clip_without_direction",
      R"({"dataset": "d", "layers": {"a": {"type": "clip", "origin": [0, 0, 0], "normal": [0, 0, 0]}}})",
      "/layers/a/normal", "a clip's normal must not be zero"},
     {"clip_with_opacity",
      R"({"dataset": "d", "layers": {"a": {"type": "clip", "axis": "x", "value": 0, "opacity": 1}}})",
      "/layers/a/opacity",
-     "/layers/a/opacity is not known here; there are axis, caps, color, invert, normal, order, origin, type, value, "
-     "visible"},
+     "/layers/a/opacity is not a known member; the known members are axis, caps, color, invert, normal, order, origin, "
+     "type, value, visible"},
     {"threshold_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "surface", "threshold": {"array": "p"}}}})",
      "/layers/a/threshold/range", "/layers/a/threshold/range is missing"},
     {"threshold_backwards",
      R"({"dataset": "d", "layers": {"a": {"type": "edges", "threshold": {"array": "p", "range": [2, 1]}}}})",
-     "/layers/a/threshold/range", "a range is [minimum, maximum]"},
+     "/layers/a/threshold/range", "a range must be [minimum, maximum] with minimum <= maximum"},
     {"threshold_of_an_iso_surface",
      R"({"dataset": "d", "layers": {"a": {"type": "iso", "array": "p", "values": [], "threshold": {"array": "p", "range": [2, 1]}}}})",
      "/layers/a/threshold",
-     "/layers/a/threshold is not known here; there are array, color, edges, opacity, order, smooth, type, values, "
-     "visible"},
+     "/layers/a/threshold is not a known member; the known members are array, color, edges, opacity, order, smooth, "
+     "type, values, visible"},
     {"points_of_patches_and_all",
      R"({"dataset": "d", "layers": {"a": {"type": "points", "of": "all", "groups": ["wall"]}}})", "/layers/a/groups",
-     "patches have points of the boundary only; leave out groups or \"of\": \"all\""},
+     "groups chooses points of the boundary only; leave out groups or \"of\": \"all\""},
     {"no_points", R"({"dataset": "d", "layers": {"a": {"type": "points", "most": 0}}})", "/layers/a/most",
      "/layers/a/most must be at least 1"},
     {"edges_of_a_wide_angle", R"({"dataset": "d", "layers": {"a": {"type": "edges", "angle": 181}}})",
      "/layers/a/angle", "/layers/a/angle must be at most 180"},
     {"slice_of_nothing", R"({"dataset": "d", "layers": {"a": {"type": "slice"}}})", "/layers/a",
-     "a slice has either axis and value, or origin and normal"},
+     "a slice must have either axis and value, or origin and normal"},
     {"slice_of_both",
      R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x", "value": 0, "normal": [1, 0, 0]}}})",
-     "/layers/a", "a slice has either axis and value, or origin and normal"},
+     "/layers/a", "a slice must have either axis and value, or origin and normal"},
     {"slice_of_half", R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "x"}}})", "/layers/a",
-     "a slice has either axis and value, or origin and normal"},
+     "a slice must have either axis and value, or origin and normal"},
     {"slice_axis", R"({"dataset": "d", "layers": {"a": {"type": "slice", "axis": "w", "value": 0}}})", "/layers/a/axis",
      "/layers/a/axis must be one of \"x\", \"y\", \"z\""},
     {"slice_without_direction",
@@ -346,7 +349,7 @@ constexpr Malformed table[] = {
      "/layers/a/array is missing"},
     {"volume_points_out_of_order",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": [[0.5, 0], [0.4, 1]]}}})",
-     "/layers/a/opacity_points/1", "opacity points must be in the order of their positions"},
+     "/layers/a/opacity_points/1", "opacity points must be in ascending order of their positions"},
     {"volume_opacity_beyond_one",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "opacity_points": [[0, 1.5]]}}})",
      "/layers/a/opacity_points/0/1", "/layers/a/opacity_points/0/1 must be at most 1"},
@@ -362,19 +365,20 @@ constexpr Malformed table[] = {
      "/layers/a/direction", "/layers/a/direction must be one of \"auto\", \"x\", \"y\", \"z\", \"screen\""},
     {"volume_of_two_arrays",
      R"({"dataset": "d", "layers": {"a": {"type": "volume", "array": "p", "color": {"array": "q"}}}})",
-     "/layers/a/color/array", "a volume has the colors of its own array, p"},
+     "/layers/a/color/array", "a volume must have the colors of its own array, p"},
     {"lighting_too_strong", R"({"dataset": "d", "lighting": {"headlight": {"strength": 5}}})",
      "/lighting/headlight/strength", "/lighting/headlight/strength must be at most 4"},
     {"lighting_below_zero", R"({"dataset": "d", "lighting": {"ambient": -1}})", "/lighting/ambient",
      "/lighting/ambient must be at least 0"},
     {"lighting_unknown_light", R"({"dataset": "d", "lighting": {"fill_light": {}}})", "/lighting/fill_light",
-     "/lighting/fill_light is not known here; there are ambient, ambient_occlusion, headlight, key_light, on"},
+     "/lighting/fill_light is not a known member; the known members are ambient, ambient_occlusion, headlight, "
+     "key_light, on"},
     {"occlusion_without_radius", R"({"dataset": "d", "lighting": {"ambient_occlusion": {"radius": 0}}})",
      "/lighting/ambient_occlusion/radius", "/lighting/ambient_occlusion/radius must be more than 0"},
     {"occlusion_wider_than_all", R"({"dataset": "d", "lighting": {"ambient_occlusion": {"radius": 1.5}}})",
      "/lighting/ambient_occlusion/radius", "/lighting/ambient_occlusion/radius must be at most 1"},
     {"color_range", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": [2, 1]}}}})",
-     "/layers/a/color/range", "a range is [minimum, maximum]"},
+     "/layers/a/color/range", "a range must be [minimum, maximum] with minimum <= maximum"},
     {"color_range_of_text", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"range": "all"}}}})",
      "/layers/a/color/range", "/layers/a/color/range must be an array, or must be null"},
     {"color_solid", R"({"dataset": "d", "layers": {"a": {"type": "outline", "color": {"solid": "#12345"}}}})",
@@ -382,8 +386,8 @@ constexpr Malformed table[] = {
     {"color_log_of_zero",
      R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"log": true, "range": [0, 1]}}}})",
      "/layers/a/color/range",
-     "a logarithmic scale has no place for zero and below; give a range that begins above zero, "
-     "add symmetric, or leave out log"},
+     "a logarithmic scale cannot show zero or negative values; give a range that begins above zero, add symmetric, or "
+     "leave out log"},
     {"color_one_step", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"steps": 1}}}})",
      "/layers/a/color/steps", "/layers/a/color/steps must be at least 2, or must be null"},
     {"color_nan", R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"nan": "red"}}}})",
@@ -396,7 +400,7 @@ constexpr Malformed table[] = {
      "/layers/a/color/points/1/at", "/layers/a/color/points/1/at must be at most 1"},
     {"color_points_out_of_order",
      R"({"dataset": "d", "layers": {"a": {"type": "surface", "color": {"points": [{"at": 0.5, "color": "#000000"}, {"at": 0.4, "color": "#000000"}]}}}})",
-     "/layers/a/color/points/1/at", "the points of a color map stand in ascending order of at"},
+     "/layers/a/color/points/1/at", "the points of a color map must be in ascending order of at"},
     {"group_is_a_number", R"({"dataset": "d", "layers": {"a": {"type": "surface", "groups": [7]}}})",
      "/layers/a/groups/0", "/layers/a/groups/0 must be a string"},
 };

@@ -1,5 +1,5 @@
-// Random documents without nulls (a merge patch cannot make one), with few names, so that documents have much in
-// common.
+// Random JSON documents. They have no nulls, which a merge patch cannot produce, and few names, so that documents
+// overlap.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The schema checks against valijson, and against the contract they are for.
+// The schema validator against valijson, and against the contract's schemas.
 #include "random_json.hpp"
 #include "scene/schema.hpp"
 
@@ -17,7 +17,7 @@ using nlohmann::json;
 const std::set<std::string> annotations{"description", "default",    "format",  "x-document",
                                         "x-key",       "x-patch-of", "x-shared"};
 
-// Calls `visit` for every schema inside of one.
+// Calls `visit` for a schema and every schema nested in it.
 template <class Visit>
 void walk(const json& schema, const Visit& visit) {
     visit(schema);
@@ -52,7 +52,8 @@ TEST(schema, one_of_is_exactly_one_and_any_of_is_at_least_one) {
     EXPECT_FALSE(check_schema({{"anyOf", forms}}, 1));
 }
 
-class Valijson { // the other implementation; it wants local references only
+// Independent validator for comparison. It resolves only local references, so the contract is its root document.
+class Valijson {
 public:
     explicit Valijson(const std::string& name) {
         document_ = contract();
@@ -70,7 +71,7 @@ private:
     valijson::Schema schema_;
 };
 
-// Replaces, removes or adds something anywhere in the document.
+// Replaces, removes or adds a value at a random place in the document.
 void mutate(json& value, test::RandomJson& random) {
     if (value.is_structured() && !value.empty() && random.pick(5) != 0) {
         auto inner = value.begin();

@@ -6,7 +6,7 @@
 namespace ciel::sessions {
 namespace {
 
-// A history that is used like a session uses it, with numbers for documents.
+// Uses a history as a session does, with numbers as documents.
 struct Editor {
     explicit Editor(std::size_t steps, std::size_t bytes = 1 << 20) : history(steps, bytes) {}
     void change(const nlohmann::json& to, const std::string& gesture = "") {

@@ -1,4 +1,4 @@
-// What an append does to the files of a dataset: which it looks at, and what killed ones have left.
+// Files that an append inspects, and leftovers of killed appends.
 #include "support/store_box/box.hpp"
 #include "unit/store/counted_stat.hpp"
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 const ArrayInfo p_info{"p", Association::point, 1, "Pa", ""}, q_info{"q", Association::point, 1, "", ""};
 
-// Steps 0, 1, ... with p and q.
+// Writes a dataset with the times 0, 1, ... and the arrays p and q.
 void write_steps(const fs::path& directory, std::size_t steps) {
     const FaceMesh mesh = test::box(1, 1, 1);
     Writer writer(directory, {"box.vtu", "m", 8, 12, 1, {}});
@@ -64,7 +64,7 @@ TEST(AppendFiles, AReaderLooksOnceAtEachFileOfANewStep) {
     EXPECT_EQ(stat_calls_of([&] { (void)reader->refreshed(); }), one + 2) << "p and q";
 }
 
-// A process that has replace_file's file open and locked until `done` is closed.
+// A process that holds the file open and locked, as replace_file does, until `done` is closed.
 class LivingWriter {
 public:
     explicit LivingWriter(const fs::path& file) {

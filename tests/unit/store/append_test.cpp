@@ -1,4 +1,4 @@
-// The rules of appending: names, sizes and times, the imported file's order, point values, coordinates.
+// Rules of appending: names, sizes and times, order of the imported file, point values, coordinates.
 #include "store/append.hpp"
 #include "support/store_box/box.hpp"
 
@@ -19,7 +19,7 @@ using testing::ElementsAreArray;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// The box of 2 x 2 x 2 cells, whose stored vertices and cells run backwards through the "file".
+// Dataset of 2 x 2 x 2 cells. Its vertices and cells are stored in the reverse order of the imported "file".
 class AppendTest : public testing::Test {
 protected:
     AppendTest() {
@@ -60,7 +60,7 @@ const std::string long_name(201, 'x');
 const std::vector<Refused> refused{
     {"the same time", 0, {{"p", {}}}, "time 0 is not later than the last step of box, 0"},
     {"an earlier time", -1, {{"p", {}}}, "not later"},
-    {"no time", nan, {{"p", {}}}, "finite time"},
+    {"no time", nan, {{"p", {}}}, "must be a finite number"},
     {"twice", 1, {{"p", {}}, {"p", {}}}, "'p' is given twice"},
     {"other components", 1, {{"U", 2}}, "'U' has 3 components, not 2"},
     {"no components", 1, {{"new", 0}}, "1 to 64"},
@@ -69,7 +69,7 @@ const std::vector<Refused> refused{
     {"an empty cell name", 1, {{"cell:", {}}}, "is empty"},
     {"a path", 1, {{"../x", {}}}, "holds a '/'"},
     {"a drive", 1, {{"a:b", {}}}, "':'"},
-    {"a folder", 1, {{"..", {}}}, "stands for a folder"},
+    {"a folder", 1, {{"..", {}}}, "is . or .."},
     {"a space", 1, {{"p ", {}}}, "begins or ends with a space"},
     {"a line feed", 1, {{"a\nb", {}}}, "control character"},
     {"a long name", 1, {{long_name, {}}}, "longer than 200 bytes"},
@@ -103,9 +103,9 @@ TEST_F(AppendTest, ValuesComeInTheOrderOfTheImportedFile) {
     EXPECT_THAT(done.plan.lacking, testing::UnorderedElementsAre("U", "cell:p", "cell:id"));
 }
 
-// Eight cells: the vertex in the middle has them all around it, those of a cell's outer corner have one.
+// The middle vertex touches all eight cells; a corner vertex of the box touches one.
 TEST_F(AppendTest, CellArraysGetTheirPointValues) {
-    const std::vector<float> in_file{8, 7, 6, 5, 4, 3, 2, 1}; // stored: 1 to 8
+    const std::vector<float> in_file{8, 7, 6, 5, 4, 3, 2, 1}; // stored as 1 to 8
     const auto done = append(1, {{"cell:p", {}}}, {in_file});
     const auto dataset = Dataset::open(directory);
     const auto p = dataset->values("p", 1);
@@ -135,7 +135,7 @@ TEST_F(AppendTest, AKillInTheMiddleOfTheCommitLeavesTheDatasetAsItWas) {
     const pid_t child = ::fork();
     if (child == 0) {
         (void)append_step(open(), 1, std::vector<WantedArray>{{"p", {}}, {"U", {}}}, [&](std::size_t i) {
-            if (i == 1) ::kill(::getpid(), SIGKILL); // p is written, the lock is held
+            if (i == 1) ::kill(::getpid(), SIGKILL); // p is written and the lock is held
             return std::span<const float>(p);
         });
         ::_exit(0);
@@ -150,7 +150,7 @@ TEST_F(AppendTest, AKillInTheMiddleOfTheCommitLeavesTheDatasetAsItWas) {
     EXPECT_THAT(dataset->refreshed()->values("U", 1), testing::Each(2.0F));
 }
 
-// As a disk does it, or who writes to a file in place.
+// Changes bytes in place, as a disk error or another program would.
 void overwrite_index(const fs::path& file, std::size_t at, Index value) {
     std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
     out.seekp(static_cast<std::streamoff>(at * sizeof value));
@@ -176,7 +176,7 @@ TEST_F(AppendTest, AnIndexThatChangedAfterItWasVerifiedIsASentence) {
     }
 }
 
-// Its positions at the times 1, 2, 3, ...: the box, offset by `moved`.
+// Writes the box at the times 1, 2, 3, ..., with positions offset by `moved[i]`.
 void write_moving(const fs::path& directory, const std::vector<float>& moved, Vec3d origin = {}) {
     FaceMesh mesh = test::box(2, 2, 2);
     mesh.origin = origin;

@@ -12,7 +12,7 @@ namespace ciel::test {
 std::size_t stat_calls() { return calls; }
 } // namespace ciel::test
 
-// In place of the C library's, for the store and for the C++ library alike.
+// These functions replace those of the C library for the store and for the C++ library.
 extern "C" {
 int stat(const char* path, struct stat* status) noexcept {
     ++calls;

@@ -1,10 +1,10 @@
-// The program's stat, lstat and fstat, which count: what is asked of a slow file system for each step adds up.
+// Replaces stat, lstat and fstat by counting versions, because each call may be slow on a network file system.
 #pragma once
 
 #include <cstddef>
 
 namespace ciel::test {
 
-[[nodiscard]] std::size_t stat_calls(); // so far, by any thread
+[[nodiscard]] std::size_t stat_calls(); // calls so far, by all threads
 
 } // namespace ciel::test

@@ -1,4 +1,4 @@
-// Whatever happens to a writer, nothing half-made is left in the dataset's place.
+// A writer that fails or is killed leaves no partial dataset.
 #include "store/place.hpp"
 #include "support/store_box/box.hpp"
 
@@ -21,14 +21,14 @@ std::vector<std::string> entries(const fs::path& directory) {
     return names;
 }
 
-// Runs `body` in a process of its own and returns its status.
+// Runs `body` in a child process and returns its wait status.
 template <typename Body>
 int in_child(const Body& body) {
     const pid_t child = ::fork();
     if (child == 0) {
         try {
             body();
-        } catch (...) { // else the child would go on with the other tests
+        } catch (...) { // without _exit the child would run the remaining tests
             ::_exit(1);
         }
         ::_exit(0);
@@ -141,7 +141,7 @@ TEST(Crash, AnAppendThatFailsOrIsKilledLeavesTheDatasetAsItWas) {
     ASSERT_TRUE(WIFSIGNALED(killed));
     EXPECT_EQ(dataset->refreshed(), nullptr);
     EXPECT_EQ(Dataset::open(scratch / "a.ciel")->steps().size(), 3U);
-    Writer::append(scratch / "a.ciel").add_step(5, 0, 0, step); // the lock ended with the process
+    Writer::append(scratch / "a.ciel").add_step(5, 0, 0, step); // the killed process has lost its lock
     EXPECT_THAT(dataset->refreshed()->values("p", 3), testing::ElementsAreArray(p));
 }
 

@@ -1,4 +1,4 @@
-// Datasets in memory and the catalog of names.
+// The cache of loaded data, and the catalog of dataset names.
 #include "support/store_box/box.hpp"
 
 #include "store/cache/cache.hpp"
@@ -30,7 +30,7 @@ TEST(CacheTest, DropsTheLeastRecentlyUsedOverItsBudget) {
     EXPECT_EQ(get("a"), 1);
     EXPECT_EQ(get("b"), 2);
     EXPECT_EQ(get("a"), 1);
-    EXPECT_EQ(get("c"), 3); // b goes
+    EXPECT_EQ(get("c"), 3); // evicts b
     EXPECT_EQ(cache.bytes(), 80U);
     EXPECT_EQ(get("a"), 1);
     EXPECT_EQ(get("b"), 4);
@@ -130,7 +130,7 @@ TEST_F(LoadedTest, WhatCannotBeContouredSaysWhy) {
     };
     EXPECT_THAT(error("q", 0), HasSubstr("U:magnitude"));
     EXPECT_THAT(error("cell:p", 0), HasSubstr("on cells"));
-    EXPECT_THAT(error("p", 1), HasSubstr("not written at time 0.5; it was at 0, 1"));
+    EXPECT_THAT(error("p", 1), HasSubstr("has no values at time 0.5; it has values at 0, 1"));
     EXPECT_THAT(error("p", 9), HasSubstr("no step 9"));
 }
 
@@ -218,7 +218,7 @@ TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
     EXPECT_THAT(entries[0].problem, HasSubstr("steps.json"));
     EXPECT_EQ(entries[1].problem, "");
     EXPECT_THROW((void)catalog.open("bad"), Error);
-    fs::resize_file(directory / "meshes/0/owner/0", 8); // what list() does not look at, open() does
+    fs::resize_file(directory / "meshes/0/owner/0", 8); // list() does not read this file; open() does
     EXPECT_THROW((void)catalog.open("box"), Error);
     EXPECT_THAT(catalog.list()[1].problem, HasSubstr("owner"));
 }
@@ -253,7 +253,7 @@ TEST_F(CatalogTest, ManyOpenersShareOne) {
     for (auto& each : all) EXPECT_EQ(each.get(), one);
 }
 
-// The box three times: "a", "b" and "c".
+// The same dataset under the names "a", "b" and "c".
 class GiveBackTest : public CatalogTest {
 protected:
     GiveBackTest() {

@@ -1,4 +1,4 @@
-// Damaged, truncated, foreign and hostile directories are refused with a sentence that names the file.
+// Damaged, truncated, foreign and hostile directories are refused with a message that names the file.
 #include "support/store_box/box.hpp"
 
 #include "store/files/files.hpp"
@@ -20,8 +20,8 @@ using Damage = std::function<void(const fs::path&)>;
 struct Malformed {
     const char* name;
     Damage damage;
-    const char* file;  // that the sentence names
-    const char* error; // that it says
+    const char* file;  // file name that the message contains
+    const char* error; // text that the message contains
 };
 
 Damage remove(const char* file) {
@@ -50,7 +50,7 @@ Damage flip(const char* file, std::size_t byte) {
     };
 }
 
-// Sets one entry of a topology array of mesh 0 and mends its checksum: damage that only a look at the values finds.
+// Sets one entry of a topology array of mesh 0 and corrects the checksum. Only a check of the values finds this damage.
 template <typename T>
 Damage poke(const char* name, std::size_t index, T value) {
     return [=](const fs::path& d) {
@@ -147,7 +147,7 @@ const std::vector<Malformed> table{
      "arrays/p/.zattrs", "\"interpolated\""},
     {"too few names of components",
      edit("meshes/0/arrays/U/.zattrs", [](json& j) { j["ciel"]["component_names"] = {"xx"}; }), "arrays/U/.zattrs",
-     "must name each of the components"},
+     "must have one name per component"},
     {"another number of boundary faces",
      edit("meshes/0/.zattrs",
           [](json& j) {
@@ -190,7 +190,7 @@ const std::vector<Malformed> table{
     {"topology too long", resize("meshes/0/owner/0", 4), "owner/0", "bytes where"},
     {"size beyond memory",
      edit("meshes/0/owner/.zarray", [](json& j) { j["shape"] = j["chunks"] = {9223372036854775807U}; }),
-     "owner/.zarray", "larger"},
+     "owner/.zarray", "more than 2^63 bytes"},
     {"one bit of topology", flip("meshes/0/face_vertex/0", 5), "face_vertex/0", "checksum"},
     {"one bit of a coordinate", flip("meshes/0/positions/0.0.0", 6), "positions/0.0.0", "checksum"},
     {"one bit of a group", flip("meshes/0/groups/0/0", 0), "groups/0/0", "checksum"},
@@ -208,7 +208,7 @@ const std::vector<Malformed> table{
     {"group out of range", poke<std::uint32_t>("groups/1", 0, 8), "groups/1/0", "holds index 8"},
     {"coordinate not finite", poke_position(std::numeric_limits<float>::infinity()), "positions/0.0.0", "not finite"},
     {"counts that lie", edit("meshes/0/.zattrs", [](json& j) { j["ciel"]["counts"]["cells"] = 9; }), "meshes/0/.zattrs",
-     "counts other"},
+     "declares other numbers of"},
     {"a directory in place of a chunk",
      [](const fs::path& d) { fs::remove(d / "meshes/0/owner/0"), fs::create_directory(d / "meshes/0/owner/0"); },
      "owner/0", "not a regular file"},

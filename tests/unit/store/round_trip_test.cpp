@@ -1,4 +1,4 @@
-// What is written is what is read: topology, groups, values, gaps, moved meshes, remeshing, appended steps.
+// Data read equals data written: topology, groups, values, missing values, moved meshes, remeshing, appended steps.
 #include "store/no_value.hpp"
 #include "support/store_box/box.hpp"
 
@@ -41,7 +41,7 @@ TEST(RoundTrip, TopologyIsTheSame) {
 TEST(RoundTrip, WhatCannotBeReadAgainIsRefusedUnderTheNameThatItWasToHave) {
     const Folder scratch;
     FaceMesh mesh = box(1, 1, 1);
-    mesh.face_vertex.insert(mesh.face_vertex.end(), {0, 1}); // a face that assemble would have left out
+    mesh.face_vertex.insert(mesh.face_vertex.end(), {0, 1}); // a face of two vertices, which assemble() would drop
     mesh.face_offset.push_back(mesh.face_vertex.size());
     mesh.owner.push_back(0);
     mesh.neighbour.push_back(none);
@@ -50,7 +50,7 @@ TEST(RoundTrip, WhatCannotBeReadAgainIsRefusedUnderTheNameThatItWasToHave) {
         ADD_FAILURE() << "it was written";
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr((scratch / "box.ciel/meshes/0/face_offset").string()));
-        EXPECT_THAT(error.what(), testing::HasSubstr("nothing was kept"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("cannot be read back and was removed"));
     }
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
 }
@@ -65,7 +65,7 @@ TEST(RoundTrip, InfoCountsTheMesh) {
     EXPECT_THAT(info.notes, ElementsAre("a note"));
     EXPECT_EQ(info.input_vertices, 36U);
     const MeshInfo& mesh = info.meshes.at(0);
-    // A 3 x 2 x 2 box: edges 3*3*3 + 4*2*3 + 4*3*2, faces 4*4 + 3*3*2 + 3*2*3, boundary 2 (6 + 6 + 4).
+    // Counts of a 3 x 2 x 2 box: 3*3*3 + 4*2*3 + 4*3*2 edges, 4*4 + 3*3*2 + 3*2*3 faces, 2 (6 + 6 + 4) boundary faces.
     EXPECT_EQ(mesh.vertices, 36U);
     EXPECT_EQ(mesh.edges, 75U);
     EXPECT_EQ(mesh.faces, 52U);
@@ -140,7 +140,7 @@ TEST(RoundTrip, RangesAreOfMagnitudeAndIgnoreWhatIsNotFinite) {
     EXPECT_EQ(dataset->steps()[0].arrays.at("s").invalid, 8U);
 }
 
-// Two cells side by side along x.
+// Two cells that are neighbors along x.
 std::shared_ptr<Dataset> two_cells(const Folder& scratch, const std::vector<ArrayValues>& arrays,
                                    const SolverIds& ids = {}) {
     FaceMesh mesh = box(2, 1, 1);
@@ -285,7 +285,7 @@ TEST(Append, AStepIsSeenByRefreshedOnly) {
         const std::vector<ArrayValues> arrays{{{"p", Association::point, 1, "Pa", ""}, p},
                                               {{"tracer", Association::point, 1, "", ""}, t}};
         EXPECT_THROW(writer.add_step(1.0, 0, 0, arrays), Error) << "not later than the last";
-        writer.add_step(1.5, 0, 0, arrays); // visible without finish()
+        writer.add_step(1.5, 0, 0, arrays); // visible to readers before finish()
         EXPECT_THROW((void)Writer::append(scratch / "box.ciel"), Error) << "one appender at a time";
     }
     EXPECT_EQ(dataset->steps().size(), 3U);

@@ -14,7 +14,7 @@ assert group.attrs["ciel"]["format_version"] == 1
 assert mesh["positions"].shape == (1, 27, 3) and mesh["positions"][0, 26].tolist() == [2, 2, 2]
 assert mesh["cell_types"][:].tolist() == [12] * 8
 assert mesh["face_offset"][-1] == mesh["face_vertex"].shape[0] == 36 * 4
-assert (mesh["owner"][:] < mesh["neighbour"][:]).all()  # none is the highest number
+assert (mesh["owner"][:] < mesh["neighbour"][:]).all()  # `none` is the largest integer
 assert [g["name"] for g in mesh.attrs["ciel"]["groups"]] == ["wall", "inner/zone \u00e9"]
 assert mesh["groups/0"][:].tolist() == [0, 1, 2]
 

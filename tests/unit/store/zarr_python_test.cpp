@@ -1,4 +1,4 @@
-// Another implementation of Zarr reads what was written, and appends a step that a served dataset sees.
+// zarr-python reads a dataset of the store, and appends a step that an open dataset finds.
 #include "store/format/zarr_array.hpp"
 #include "support/store_box/box.hpp"
 
@@ -30,7 +30,7 @@ TEST(Zarr, PythonReadsAndAppends) {
     EXPECT_TRUE(now->values("U", 3).empty());
     EXPECT_EQ(now->mesh(0, now->steps()[3].coordinates).positions[0], 1) << "moved";
 
-    Writer writer = Writer::append(directory); // goes on after a step it did not write
+    Writer writer = Writer::append(directory); // appends after a step that zarr-python wrote
     const ArrayInfo info{"p", Association::point, 1, "Pa", ""};
     writer.add_step(2.0, 0, 0, std::vector<ArrayValues>{{info, expected}});
     const auto later = now->refreshed();

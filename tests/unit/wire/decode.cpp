@@ -2,7 +2,7 @@
 
 #include "wire/frame_header.hpp"
 
-#include <cstdio> // before jpeglib.h, which needs FILE
+#include <cstdio> // must precede jpeglib.h, which needs FILE
 #include <gtest/gtest.h>
 #include <jpeglib.h>
 #include <png.h>
@@ -34,7 +34,7 @@ std::vector<std::uint8_t> decoded_png(const std::vector<std::uint8_t>& file, int
     return rgb;
 }
 
-// An error of libjpeg's ends the program with its words.
+// An error of libjpeg prints its message and ends the program.
 std::vector<std::uint8_t> decoded_jpeg(const std::vector<std::uint8_t>& file, int width, int height) {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -53,7 +53,7 @@ std::vector<std::uint8_t> decoded_jpeg(const std::vector<std::uint8_t>& file, in
         jpeg_read_scanlines(&jpeg, &row, 1);
     }
     jpeg_finish_decompress(&jpeg);
-    EXPECT_EQ(errors.num_warnings, 0); // a marker out of order is one
+    EXPECT_EQ(errors.num_warnings, 0); // markers out of order are reported as warnings
     EXPECT_EQ(jpeg.src->bytes_in_buffer, 0U);
     jpeg_destroy_decompress(&jpeg);
     return rgb;

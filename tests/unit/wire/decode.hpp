@@ -1,4 +1,4 @@
-// Whole messages from their pieces; pictures back from their files, by the libraries that everybody reads them with.
+// Joins messages sent in pieces, and decodes pictures with libpng and libjpeg.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,10 @@
 
 namespace ciel::wire {
 
-// The payload that messages carry in pieces (protocol/frame.md). A piece that is missing or out of order fails the
-// test.
+// Returns the joined payload of messages in pieces (protocol/frame.md). A missing or misplaced piece fails the test.
 [[nodiscard]] std::vector<std::uint8_t> joined(std::span<const std::vector<std::uint8_t>> messages);
 
-// RGB rows from the top. A file that is damaged, goes on behind its end or has another size fails the test.
+// Returns RGB rows from the top. A damaged file, bytes after its end or another size fails the test.
 [[nodiscard]] std::vector<std::uint8_t> decoded_png(const std::vector<std::uint8_t>& file, int width, int height);
 [[nodiscard]] std::vector<std::uint8_t> decoded_jpeg(const std::vector<std::uint8_t>& file, int width, int height);
 

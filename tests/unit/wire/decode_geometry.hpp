@@ -1,4 +1,4 @@
-// Batches of polygons back from their messages, by meshoptimizer's decoders and the rules of protocol/frame.md.
+// Decodes geometry batches with meshoptimizer's decoders and the rules of protocol/frame.md.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -15,14 +15,14 @@ namespace ciel::wire {
 struct DecodedBatch {
     nlohmann::json description;
     std::vector<Vec3f> positions, normals;
-    std::vector<float> values; // per vertex, triangle, line or point, as the description says
+    std::vector<float> values; // one per vertex, triangle, line or point; the description says which
     std::vector<Index> indices;
 };
 
-// A client's memory of the parts that batches may name.
+// A client that keeps the meshes that later batches refer to.
 class GeometryClient {
 public:
-    // Throws std::runtime_error where the payload does not fit its description, or names what did not come before.
+    // Throws std::runtime_error when the payload does not fit its description or refers to an unknown mesh.
     [[nodiscard]] DecodedBatch decode(std::span<const std::uint8_t> payload);
 
 private:

@@ -1,4 +1,4 @@
-// Pictures for the codecs: what a frame is made of, and noise, which nothing compresses.
+// Test pictures for the codecs: content like that of frames, and incompressible noise.
 #pragma once
 
 #include <cmath>

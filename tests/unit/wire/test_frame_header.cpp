@@ -125,8 +125,9 @@ TEST(FrameHeader, RefusesMalformedMessages) {
         {"flags", [](Bytes& b) { b[7] = 0x80; }, "unknown flags"},
         {"payload cut", [](Bytes& b) { b.pop_back(); }, "announces 2 bytes"},
         {"payload too long", [](Bytes& b) { b.push_back(0); }, "and has 3"},
-        {"piece behind the whole", [](Bytes& b) { b[68] = 8; }, "brings 2 bytes from 8 on, and the whole has 9"},
-        {"offset 4 GiB", [](Bytes& b) { b[68] = b[69] = b[70] = b[71] = 0xff; }, "from 4294967295 on"},
+        {"piece behind the whole", [](Bytes& b) { b[68] = 8; },
+         "has 2 bytes at offset 8, but the whole frame has only 9"},
+        {"offset 4 GiB", [](Bytes& b) { b[68] = b[69] = b[70] = b[71] = 0xff; }, "at offset 4294967295"},
         {"payload 4 GiB", [](Bytes& b) { b[60] = b[61] = b[62] = b[63] = 0xff; }, "announces 4294967295"},
     };
     for (const Row& row : rows) {

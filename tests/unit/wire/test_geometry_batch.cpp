@@ -1,4 +1,4 @@
-// Batches put together again are the mesh that was sent.
+// Decoded geometry batches equal the encoded mesh.
 #include "wire/batches/geometry_batch.hpp"
 
 #include "decode_geometry.hpp"
@@ -16,7 +16,7 @@
 namespace ciel::wire {
 namespace {
 
-struct Sheet { // n x n squares
+struct Sheet { // a square sheet of n x n quadrilaterals
     std::vector<Vec3f> positions, normals;
     std::vector<float> scalars;
     std::vector<Index> indices;
@@ -52,7 +52,7 @@ constexpr double step = 1.0 / 64;
 
 DecodedBatch decode(std::span<const std::uint8_t> payload) { return GeometryClient().decode(payload); }
 
-// Corners of a triangle may come in another turn, which the codec is free to choose.
+// Expects the same triangles. The codec may rotate the corners of a triangle.
 void expect_same_corners(const DecodedBatch& batch, std::size_t first, std::span<const Vec3f> sent) {
     std::vector<Vec3f> got;
     for (std::size_t corner = 0; corner < sent.size(); ++corner)
@@ -71,7 +71,7 @@ std::vector<std::uint8_t> bytes_of(const EncodedGeometry& encoded) {
 }
 
 TEST(GeometryBatch, PutTogetherIsTheMesh) {
-    const Sheet sheet(40); // on the grid, so that nothing is rounded
+    const Sheet sheet(40); // positions are on the quantization grid, so nothing is rounded
     const std::vector<Primitives> meshes{sheet.mesh("a"), sheet.mesh("quote\" \\ \n\x01 \xc3\xa9")};
     for (const std::size_t max_vertices : {std::size_t{3}, std::size_t{100}, batch_vertices}) {
         const auto [payloads, ids] = encode_geometry(meshes, {1e6, -2.5, 0.1}, step, {}, max_vertices);
@@ -109,7 +109,7 @@ TEST(GeometryBatch, PutTogetherIsTheMesh) {
     EXPECT_EQ(encode_geometry(meshes, {}, step).payloads.size(), 2U) << "what fits in one batch is one";
 }
 
-// A wavy sheet of triangles of a few grid steps, as an iso-surface has them.
+// A wavy sheet with triangles of a few grid steps, similar to an iso-surface.
 struct Wave : Sheet {
     explicit Wave(Index n) : Sheet(n) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -141,7 +141,7 @@ TEST(GeometryBatch, NothingIsOffByMoreThanHalfAStep) {
     const Wave wave(60);
     const DecodedBatch batch = decode(encode_geometry(std::vector{wave.mesh("a")}, {}, step).payloads.at(0));
     ASSERT_EQ(batch.positions.size(), wave.positions.size());
-    std::vector<Index> order; // of first use, as the batch's vertices are
+    std::vector<Index> order; // vertices in order of first use, as in the batch
     for (const Index vertex : wave.indices)
         if (std::ranges::find(order, vertex) == order.end()) order.push_back(vertex);
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -153,7 +153,7 @@ TEST(GeometryBatch, NothingIsOffByMoreThanHalfAStep) {
 
 TEST(GeometryBatch, EqualPositionsAreEqualInAllBatches) {
     const Wave wave(60);
-    std::map<std::pair<float, float>, float> heights; // of the sheet, by place
+    std::map<std::pair<float, float>, float> heights; // height by (x, y)
     for (const auto& payload : encode_geometry(std::vector{wave.mesh("a")}, {}, step, {}, 300).payloads)
         for (const Vec3f& at : decode(payload).positions) {
             const auto [known, is_new] = heights.try_emplace({at[0], at[1]}, at[2]);
@@ -165,7 +165,7 @@ TEST(GeometryBatch, EqualPositionsAreEqualInAllBatches) {
 TEST(GeometryBatch, NormalsAreOffByAThirdOfADegree) {
     double sum = 0, largest = 0;
     int count = 0;
-    for (int i = 0; i < 20'000; ++i) { // evenly over the sphere
+    for (int i = 0; i < 20'000; ++i) { // evenly distributed over the sphere
         const double z = 1 - (2 * i + 1) / 20'000.0, around = i * 2.399963229728653;
         const double across = std::sqrt(1 - z * z);
         const Vec3f normal{static_cast<float>(across * std::cos(around)), static_cast<float>(across * std::sin(around)),

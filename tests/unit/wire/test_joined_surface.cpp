@@ -8,7 +8,8 @@
 namespace ciel::wire {
 namespace {
 
-// A triangle whose third corner is two points on the same mesh vertex 7, and a sliver between them.
+// Two triangles. Points 2 and 3 are both on mesh vertex 7, so the second triangle becomes a sliver when they are
+// joined.
 Surface touching() {
     Surface surface;
     surface.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}};

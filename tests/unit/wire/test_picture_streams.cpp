@@ -1,11 +1,11 @@
-// Decoded, a stream's pictures are what was given as PNG, and as JPEG what libjpeg makes of each in one go.
+// Streamed PNG decodes to the original picture. Streamed JPEG equals that of libjpeg in a single call, once decoded.
 #include "ciel/types.hpp"
 #include "decode.hpp"
 #include "pictures.hpp"
 #include "wire/pictures/picture_stream.hpp"
 
 #include <algorithm>
-#include <cstdio> // before jpeglib.h, which needs FILE
+#include <cstdio> // must precede jpeglib.h, which needs FILE
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <jpeglib.h>
@@ -75,7 +75,7 @@ protected:
 
 TEST_P(PictureStreams, EverySizeIsRight) {
     for (const Picture& picture : pictures()) expect_right(picture);
-    // For JPEG: rows of a prime number of units, of fewer than a piece has, of as many as restart markers come round.
+    // JPEG: rows whose number of MCUs is prime, smaller than a piece, or a multiple of the cycle of restart markers.
     for (const int width : {16, 17, 48, 64, 65, 79 * 16, 80 * 16 - 15, 85 * 16, 128})
         for (const int height : {1, 16, 63, 64, 65, 130}) expect_right(filled(width, height));
 }

@@ -1,4 +1,4 @@
-// What libpng decodes is what was encoded, pixel for pixel.
+// libpng decodes the encoded PNG to the original pixels.
 #include "ciel/types.hpp"
 #include "decode.hpp"
 #include "pictures.hpp"

@@ -17,7 +17,7 @@ import type { Vec3 } from "../generated/protocol";
 import type { Deps } from "./deps";
 
 const NOTHING_THERE =
-  "Nothing is drawn there: a double click on a surface centres it. R shows all that is drawn, Shift-R the whole box";
+  "Nothing is drawn at the cursor. A double click on a surface centres the surface. R shows everything that is drawn, Shift-R the whole box";
 
 export class CameraCommands {
   constructor(
@@ -25,7 +25,7 @@ export class CameraCommands {
     private readonly probe: (x: number, y: number) => Promise<Vec3 | null | undefined>,
   ) {}
 
-  /** The requested camera; the picture may lag behind. */
+  /** Camera of the newest scene. The shown picture may still have an older camera. */
   get(): FullCamera | null {
     return cameraOf(this.deps.model);
   }
@@ -39,7 +39,7 @@ export class CameraCommands {
     if (camera !== null) this.set(change(camera), gesture);
   }
 
-  /** Zooms about (x, y), in CSS pixels of the canvas, within the limits. Returns the same camera at a limit. */
+  /** Zooms about (x, y), in CSS pixels of the canvas. Returns the same camera at the limit of zooming. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
     const bounds = this.bounds();
     const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
@@ -58,14 +58,14 @@ export class CameraCommands {
     this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
-  /** `anew`: a new orbit begins, about the surface in the middle of the canvas. */
+  /** Orbits by (dx, dy) CSS pixels. `anew`: starts a new orbit about the surface point in the middle of the canvas. */
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
     this.change((camera) => orbit(camera, dx, dy, css, this.pivotOf(camera)), gesture);
   }
 
-  /** An orbit begins at (x, y), in CSS pixels of the canvas. */
+  /** Starts an orbit about the surface point at (x, y), in CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
     this.deps.view.pivot.seek(x, y);
   }
@@ -74,7 +74,7 @@ export class CameraCommands {
     return this.deps.view.pivot.of(camera);
   }
 
-  /** Frames the drawn geometry, or the whole box. */
+  /** Shows the default view of the drawn geometry. `wholeBox`: of the dataset's whole bounding box. */
   reset(wholeBox = false): void {
     const { size } = this.deps.server;
     void this.framed(wholeBox, (bounds, now) => defaultView(bounds, size.aspect, now.fov, now.parallel));

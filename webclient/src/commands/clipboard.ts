@@ -1,4 +1,4 @@
-/** Copies the text. Returns false if the browser allows no clipboard access. */
+/** Copies the text to the clipboard. Returns false if the browser does not allow it. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -8,7 +8,10 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** Old method, for plain http from another machine: navigator.clipboard needs a secure origin. */
+/**
+ * Copies by selecting the text. Needed on pages loaded by plain HTTP from another machine, where browsers provide no
+ * navigator.clipboard.
+ */
 function copyBySelection(text: string): boolean {
   const area = document.createElement("textarea");
   area.value = text;

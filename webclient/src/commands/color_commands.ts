@@ -11,12 +11,12 @@ const USUAL_SHARES = [0.01, 0.99] as const;
 const USUAL_BINS = 1024;
 
 export class ColorCommands {
-  /** Colorings before they became logarithmic, by colored object. */
+  /** Colorings before the logarithmic scale was switched on, by layer. */
   readonly beforeLog = new Map<string, Coloring>();
 
   constructor(private readonly deps: Deps) {}
 
-  /** Changes the coloring of several layers, as one step. undefined members are removed. */
+  /** Changes the colorings of layers and contour lines in one undo step. Members that are undefined are removed. */
   set({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
@@ -26,14 +26,17 @@ export class ColorCommands {
     this.deps.server.editor.change({ layers: patch }, gesture);
   }
 
-  /** Colors by an array, or with one color if null. Drops the range: it belonged to the previous array. */
+  /** Colors by an array, or with one color if `array` is null. Removes the range of the previous array. */
   by(of: Colored, array: string | null): void {
     const { description, scene } = this.deps.model;
     if (array === null) this.set(of, { array: undefined, range: undefined });
     else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
   }
 
-  /** Returns the range without outliers (USUAL_SHARES); null if there is none, or no answer. */
+  /**
+   * Returns the range between the quantiles USUAL_SHARES. null if the array has no values or the server does not
+   * answer.
+   */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -46,12 +49,12 @@ export class ColorCommands {
         USUAL_SHARES,
       );
     } catch (error) {
-      this.deps.unanswered(error, "The range of most values cannot be told");
+      this.deps.unanswered(error, "The range of most values cannot be computed");
       return null;
     }
   }
 
-  /** Returns the range of the values in view; null, with a message, if there is none. */
+  /** Returns the range of the visible values. null if there are none or the call failed; the user is told why. */
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { server } = this.deps;
     const of = async (part: keyof Colored): Promise<Range[]> => {
@@ -68,7 +71,7 @@ export class ColorCommands {
       this.deps.tell("No value of these layers is in view; the range stays as it is", "error");
       return null;
     } catch (error) {
-      this.deps.unanswered(error, "The range in view cannot be told");
+      this.deps.unanswered(error, "The range in view cannot be computed");
       return null;
     }
   }

@@ -1,4 +1,4 @@
-// All user commands. Panels, keys and buttons call these; each group has its own file.
+// All commands of the user, called by panels, keys and buttons. Each group of commands has its own file.
 import { openingScene } from "../server/first_scene";
 import { Disconnected } from "../server/rpc";
 import type { Server } from "../server/server";
@@ -48,7 +48,7 @@ export class Commands {
     this.page = new PageCommands(deps, links);
   }
 
-  /** Applies gestures on the element to the scene. */
+  /** Listens to pointer, wheel and touch events on the element and applies them to the scene's camera. */
   listenTo(element: HTMLElement): void {
     const { camera, probe } = this;
     listenToGestures(element, {
@@ -64,7 +64,7 @@ export class Commands {
     });
   }
 
-  /** Changes the scene by a merge patch. Changes of one gesture are one undo step. */
+  /** Changes the scene by a merge patch. Changes with the same gesture name are one undo step. */
   change(patch: object, gesture?: string): void {
     this.server.editor.change(patch, gesture);
   }
@@ -101,22 +101,25 @@ export class Commands {
     }
   }
 
-  /** Returns null until it has arrived, or if there is none. A panel that reads it is redrawn on arrival. */
+  /**
+   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. A panel that
+   * calls this is rendered again on arrival.
+   */
   histogram(dataset: string, array: string, time: number): Histogram | null {
     return this.server.histograms.get(dataset, array, time);
   }
 
-  /** Reconnects now, without waiting for the next attempt. */
+  /** Connects to the server now, without waiting for the next automatic attempt. */
   retry(): void {
     this.server.session.retryNow();
   }
 
-  /** Opens the session again after the server has refused it. */
+  /** Tries again to open the session that the server has refused. */
   async reopen(): Promise<void> {
     await this.server.session.open();
   }
 
-  /** Returns null if the token was accepted, else a sentence for the user. */
+  /** Sends the token that the user typed. Returns null if the server accepted it, else a sentence for the user. */
   enterToken(typed: string): Promise<string | null> {
     return this.server.entry.enter(typed);
   }
@@ -131,7 +134,7 @@ export class Commands {
 
   private unanswered(error: unknown, failed: string): void {
     if (error instanceof Disconnected)
-      this.tell(`${failed}: the server is not connected. Try again when it is back`, "error");
+      this.tell(`${failed}: the server is not connected. Try again when the connection is back`, "error");
     else this.server.fail(error);
   }
 }

@@ -8,6 +8,6 @@ export interface Deps {
   readonly server: Server;
   readonly view: View;
   tell(text: string, kind?: "error" | "info"): void;
-  /** Reports a failed call. Unlike scene changes, calls are not repeated after a reconnection. */
+  /** Tells the user that a call failed. A call is not repeated after a reconnection, unlike changes of the scene. */
   unanswered(error: unknown, failed: string): void;
 }

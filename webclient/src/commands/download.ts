@@ -1,4 +1,4 @@
-// Saves files on the user's machine.
+// Downloads data as a file to the user's machine.
 import { fromBase64 } from "../model/link";
 
 export function download(name: string, mime: string, base64: string): void {

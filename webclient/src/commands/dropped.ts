@@ -1,21 +1,25 @@
-// Files dropped on the page. Data are read on the server's machine, so the page only explains how to open them.
+// Explains to the user who drops a file on the page how to open it. The page cannot: the server reads its data on its
+// own machine.
 
 const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** Returns a sentence for the user who dropped a file of this name. */
+/** Returns the explanation for a file of this name. */
 export function answerToDrop(name: string): string {
   if (/\.ciel$/i.test(name))
-    return `${name} is not opened from here: start the server with it, ciel serve ${name}, or put it into a folder that is served`;
+    return `${name} cannot be opened in the page. Start the server with the dataset, ciel serve ${name}, or put the dataset into a folder that is served`;
   const stem = name.replace(/(?<=.)\.[^.]*$/, "");
-  return `${name} is not opened from here. Import it where the server runs, ciel import ${name} -o ${stem}.ciel, and put that into a folder that is served`;
+  return `${name} cannot be opened in the page. Import the file where the server runs, ciel import ${name} -o ${stem}.ciel, and put the dataset into a folder that is served`;
 }
 
-/** Prevents the browser from leaving the page to show the file. Returns a function that stops listening. */
+/**
+ * Calls `answer` when a file is dropped, and keeps the browser from showing the file instead of the page. Returns a
+ * function that stops listening.
+ */
 export function listenToDrops(answer: (sentence: string) => void): () => void {
   const over = (event: DragEvent): void => {
     if (!isFile(event)) return;
     event.preventDefault();
-    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // "none" would suppress the drop
+    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // with "none" no drop event comes
   };
   const drop = (event: DragEvent): void => {
     if (!isFile(event)) return;

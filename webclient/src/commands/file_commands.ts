@@ -11,7 +11,7 @@ export class FileCommands {
     private readonly links: Links,
   ) {}
 
-  /** Saves a picture of the view's size, or of the given one. */
+  /** Downloads a picture. `size`: in pixels; default: size of the view. */
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
     const { server } = this.deps;
     await this.whileBusy("Drawing the picture", "The picture cannot be saved", async () => {
@@ -43,12 +43,12 @@ export class FileCommands {
       await navigator.clipboard.writeText(address);
       this.deps.tell(`The link to this ${what} is in the clipboard`);
     } catch {
-      history.replaceState(null, "", address); // no clipboard without a secure origin
+      history.replaceState(null, "", address); // the clipboard needs a secure origin
       this.deps.tell(`The link to this ${what} is in the address bar`);
     }
   }
 
-  /** `failed`: message for a lost connection. */
+  /** Shows `words` as status during `work`. `failed`: start of the message if the connection is lost. */
   private async whileBusy(words: string, failed: string, work: () => Promise<void>): Promise<void> {
     const { busy } = this.deps.model;
     busy.value = words;

@@ -1,4 +1,4 @@
-// Keyboard shortcuts of the page. Controls that use a key themselves stop its propagation.
+// Keyboard shortcuts of the page. Controls that use a key stop the propagation of its event.
 import type { AxisView } from "../model/camera";
 import type { Commands } from "./commands";
 
@@ -54,7 +54,7 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
 
 const SLIDER_KEYS = /^(Arrow\w+|Home|End|Page\w+)$/;
 
-/** Whether the focused control wants a plain key for itself. */
+/** Whether the focused control uses the key itself. Applies to keys without control or meta. */
 function takesKey({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
   const control = target.closest("input, select, textarea, dialog, .menu-body");

@@ -13,7 +13,7 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: change } }, gesture);
   }
 
-  /** Changes several layers, as one step. */
+  /** Changes several layers in one undo step. */
   setAll(layers: Record<string, object>): void {
     this.deps.server.editor.change({ layers });
   }
@@ -22,7 +22,7 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: null } });
   }
 
-  /** `place`: position among the other layers. */
+  /** Moves a layer. `place`: its new index in the drawing order. */
   move(id: string, place: number): void {
     const scene = this.scene();
     const layers = scene === null ? null : movedTo(scene, id, place);
@@ -38,7 +38,7 @@ export class LayerCommands {
     return id;
   }
 
-  /** Middle of the array's current range: value of a new iso-surface. */
+  /** Middle of the array's range at the shown time. It is the value of a new iso-surface. */
   middleOf(array: string): number {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -48,7 +48,7 @@ export class LayerCommands {
     return (low + high) / 2;
   }
 
-  /** Hides one patch. If the whole boundary was shown, the other patches remain. */
+  /** Hides one patch of the boundary. If the layer showed the whole boundary, it shows all other patches afterwards. */
   hidePatch(id: string, patch: string): void {
     const layer = this.scene()?.layers?.[id];
     if (layer?.type !== "surface") return;

@@ -1,4 +1,4 @@
-// Keeps the scene in the address bar, and opens the scene of a followed link.
+// Writes the scene into the page's address, and opens the scene of a link that the user follows.
 import { effect } from "@preact/signals";
 import type { Scene } from "../generated/protocol";
 import { decodeScene, decodeSession, encodeScene, encodeSession } from "../model/link";
@@ -10,7 +10,7 @@ const PAUSE_MS = 400;
 
 export class Links {
   private timer: ReturnType<typeof setTimeout> | null = null;
-  /** Scene of the address when the page was opened; null if none. */
+  /** Scene of the address with which the page was opened; null if the address had none. */
   first: Scene | null = null;
   private written = "";
 
@@ -19,7 +19,10 @@ export class Links {
     private readonly server: () => Server,
   ) {}
 
-  /** Reads the address, then follows its changes and keeps it up to date. */
+  /**
+   * Reads the scene of the address. From then on, opens scenes of changed addresses and writes the scene into the
+   * address.
+   */
   async start(): Promise<void> {
     this.first = await this.decoded();
     window.addEventListener("hashchange", () => void this.follow());
@@ -41,16 +44,17 @@ export class Links {
     return url.href;
   }
 
-  /** Called after a link was pasted into the address bar. */
+  /** Opens the scene of a link. Called after the user has pasted it into the address bar. */
   private async follow(): Promise<void> {
     if (location.hash === this.written) return;
     if (decodeSession(location.hash) !== null) {
-      location.reload(); // a page has one session for its lifetime
+      location.reload(); // one page uses only one session: load it again
       return;
     }
     const scene = await this.decoded();
     if (scene === null) return;
-    // Proposed, since the server may refuse it: it may be of another server or written by hand.
+    // Changes the local scene only after the server has accepted the new one. The link may be of another server or
+    // written by hand.
     const { editor, session } = this.server();
     if (this.model.fatal.peek() === null) await editor.propose(scene);
     else await session.begin(scene);
@@ -65,7 +69,7 @@ export class Links {
     const scene = this.model.scene.peek();
     if (scene === null) return;
     const fragment = await encodeScene(scene);
-    if (!equal(scene as unknown as Json, this.model.scene.peek() as unknown as Json)) return; // a newer write follows
+    if (!equal(scene as unknown as Json, this.model.scene.peek() as unknown as Json)) return; // the scene has changed
     this.written = fragment;
     history.replaceState(null, "", fragment);
   }

@@ -1,11 +1,11 @@
-// Plays time steps, paced by presented frames: requests the next step after the last one is on the screen.
+// Plays time steps. Requests each step after the previous one is on the screen.
 
 export interface PlayerHost {
   times(): readonly number[];
   shownStep(): number;
   show(step: number, gesture: string): void;
   newGesture(): string;
-  rate(): number; // steps per second at most
+  rate(): number; // largest number of steps per second
   loop(): boolean;
   changed(playing: boolean): void;
 }
@@ -44,7 +44,7 @@ export class Player {
     this.host.changed(false);
   }
 
-  /** A frame of this simulation time is on the screen. */
+  /** A frame of this simulation time was drawn on the screen. */
   presented(time: number): void {
     if (this.wanted === null || this.host.times()[this.wanted] !== time) return;
     this.wanted = null;

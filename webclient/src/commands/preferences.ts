@@ -1,4 +1,4 @@
-// Stored in the browser: theme and stream permanently, the session for the tab's lifetime.
+// Settings stored in the browser: theme and stream permanently, the session until the tab is closed.
 import { decodeSession, encodeSession } from "../model/link";
 import type { StreamChoice, Theme } from "../model/state";
 
@@ -10,7 +10,7 @@ function read(storage: () => Storage, key: string): string | null {
   try {
     return storage().getItem(key);
   } catch {
-    return null; // storage may be forbidden
+    return null; // the browser may forbid storage
   }
 }
 
@@ -18,7 +18,7 @@ function write(storage: () => Storage, key: string, value: string): void {
   try {
     storage().setItem(key, value);
   } catch {
-    // Storage may be forbidden: the value is lost with the page.
+    // The browser may forbid storage. The setting is then lost when the page is closed.
   }
 }
 
@@ -39,7 +39,10 @@ export function savedStream(): StreamChoice {
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
-/** The tab's session: the address's, else the stored one, else a new random id. */
+/**
+ * Session of this tab: that of the page's address, else the stored one, else a new random id. `known`: the id is not
+ * new.
+ */
 export function tabSession(): { id: string; known: boolean } {
   const known = decodeSession(location.hash) ?? decodeSession(encodeSession(read(tab, SESSION) ?? ""));
   if (known !== null) {

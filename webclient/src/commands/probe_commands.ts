@@ -1,4 +1,4 @@
-// Commands for values under the cursor.
+// Commands for probing the values under the cursor.
 import { probeText } from "../model/probe_text";
 import { unitsOf } from "../model/scalars";
 import type { Vec3 } from "../generated/protocol";
@@ -8,7 +8,10 @@ import type { Deps } from "./deps";
 export class ProbeCommands {
   constructor(private readonly deps: Deps) {}
 
-  /** Probes at (x, y), in CSS pixels of the canvas. Returns null if nothing is there, undefined without an answer. */
+  /**
+   * Probes the values at (x, y), in CSS pixels of the canvas. Returns the position hit, null if nothing is there, or
+   * undefined if the call failed.
+   */
   async at(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { model, server } = this.deps;
     const { width, height } = server.size.pixels();
@@ -19,7 +22,7 @@ export class ProbeCommands {
       model.probe.value = result.hit ? { result, time: model.readout.peek().time } : null;
       return result.position;
     } catch (error) {
-      this.deps.unanswered(error, "The values there cannot be read");
+      this.deps.unanswered(error, "The values at the point cannot be read");
       return undefined;
     }
   }
@@ -41,6 +44,6 @@ export class ProbeCommands {
       }),
     );
     if (isCopied) this.deps.tell("The values are in the clipboard");
-    else this.deps.tell("This browser lets no page write to the clipboard", "error");
+    else this.deps.tell("The browser does not let the page write to the clipboard", "error");
   }
 }

@@ -45,7 +45,7 @@ export class TimeCommands {
     this.player.stop();
   }
 
-  /** A frame of this simulation time is on the screen. */
+  /** A frame of this simulation time was drawn on the screen. */
   presented(time: number): void {
     this.player.presented(time);
   }
@@ -54,7 +54,7 @@ export class TimeCommands {
     this.deps.model.loop.value = loop;
   }
 
-  /** Steps per second at most. */
+  /** Sets the largest number of steps per second. */
   setRate(rate: number): void {
     this.deps.model.playRate.value = rate;
   }

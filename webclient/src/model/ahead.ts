@@ -1,5 +1,5 @@
-// Changes that the picture does not show yet, as lines and words that the page draws at once: the bounding box from the
-// wanted camera, wanted planes, wanted values. Coordinates are CSS pixels.
+// Preview of changes that the shown picture does not contain yet, drawn by the page: box edges, plane outlines, and
+// texts with new iso-values and times. Coordinates are CSS pixels.
 import { boundsCentre, complete, corners, project, type Bounds, type FullCamera, type Size } from "./camera";
 import { add, cross, dot, normalize, scale, subtract } from "./vector";
 import type { ClipLayer, Layer, Scene, SliceLayer, Vec3 } from "../generated/protocol";
@@ -21,7 +21,7 @@ export interface Ahead {
 
 type Segment = [Vec3, Vec3];
 
-/** Index pairs of corners. z varies fastest, so the two corners of an edge differ in one bit of their index. */
+/** Box edges as index pairs into corners(). z varies fastest there, so the two indices of an edge differ in one bit. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((from) =>
   [1, 2, 4].flatMap((bit): [number, number][] => ((from & bit) === 0 ? [[from, from | bit]] : [])),
 );
@@ -31,7 +31,7 @@ function boxEdges(bounds: Bounds): Segment[] {
   return EDGES.map(([from, to]) => [all[from] as Vec3, all[to] as Vec3]);
 }
 
-/** Intersection of a plane with the box: the sides of a convex polygon; empty if the plane misses the box. */
+/** Intersection of a plane with a box, as the sides of a convex polygon. Empty if the plane misses the box. */
 export function planeOutline(origin: Vec3, normal: Vec3, bounds: Bounds): Segment[] {
   const points = boxEdges(bounds).flatMap(([from, to]): Vec3[] => {
     const [a, b] = [dot(subtract(from, origin), normal), dot(subtract(to, origin), normal)];
@@ -61,7 +61,9 @@ const isPlane = (layer: Layer): layer is SliceLayer | ClipLayer => layer.type ==
 const placeOf = ({ axis, value, origin, normal }: SliceLayer | ClipLayer): string =>
   JSON.stringify([axis, value, origin, normal]);
 
-/** `shown`: the scene of the picture; `camera`: the wanted camera. */
+/**
+ * Preview of the differences between two scenes. `shown`: the scene of the picture; `camera`: projects to the canvas.
+ */
 export function ahead(shown: Scene, wanted: Scene, camera: FullCamera, bounds: Bounds, size: Size): Ahead {
   const segments: Segment[] = [];
   const words: string[] = [];

@@ -1,4 +1,4 @@
-// Origin of an array's values, and its missing and invalid values, in words.
+// Describes an array in words: origin, type, file, missing times, and missing or non-finite values.
 import type { ArrayInfo } from "../generated/protocol";
 import { formatCount } from "./numbers";
 
@@ -13,7 +13,7 @@ const PLACES: Record<ArrayInfo["association"], string> = { point: "points", cell
 
 function noNumbers(count: number): string {
   if (count === 0) return "";
-  return count === 1 ? "1 value is no number" : `${formatCount(count)} values are no numbers`;
+  return count === 1 ? "1 value is not a number" : `${formatCount(count)} values are not numbers`;
 }
 
 export function arrayFacts(array: ArrayInfo, steps: number): string[] {
@@ -23,7 +23,7 @@ export function arrayFacts(array: ArrayInfo, steps: number): string[] {
     [ORIGINS[array.origin], array.type ?? ""].join(" ").trim(),
     array.file ?? "",
     missing === 0 ? "" : `missing at ${missing} of ${steps} times`,
-    array.missing === 0 ? "" : `${formatCount(array.missing)} values are not there`,
+    array.missing === 0 ? "" : `${formatCount(array.missing)} values are missing`,
     noNumbers(array.invalid),
   ].filter((fact) => fact !== "");
 }

@@ -1,10 +1,10 @@
-// The axes, and the extent of the data along each.
+// Coordinate axes, and the range of a bounding box along an axis.
 import type { Bounds } from "./camera";
 import type { Range } from "../generated/protocol";
 
 export const AXES = ["x", "y", "z"] as const;
 export type Axis = (typeof AXES)[number];
-/** Axis that a plane is perpendicular to; a "free" plane has an origin and a normal. */
+/** The axis that a plane is perpendicular to. "free": the plane has an origin and a normal instead. */
 export type Across = Axis | "free";
 
 export function endsOf(axis: Axis, bounds: Bounds): Range {

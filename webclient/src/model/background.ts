@@ -1,4 +1,4 @@
-// The scene's background as the two colors of the server's gradient.
+// Converts a scene's background to the top and bottom colors of the gradient that the server draws.
 export type Rgb = [number, number, number];
 
 const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
@@ -15,21 +15,21 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
   return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
 }
 
-/** Equals the plates behind text in the server's pictures. */
+/** Opacity of the plate behind a text, as in the server's pictures. */
 const PAPER_OPACITY = 0.72;
 
-/** Returns the color of the plate behind a text: that of the background at `share` of the height (0: top, 1: bottom). */
+/** Returns the color of the plate behind a text: the background color at `share` of the height (0: top, 1: bottom). */
 export function paperAt(background: string | undefined, share: number): string {
   const { top, bottom } = backgroundColors(background);
   const channels = top.map((from, i) => Math.round(255 * (from + share * ((bottom[i] ?? from) - from))));
   return `rgb(${channels.join(" ")} / ${PAPER_OPACITY})`;
 }
 
-/** Luma at which light and dark text are equally readable. */
+/** Luma above which text is drawn dark, below which it is drawn light. */
 const MIDDLE_GRAY = 0.46;
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
 
-/** Whether text on the background must be dark: by the luma of its middle, as in the server's pictures. */
+/** Whether text on the background must be dark. Depends on the luma of the average of its top and bottom colors. */
 export function isBright(background: string | undefined): boolean {
   const { top, bottom } = backgroundColors(background);
   const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);

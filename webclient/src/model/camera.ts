@@ -1,4 +1,4 @@
-// Camera operations. Pure functions; pixels are of the canvas, y downwards.
+// Camera operations as pure functions. Pixel coordinates are relative to the canvas, with y downwards.
 import type { Camera } from "../generated/protocol";
 import { add, cross, dot, length, normalize, rotate, scale, subtract, type Vec3 } from "./vector";
 
@@ -7,11 +7,11 @@ export interface Size {
   width: number;
   height: number;
 }
-/** The camera with every default filled in, its `up` at right angles to the view. */
+/** A camera with all defaults filled in. `up` is perpendicular to the view direction. */
 export type FullCamera = Required<Camera>;
 
 export const DEFAULT_FOV = 30;
-/** Limits of the controls in degrees; a scene may exceed them. */
+/** Limits of the field-of-view controls in degrees. A scene may exceed these limits. */
 export const FOV_RANGE: readonly [number, number] = [1, 120];
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
@@ -30,7 +30,9 @@ export interface Axes {
   forward: Vec3;
 }
 
-/** The camera's axes as unit vectors; also correct where `up` is parallel to the view. */
+/**
+ * Returns the camera's axes as unit vectors. Chooses another up direction if `up` is parallel to the view direction.
+ */
 export function frame(camera: FullCamera): Axes {
   const forward = normalize(subtract(camera.target, camera.position), [0, 1, 0]);
   let right = cross(forward, camera.up);
@@ -43,12 +45,15 @@ export function frame(camera: FullCamera): Axes {
 
 export const distance = (camera: FullCamera): number => length(subtract(camera.target, camera.position));
 
-/** The height that the view spans at the target, in length units. */
+/** Height of the visible area at the target's depth, in length units. */
 export function viewHeight(camera: FullCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
-/** Half a turn for a drag over the canvas's shorter side. The pivot keeps its pixel and its distance. */
+/**
+ * Rotates the camera about the pivot. A drag over the canvas's shorter side is half a turn. The pivot keeps its pixel
+ * and its distance.
+ */
 export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
@@ -58,13 +63,13 @@ export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pi
   return { ...camera, position: about(camera.position), target: about(camera.target), up: turned(up) };
 }
 
-/** Turns about the line of sight, in radians. */
+/** Turns the camera about its line of sight by `angle` in radians. */
 export function roll(camera: FullCamera, angle: number): FullCamera {
   const { forward, up } = frame(camera);
   return { ...camera, up: rotate(up, forward, angle) };
 }
 
-/** Points at the target's depth stay under the pointer. */
+/** Moves camera and target parallel to the picture plane. Points at the target's depth follow the pointer. */
 export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
   const perPixel = viewHeight(camera) / Math.max(1, size.height);
   const { right, up } = frame(camera);
@@ -72,20 +77,27 @@ export function pan(camera: FullCamera, dx: number, dy: number, size: Size): Ful
   return { ...camera, position: add(camera.position, shift), target: add(camera.target, shift) };
 }
 
-/** factor < 1 comes closer. The point under the cursor at the target's depth stays where it is. */
+/**
+ * Zooms towards pixel (x, y); factor < 1 comes closer. The point under this pixel at the target's depth keeps its
+ * pixel.
+ */
 export function zoom(camera: FullCamera, factor: number, x: number, y: number, size: Size): FullCamera {
   const offsetX = x - size.width / 2;
   const offsetY = y - size.height / 2;
-  const towards = pan(camera, -offsetX, -offsetY, size); // the cursor's point is the target now
+  const towards = pan(camera, -offsetX, -offsetY, size); // the target is now the point under the cursor
   const arm = scale(subtract(towards.position, towards.target), factor);
   const closer = { ...towards, position: add(towards.target, arm), parallel_height: camera.parallel_height * factor };
   return pan(closer, offsetX, offsetY, size);
 }
 
-/** Nearest and furthest distance from the target for zooming, in diagonals of the box; a scene may exceed them. */
+/**
+ * Nearest and furthest distance from the target for zooming, in diagonals of the bounding box. A scene may exceed them.
+ */
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
-/** Clamps a zoom factor so that the view stays within REACH. From outside, only zooming back towards it is allowed. */
+/**
+ * Clamps a zoom factor so that the distance stays within REACH. Outside REACH, only zooming back towards it is allowed.
+ */
 export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
   const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
@@ -93,15 +105,15 @@ export function withinReach(camera: FullCamera, factor: number, bounds: Bounds):
     number,
   ];
   const allowed = Math.min(Math.max(factor, Math.min(1, nearest)), Math.max(1, furthest));
-  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit: ignore rounding
+  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit of REACH, rounding errors must not zoom
 }
 
-/** Looks at a point from the same side and distance. */
+/** Moves the target to `point`. Direction and distance of the view stay the same. */
 export function centre(camera: FullCamera, point: Vec3): FullCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
 }
 
-/** Keeps the view height at the target. */
+/** Switches between parallel and perspective projection. The view height at the target stays the same. */
 export function withParallel(camera: FullCamera, parallel: boolean): FullCamera {
   if (parallel === camera.parallel) return camera;
   if (parallel) return { ...camera, parallel, parallel_height: viewHeight(camera) };
@@ -110,14 +122,14 @@ export function withParallel(camera: FullCamera, parallel: boolean): FullCamera 
   return { ...camera, parallel, position: add(camera.target, arm) };
 }
 
-/** Keeps the view height at the target, so that only the strength of the perspective changes. */
+/** Sets the field of view in degrees. The distance changes so that the view height at the target stays the same. */
 export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
   const away = viewHeight(camera) / (2 * Math.tan(radians(fov) / 2));
   const arm = scale(normalize(subtract(camera.position, camera.target)), away);
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
-/** Sets the view height at the target; a perspective view changes its distance. */
+/** Sets the view height at the target. In a perspective view this changes the distance. */
 export function withViewHeight(camera: FullCamera, height: number): FullCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
@@ -134,7 +146,7 @@ export function corners(b: Bounds): Vec3[] {
 
 const MARGIN = 1.06;
 
-/** Shows the whole box, looking along `forward`. */
+/** Returns a camera that looks along `forward` at the center of the box and shows the whole box. */
 export function fit(
   bounds: Bounds,
   forward: Vec3,
@@ -155,14 +167,15 @@ export function fit(
     away = Math.max(away, (half * MARGIN) / tan - dot(arm, axes.forward));
     height = Math.max(height, 2 * half * MARGIN);
   }
-  if (away <= 0) away = 1; // a single point
+  // All corners coincide: the box is a point.
+  if (away <= 0) away = 1;
   return { ...start, up: axes.up, position: subtract(target, scale(axes.forward, away)), parallel_height: height || 1 };
 }
 
 export type AxisView = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 export const AXIS_VIEWS: readonly AxisView[] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
-/** View of the box from a side: "+x" stands on the positive x axis and looks back. */
+/** View of the box along an axis. "+x": the camera stands on the positive x axis and looks towards the box. */
 export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): FullCamera {
   const sign = side.startsWith("+") ? -1 : 1;
   const forward: Vec3 = [0, 0, 0];
@@ -171,18 +184,18 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** Same as the server's default: from in front, to the right and above. */
+/** The server's default view: from the front right and above. */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
   return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Largest zoom-out factor: beyond it the box would be too small, so an overlap is accepted. */
+/** Largest factor for moving the camera back. Overlapping legends are accepted where more would be needed. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {
-  const ends = corners(bounds); // neighbours differ in one bit of their index
+  const ends = corners(bounds); // index bits are x, y, z: adjacent corners differ in one bit
   const pairs = ends.flatMap((_, i) => [1, 2, 4].filter((bit) => (i & bit) === 0).map((bit) => [i, i | bit] as const));
   const at = (i: number): Vec3 => ends[i] ?? [0, 0, 0];
   return pairs.flatMap(([i, j]) =>
@@ -190,7 +203,10 @@ function edgePoints(bounds: Bounds): Vec3[] {
   );
 }
 
-/** Steps back until no box edge lies in a top right rectangle of a size in `taken`; unchanged beyond FURTHEST. */
+/**
+ * Moves the camera back until no box edge lies in one of the `taken` rectangles at the top right corner of the canvas.
+ * Returns the camera unchanged if that needs a factor above FURTHEST.
+ */
 export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
   const covered = (view: FullCamera): boolean =>
@@ -207,7 +223,10 @@ export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken
   return view;
 }
 
-/** Pixel of a world position, and its depth along the view; null behind the eye. */
+/**
+ * Projects a world position to canvas pixels. `depth`: distance along the view direction. null: behind a perspective
+ * eye.
+ */
 export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);
   const arm = subtract(point, camera.position);

@@ -1,15 +1,19 @@
-// The canvas in CSS pixels (for the pointer) and in device pixels (for pictures).
+// Size of the canvas, in CSS pixels for pointer positions and in device pixels for pictures.
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
 
-export const SMALLEST = 16; // view side, by the contract
+// Side of a view in pixels: limits of the contract (protocol/openrpc.json).
+export const SMALLEST = 16;
 export const LARGEST = 8192;
 
-/** Approximate size, including margins. */
+/** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
-  /** Rectangle of each legend, from the top right corner to its far end; an estimate until the legends are laid out. */
+  /**
+   * For each legend, the size of the rectangle from the canvas's top right corner to the legend's far corner, in CSS
+   * pixels. Estimated until the legends are laid out.
+   */
   corner: Size[] = [LEGEND];
   private ratio = 1;
 
@@ -22,7 +26,7 @@ export class CanvasSize {
     return this.css.width / this.css.height;
   }
 
-  /** Estimates `corner` before the legends are laid out. */
+  /** Estimates `corner` for `count` legends, before they are laid out. */
   expectLegends(count: number): void {
     const inColumn = Math.max(1, Math.floor(this.css.height / LEGEND.height));
     this.corner = Array.from({ length: count }, (_, i) => ({
@@ -31,17 +35,17 @@ export class CanvasSize {
     }));
   }
 
-  /** Moves the camera back if the box would lie below the legends. */
+  /** Moves the camera back if legends would cover the box. */
   clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
 
-  /** Picture pixels per CSS pixel, clamped to the contract's limits. */
+  /** Picture pixels per CSS pixel, clamped to the limits of `pixel_ratio` in the contract. */
   get pixelRatio(): number {
     return Math.min(16, Math.max(0.25, this.pixels().width / this.css.width));
   }
 
-  /** Canvas size in device pixels, scaled by `times`; at most LARGEST. */
+  /** Canvas size in device pixels, multiplied by `times`. Each side is at most LARGEST. */
   pixels(times = 1): Size {
     const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
     const pixels = (side: number): number => Math.max(SMALLEST, Math.round(side * ratio));

@@ -1,8 +1,9 @@
-// Cells with the lowest and highest value of an array, in words. Interpolation to points never shows these values.
+// Describes the cells with the lowest and highest value of a cell array. Interpolation to points smooths these values
+// away.
 import type { CellExtreme, CellExtremes } from "../generated/protocol";
 import { formatNumber } from "./numbers";
 
-/** For a line in a legend. */
+/** Text below a legend. */
 export const cellsText = ({ lowest, highest }: CellExtremes): string =>
   `cells: ${formatNumber(lowest.value)} to ${formatNumber(highest.value)}`;
 

@@ -1,10 +1,10 @@
-// Edits of a coloring. Each returns the changed members, so that members that exclude each other never coexist.
+// Edits of a coloring. Each returns only the changed members, including removals of members that exclude a new one.
 import { colorRow, hexOf, type ColorScale } from "./color_scale";
 import type { Coloring, ColorPoint, Range } from "../generated/protocol";
 import { rangeAboveZero } from "./color_range";
 import { withEnd } from "./numbers";
 
-/** undefined removes a member. */
+/** Changed members of a coloring. undefined removes a member. */
 export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
 
 export const MOST_POINTS = 64;
@@ -12,8 +12,9 @@ export const MOST_STEPS = 256;
 const FIRST_POINTS = 5;
 
 /**
- * Switches the logarithm. It excludes a symmetric scale, and the range is clipped to above zero. `before`: the coloring
- * when the logarithm was switched on; switching off restores its members, and its range unless that was changed since.
+ * Switches the logarithmic scale on or off. It excludes a symmetric scale, and its range is clipped to above zero.
+ * `before`: the coloring when the logarithm was switched on. Switching off restores `symmetric` from it, and also
+ * `range` unless the user has changed the range since.
  */
 export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
   if (!on) {
@@ -29,11 +30,11 @@ export function withLog({ array, range }: Coloring, on: boolean, before?: Colori
 export const withSymmetric = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: undefined } : { symmetric: undefined };
 
-/** Logarithmic on both sides of zero: sets or clears `symmetric` and `log` together. */
+/** Switches a scale that is logarithmic on both sides of zero: sets or clears `symmetric` and `log` together. */
 export const withSymmetricLog = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: true } : { symmetric: undefined, log: undefined };
 
-/** Returns an error sentence if the scale cannot have that range. */
+/** Sets the range. Returns an error sentence if a logarithmic scale would start at or below zero. */
 export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
   const range: Range = a <= b ? [a, b] : [b, a];
   if (log === true && symmetric !== true && range[0] <= 0)
@@ -43,29 +44,31 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   return { range: [-reach, reach] };
 }
 
-/** Sets one end of the shown range. It pushes the other end; a symmetric scale moves both. */
+/**
+ * Sets one end of the shown range. The other end follows if the order would be reversed; a symmetric scale moves both.
+ */
 export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
   const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
   return withRange(coloring, ...range);
 }
 
-/** Chooses a map by name and removes custom color points. */
+/** Chooses a color map by name and removes custom color points. */
 export const withMap = (map: string): ColoringChange => ({ map, points: undefined });
 
-/** Initial custom points, sampled from the current colors. */
+/** Returns initial custom color points, sampled from the scale's current colors. */
 export function pointsOf(scale: ColorScale): ColorPoint[] {
   const smooth = { ...scale, steps: 0, reverse: false };
   return colorRow(smooth, FIRST_POINTS).map((color, i) => ({ at: i / (FIRST_POINTS - 1), color: hexOf(color) }));
 }
 
-/** Moves one point, clamped between its neighbours. */
+/** Moves one color point. Its position is clamped to the positions of its neighbors. */
 export function movedPoint(points: readonly ColorPoint[], index: number, at: number): ColorPoint[] {
   const low = points[index - 1]?.at ?? 0;
   const high = points[index + 1]?.at ?? 1;
   return points.map((point, i) => (i === index ? { ...point, at: Math.min(high, Math.max(low, at)) } : point));
 }
 
-/** Adds a point in the middle of the widest gap, with the color at that place. */
+/** Adds a color point in the middle of the widest gap, with the current color at that position. */
 export function addedPoint(points: readonly ColorPoint[], colorAt: (place: number) => string): ColorPoint[] {
   let best = 0;
   const gap = (i: number): number => (points[i + 1]?.at ?? 0) - (points[i]?.at ?? 0);

@@ -1,7 +1,8 @@
-// The color maps that the server draws with, from the same table.
+// Color maps of the page. They are decoded from the same table as the server's.
 import table from "../../../protocol/colormaps.json";
 
-export type Colors = Uint8Array<ArrayBuffer>; // 256 RGBA
+// 256 RGBA entries
+export type Colors = Uint8Array<ArrayBuffer>;
 
 function decode(hex: string): Colors {
   const rgba = new Uint8Array(256 * 4);
@@ -19,15 +20,15 @@ const first = table.maps[0]?.name ?? "viridis";
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
 export const DEFAULT_MAP = "viridis";
-/** Default color of missing values. */
+/** Default color of missing values, as #rrggbb. */
 export const missingHex = `#${table.nan}`;
 
-/** The names grouped by the kind of map, in the table's order. */
+/** Names of the color maps grouped by kind, in the table's order. */
 export const colorMapKinds: readonly { kind: string; names: string[] }[] = [
   ...new Set(table.maps.map(({ kind }) => kind)),
 ].map((kind) => ({ kind, names: table.maps.filter((map) => map.kind === kind).map(({ name }) => name) }));
 
-/** The named map; the first one if this page does not know the name. */
+/** Returns the named map, or the table's first map for an unknown name. */
 export function colorMap(name: string): Colors {
   return maps.get(name) ?? maps.get(first) ?? new Uint8Array(1024);
 }

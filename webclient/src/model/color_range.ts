@@ -1,19 +1,21 @@
-// Makes the drawn color scale from a scene's coloring and the range of the data. The twin of
-// server/geometry/color_scale_of.cpp.
+// Makes a color scale from a scene's coloring and the range of the data. Follows server/geometry/color_scale_of.cpp.
 import type { ColorScale } from "./color_scale";
 import { DEFAULT_MAP, missingHex } from "./color_maps";
 import type { Coloring, Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 
-/** Decades of a logarithmic scale below the largest value, if the data contains zero. */
+/** Decades of a logarithmic scale below the largest value, where the data's lowest value is zero or negative. */
 const LOG_DECADES = 6;
-/** Largest range end; a GPU can still divide by the width of such a range. */
+/**
+ * Largest absolute value of a range end. GPUs divide by the range's width, whose reciprocal must not be a denormal
+ * 32-bit float.
+ */
 const LARGEST = 4e37;
-/** Smaller values lose digits as floats. */
+/** Smallest end of a logarithmic scale. Smaller 32-bit floats lose digits. */
 const SMALLEST_OF_LOG = 1e-37;
 
 export function rangeAboveZero([low, high]: Range): Range {
-  if (!(high > 0)) return [1, 10]; // no data is shown: see isShownBy
+  if (!(high > 0)) return [1, 10]; // nothing is colored in this case: see isShownBy
   const start = low > 0 ? low : high / 10 ** LOG_DECADES;
   return [Math.max(start, SMALLEST_OF_LOG), Math.max(high, SMALLEST_OF_LOG)];
 }
@@ -28,7 +30,7 @@ export function rangeOf(coloring: Coloring, data: Range): Range {
   return range;
 }
 
-/** data: the array's range at the shown step. */
+/** Returns the color scale of a coloring. `data`: the array's range at the shown time step. */
 export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   map: coloring.map ?? DEFAULT_MAP,
   points: coloring.points ?? [],
@@ -41,6 +43,9 @@ export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   above: coloring.above ?? null,
 });
 
-/** False if a logarithmic scale takes its range from data without a value above zero. */
+/**
+ * Whether the coloring has a usable range. False for a logarithmic scale without an explicit range, if no data value is
+ * above zero.
+ */
 export const isShownBy = (coloring: Coloring, data: Range): boolean =>
   coloring.log !== true || coloring.symmetric === true || Boolean(coloring.range) || data[1] > 0;

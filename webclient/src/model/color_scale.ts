@@ -1,5 +1,5 @@
-// Maps a scalar to a color by the rule in server/color/color_scale.hpp. The shaders of the polygon stream and the
-// legend follow it. tests/support/color_cases.json tests both sides.
+// Maps a scalar to a color, by the rules of server/color/color_scale.hpp. The legend and the shaders of the polygon
+// stream use the same rules. tests/support/color_cases.json tests server and page.
 import type { ColorPoint, Range } from "../generated/protocol";
 import { colorMap } from "./color_maps";
 
@@ -7,13 +7,16 @@ export type Rgb8 = readonly [number, number, number];
 
 export interface ColorScale {
   map: string;
-  /** Two or more points replace the map; empty: the map is used. */
+  /** Two or more custom color points replace the map. Empty: the map is used. */
   points: readonly ColorPoint[];
-  /** As chosen; pixels use its ends rounded to 32-bit floats. If logarithmic, above zero or from -r to r. */
+  /**
+   * Lowest and highest value of the scale. Drawing rounds both to 32-bit floats. A logarithmic range is above zero, or
+   * from -r to r.
+   */
   range: Range;
   reverse: boolean;
   log: boolean;
-  /** 0: smooth. */
+  /** Number of discrete colors; 0: smooth. */
   steps: number;
   nan: string;
   below: string | null;
@@ -60,11 +63,14 @@ function innerColor(scale: ColorScale, place: number): Rgb8 {
   return smoothColor(scale, Math.min(steps - 1, Math.max(0, Math.floor(place * steps))) / (steps - 1));
 }
 
-/** Colors from the lower to the upper end, including steps: a legend's bar. */
+/**
+ * Returns `count` colors from the lower to the upper end of the scale. Discrete steps are applied, as in a legend's
+ * bar.
+ */
 export const colorsAlong = (scale: ColorScale, count: number): Rgb8[] =>
   Array.from({ length: count }, (_, i) => innerColor(scale, count > 1 ? i / (count - 1) : 0.5));
 
-/** One color for each step. A scale without steps gives `smoothCount` colors to interpolate between. */
+/** Returns one color for each step. A scale without steps gives `smoothCount` colors to interpolate between. */
 export const colorRow = (scale: ColorScale, smoothCount: number): Rgb8[] =>
   colorsAlong({ ...scale, steps: 0 }, scale.steps > 1 ? scale.steps : smoothCount);
 
@@ -73,13 +79,15 @@ export function hasWidth({ range: [low, high] }: ColorScale): boolean {
   return Number.isFinite(width) && width > 0;
 }
 
-/** A scale that is logarithmic on both sides of zero is nearly linear within this share of its end. */
+/**
+ * A scale that is logarithmic on both sides of zero is nearly linear for absolute values below this share of its end.
+ */
 export const LINEAR_SHARE = 1e-3;
 const LOG_OF_REACH = Math.log1p(1 / LINEAR_SHARE);
 
 export const isLogOfBothSigns = ({ log, range: [low] }: ColorScale): boolean => log && low < 0;
 
-/** 0 at the lower end, 1 at the upper end; 0.5 for a range without width. */
+/** Position of a value on the scale: 0 at the lower end, 1 at the upper end, and 0.5 for a range without width. */
 export function placeOf(scale: ColorScale, value: number): number {
   if (!hasWidth(scale)) return 0.5;
   const [low, high] = scale.range;
@@ -92,7 +100,7 @@ export function placeOf(scale: ColorScale, value: number): number {
 export function valueAtPlace(scale: ColorScale, place: number): number {
   const [low, high] = scale.range;
   if (!hasWidth(scale)) return low;
-  if (place === 1) return high; // exactly
+  if (place === 1) return high; // avoids rounding
   if (isLogOfBothSigns(scale)) {
     const fromMiddle = 2 * place - 1;
     return Math.sign(fromMiddle) * LINEAR_SHARE * high * Math.expm1(Math.abs(fromMiddle) * LOG_OF_REACH);
@@ -100,7 +108,10 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
-/** Limits of the values that count as inside; wider than the range by the rounding of interpolated floats. */
+/**
+ * Values outside these limits get the `below` or `above` color. The limits exceed the range by the rounding error of
+ * interpolated floats.
+ */
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];
   const [low, high] = scale.range;

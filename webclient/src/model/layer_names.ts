@@ -1,4 +1,4 @@
-// Display names of layers, never their ids.
+// Names of layers for display.
 import type { Layer, Scene, Vec3 } from "../generated/protocol";
 import { layersInOrder } from "./layer_order";
 import { formatNumber } from "./numbers";
@@ -41,7 +41,7 @@ export function layerName(layer: Layer): string {
   }
 }
 
-/** Names by id, in layer order; equal names are numbered. */
+/** Display names by layer id, in layer order. Equal names get a number, as in "Slice (2)". */
 export function layerNames(scene: Scene | null): Map<string, string> {
   const seen = new Map<string, number>();
   return new Map(

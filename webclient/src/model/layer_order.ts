@@ -1,16 +1,16 @@
-// The order of layers: in the list, in the legends, and for coincident geometry, where the last layer is seen.
+// Order of layers in the list, the legends and the drawing. Where layers coincide, the last one is visible.
 import type { Layer, Scene } from "../generated/protocol";
 import type { JsonObject } from "./merge_patch";
 
 type Entry = [string, Layer];
 
-/** The server's drawing order: by `order`, then by id. */
+/** Layers in the order in which the server draws them: by `order`, then by id. */
 export const layersInOrder = (scene: Scene | null): Entry[] =>
   Object.entries(scene?.layers ?? {}).sort(
     ([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : a > b ? 1 : 0),
   );
 
-/** The patch of `layers` that moves one to `place`, an index among the others; null if nothing changes. */
+/** Returns the patch of `layers` that moves a layer to `place`, its index in the resulting order. null: no change. */
 export function movedTo(scene: Scene, id: string, place: number): JsonObject | null {
   const before = layersInOrder(scene);
   const moved = before.find(([other]) => other === id);

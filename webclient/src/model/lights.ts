@@ -1,9 +1,9 @@
-// Light strengths for the shaders, from a scene's lighting.
+// Converts a scene's lighting to light strengths for the shaders.
 import type { Light, Lighting } from "../generated/protocol";
 
 export interface Lights {
   on: boolean;
-  /** Ambient light, headlight and key light; 0 is off. */
+  /** Strengths of ambient light, headlight and key light; 0: off. */
   strengths: [number, number, number];
 }
 

@@ -1,4 +1,5 @@
-// URL fragments: #s=<deflated JSON as base64url> holds a scene; #j=<id> names a session of the server.
+// Fragments of the page's address. #s= is followed by a scene as deflated JSON in base64url, #j= by the id of a
+// session.
 import type { Scene } from "../generated/protocol";
 
 const KEY = "s=";
@@ -23,13 +24,13 @@ async function through(
   return new Uint8Array(await new Response(stream as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
 }
 
-/** The fragment, with its "#". */
+/** Returns a scene as a fragment with leading "#". */
 export async function encodeScene(scene: Scene): Promise<string> {
   const json = new TextEncoder().encode(JSON.stringify(scene));
   return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
 }
 
-/** null if the fragment holds no scene. Throws Error when the scene is damaged. */
+/** Returns the scene of a fragment, or null if it has none. Throws Error if the scene's text is damaged. */
 export async function decodeScene(fragment: string): Promise<Scene | null> {
   const start = fragment.replace(/^#/, "");
   if (!start.startsWith(KEY)) return null;
@@ -39,13 +40,13 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
     if (typeof scene === "object" && scene !== null && typeof (scene as Scene).dataset === "string")
       return scene as Scene;
   } catch {
-    // Reported below.
+    // The error below reports this failure too.
   }
-  throw new Error("The link does not hold a whole scene; it may have been cut when it was copied");
+  throw new Error("The link does not hold a whole scene. Part of the link may have been lost; copy the link again");
 }
 
-/** The fragment, with its "#". The id is the session's key: whoever has it may change the scene. */
+/** Returns a session's id as a fragment with leading "#". Anyone who has the id may change the session's scene. */
 export const encodeSession = (id: string): string => `#j=${id}`;
 
-/** null where the fragment names no session. */
+/** Returns the session id of a fragment, or null if it has none. */
 export const decodeSession = (fragment: string): string | null => SESSION.exec(fragment)?.[1] ?? null;

@@ -1,4 +1,4 @@
-// JSON Merge Patch (RFC 7396), and the two further operations that undo and coalescing need.
+// JSON Merge Patch (RFC 7396), and composition and difference of documents, which RFC 7396 does not define.
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type JsonObject = { [key: string]: Json };
@@ -7,7 +7,7 @@ export function isObject(value: unknown): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** The patched document. Neither argument is changed. */
+/** Returns the patched document. Changes neither argument. */
 export function applyPatch(document: Json | undefined, patch: Json): Json {
   if (!isObject(patch)) return patch;
   const before = isObject(document) ? document : {};
@@ -17,8 +17,8 @@ export function applyPatch(document: Json | undefined, patch: Json): Json {
 }
 
 /**
- * One patch equivalent to `first`, then `second`; null if none exists. An object in `second` that replaces a non-object
- * of `first` would be merged with the document's own object.
+ * Returns one patch that has the effect of `first` followed by `second`; null if none exists. No single patch can
+ * replace a document's object by another object, because RFC 7396 would merge the two.
  */
 export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
   const result: JsonObject = { ...first };
@@ -35,7 +35,7 @@ export function composePatches(first: JsonObject, second: JsonObject): JsonObjec
   return result;
 }
 
-/** The patch from one document to another. Members that are null in `to` cannot be expressed (RFC 7396). */
+/** Returns the patch that turns `from` into `to`. RFC 7396 cannot express members that are null in `to`. */
 export function diff(from: JsonObject, to: JsonObject): JsonObject {
   const patch: JsonObject = {};
   for (const key of Object.keys(from)) if (!(key in to)) patch[key] = null;

@@ -1,5 +1,5 @@
-// The page's state as signals; a reader runs again when a signal it read changes. server/, view/ and commands/ write
-// them; panels only read.
+// The page's state as Preact signals: code that reads a signal runs again when its value changes. server/, view/ and
+// commands/ write the signals; panels/ only reads them.
 import { batch, signal, type Signal } from "@preact/signals";
 import { complete, defaultView, type FullCamera } from "./camera";
 import { openingDataset } from "./opening";
@@ -15,7 +15,7 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
   return Object.fromEntries(entries) as Model;
 }
 
-/** Sets several members in one batch, so that each reader runs once. */
+/** Sets several members in one batch, so that code that depends on them runs only once. */
 export function update(model: Model, change: Partial<PageState>): void {
   batch(() => {
     for (const [name, value] of Object.entries(change))
@@ -23,7 +23,10 @@ export function update(model: Model, change: Partial<PageState>): void {
   });
 }
 
-/** The scene's camera; without one, the server's choice, or the default view until that is known. null if unknown. */
+/**
+ * Camera of the current scene. A scene without a camera has the one that the server chose, or until that arrives the
+ * default view. null if neither is known.
+ */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;
   if (scene === null) return null;
@@ -34,7 +37,6 @@ export function cameraOf(model: Model): FullCamera | null {
   return bounds === undefined ? null : defaultView(bounds, width / height);
 }
 
-/** openingDataset of the model's members. */
 export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }: Model): string | null {
   return openingDataset({
     chosen: chosen.value,
@@ -45,7 +47,6 @@ export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }
   });
 }
 
-/** stillDue of the model's members. */
 export function isStillDue({ connection, readout, pending, revision, playing, failedRevision }: Model): boolean {
   return stillDue({
     connection: connection.value,

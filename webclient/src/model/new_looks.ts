@@ -1,17 +1,22 @@
-// Looks of a new layer: distinct from existing layers of its type. If its array already has a color scale, the layer
-// shares it.
+// Colors of a new layer. They differ from those of existing layers of the same type. Layers of the same array share its
+// color scale.
 import { complete, type FullCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
 import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
 import { AXES } from "./axes";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
-/** Solid colors of surfaces, the default first (after Okabe and Ito 2008: safe for color-blind readers). */
+/**
+ * Solid colors of surfaces, the default first. They are those of Okabe and Ito (2008), safe for color-blind readers.
+ */
 export const SOLIDS = ["#cccccc", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#d55e00", "#cc79a7", "#0072b2"] as const;
 
 type Described = DatasetDescription | null;
 
-/** Colors by `array`, on the scale that the scene has for it, so that they share one legend. */
+/**
+ * Coloring by `array`. Copies the scene's color scale of that array if there is one, so that the layers share one
+ * legend.
+ */
 export function coloredBy(scene: Scene | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
   const shared = legendsOf(scene, description).find(({ coloring }) => coloring.array === name);
@@ -20,7 +25,7 @@ export function coloredBy(scene: Scene | null, description: Described, array: st
   return scale;
 }
 
-/** The first color that no layer of that type has; {} for the default color. */
+/** Returns the first of SOLIDS that no layer of the type has. {} stands for the default color. */
 export function freshSolid(scene: Scene | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
@@ -29,14 +34,14 @@ export function freshSolid(scene: Scene | null, type: "iso" | "surface"): Colori
   return solid === undefined || solid === SOLIDS[0] ? {} : { solid };
 }
 
-/** One scalar for each array: the magnitude of a vector. */
+/** One scalar for each array. For a vector it is the magnitude. */
 const mainScalars = (description: Described): string[] =>
   (description?.arrays ?? []).flatMap(({ name, scalars }) => {
     const main = scalars.find((scalar) => scalar === name || scalar === `${name}:magnitude`) ?? scalars[0];
     return main === undefined ? [] : [main];
   });
 
-/** A scalar that no slice is colored by; the first scalar if all are used. */
+/** Returns a scalar that no slice is colored by, or the first scalar if all are used. */
 export function freshArray(scene: Scene | null, description: Described): string | undefined {
   const first = firstScalar(description);
   const taken = new Set(
@@ -51,7 +56,9 @@ export function freshArray(scene: Scene | null, description: Described): string 
 const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
-/** Caps show the inside: colored by the first scalar, unless a visible whole boundary is colored by an array. */
+/**
+ * Coloring of a new clip layer's caps. Uses the first scalar, unless a visible whole boundary is colored by an array.
+ */
 export function capColoring(scene: Scene | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
     (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
@@ -60,7 +67,10 @@ export function capColoring(scene: Scene | null, description: Described): Pick<C
   return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
-/** Whether to keep the half that the normal points to: true if the other half would hide the cut from that camera. */
+/**
+ * Whether a clip should keep the half that the normal points to. True if the other half would hide the cut from the
+ * camera.
+ */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);

@@ -1,9 +1,10 @@
-// A volume's opacity curve: points (position from 0 to 1 over the range, opacity per unit length), in ascending order.
+// Opacity curve of a volume: points in ascending order of position. Positions are from 0 to 1 over the scalar range,
+// opacities are per unit length.
 import { clamp } from "./numbers";
 
 export type OpacityPoint = [position: number, opacity: number];
 
-/** The contract's default. */
+/** Default opacity curve of the contract (protocol/openrpc.json). */
 export const DEFAULT_OPACITY: readonly OpacityPoint[] = [
   [0, 0],
   [1, 0.9],
@@ -12,19 +13,19 @@ export const MOST_POINTS = 256;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 
-/** Opacity of values that fill most of the mesh: ten unit lengths (the whole box) absorb a seventh of the light. */
+/** Opacity of common values. Over ten unit lengths (the whole box) they absorb a seventh of the light. */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
-/** A narrower tail of the range is treated as noise. */
+/** Rare values get their own opacity only if they cover at least this share of the range. */
 const LEAST_TAIL = 0.02;
-/** Curve over the whole range, used where the rare values are unknown. */
+/** Initial curve where no rare values are known. */
 const UNKNOWN: readonly OpacityPoint[] = [
   [0, 0],
   [0.5, OF_MOST],
   [1, AT_THE_ENDS],
 ];
 
-/** Position of a quantile, from 0 to 1 along the range. */
+/** Position of a quantile, from 0 to 1 along the histogram's range. */
 function quantile(counts: readonly number[], share: number): number {
   const all = counts.reduce((sum, count) => sum + count, 0);
   let seen = 0;
@@ -32,8 +33,10 @@ function quantile(counts: readonly number[], share: number): number {
   return (bin + 0.5) / counts.length;
 }
 
-/** Initial curve of a volume: common values are almost transparent, so that rare values are visible.
- * `counts`: a histogram over the range; null if it is unknown. */
+/**
+ * Initial opacity curve of a volume. Common values are almost transparent, so that rare values are visible. `counts`:
+ * histogram over the range; null if unknown.
+ */
 export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   if (counts === null || !counts.some((count) => count > 0)) return [...UNKNOWN];
   const [low, high] = [quantile(counts, 0.1), quantile(counts, 0.9)];
@@ -54,14 +57,14 @@ export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   return [...start, ...end];
 }
 
-/** A point stays between its neighbours. */
+/** Moves a point of the curve. Its position is clamped to the positions of its neighbors. */
 export function moved(points: readonly OpacityPoint[], index: number, to: OpacityPoint): OpacityPoint[] {
   const low = points[index - 1]?.[0] ?? 0;
   const high = points[index + 1]?.[0] ?? 1;
   return points.map((point, i) => (i === index ? [rounded(clamp(to[0], low, high)), rounded(to[1])] : point));
 }
 
-/** The points with `point` inserted, and its index. */
+/** Returns the curve with `point` inserted, and the index of the new point. */
 export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): [OpacityPoint[], number] {
   const after = points.findIndex(([position]) => position > point[0]);
   const index = after < 0 ? points.length : after;
@@ -69,11 +72,13 @@ export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): 
   return [[...points.slice(0, index), whole, ...points.slice(index)], index];
 }
 
-/** Removes a point unless it is the only one. */
+/** Removes a point of the curve unless it is the only one. */
 export const removed = (points: readonly OpacityPoint[], index: number): OpacityPoint[] =>
   points.length === 1 ? [...points] : points.filter((_, i) => i !== index);
 
-/** A new point on the curve in the middle of the widest gap; it changes the curve least. */
+/**
+ * Returns a new point in the middle of the widest gap. It lies on the curve, so inserting it keeps the curve's shape.
+ */
 export function middleOfGap(points: readonly OpacityPoint[]): OpacityPoint {
   const ends: OpacityPoint[] = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];
   let best: OpacityPoint = [0.5, 0.5];
@@ -94,7 +99,7 @@ const STEPS: Record<string, [number, number]> = {
   ArrowDown: [0, -1],
 };
 
-/** The point after an arrow key; null for other keys. */
+/** Returns the point moved by an arrow key, or null for other keys. */
 export function keyedPoint(key: string, shift: boolean, [position, opacity]: OpacityPoint): OpacityPoint | null {
   const step = STEPS[key];
   if (step === undefined) return null;

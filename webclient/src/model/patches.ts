@@ -1,21 +1,21 @@
-// Which patches of the boundary a layer shows, and how a long list of them is grouped and searched.
+// Patches of the boundary: which of them a layer shows, and how a long list of patches is grouped and searched.
 import type { DatasetDescription } from "../generated/protocol";
 
 export interface Patch {
   name: string;
-  /** Number of faces. */
+  /** Number of boundary faces in the patch. */
   count: number;
-  /** The solver's patch type and boundary conditions, one a line; empty if unknown. */
+  /** The solver's patch type and boundary conditions, one per line. Empty if unknown. */
   facts: string;
 }
 
 export interface PatchFamily {
-  /** Common prefix of the names; empty for a single patch. */
+  /** Common prefix of the patches' names. Empty for a single patch. */
   prefix: string;
   patches: Patch[];
 }
 
-/** Patches that a layer shows, by name; [] for the whole boundary, null for nothing. */
+/** Names of the patches that a layer shows. []: the whole boundary; null: nothing. */
 export type Shown = readonly string[] | null;
 
 const factsOf = ({ type, conditions }: DatasetDescription["groups"][number]): string => {
@@ -30,11 +30,14 @@ export const patchesOf = (description: DatasetDescription | null): Patch[] =>
 
 const prefixOf = (name: string): string => /^[^_.:/\s]+(?=[_.:/\s].)/.exec(name)?.[0] ?? "";
 
-/** A name without its family's prefix and separator. */
+/** Returns a patch name without its family's prefix and the separator. */
 export const withoutPrefix = (name: string, prefix: string): string =>
   prefix === "" ? name : name.slice(prefix.length + 1);
 
-/** Families in the order of their first patch. A patch whose prefix no other in `among` shares stands alone. */
+/**
+ * Groups patches into families with a common name prefix, ordered by first patch. A patch whose prefix is unique in
+ * `among` is a family of its own.
+ */
 export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
   const found = new Map<string, PatchFamily>();
   const sharing = new Map<string, number>();
@@ -49,7 +52,7 @@ export function families(patches: readonly Patch[], among = patches): PatchFamil
   return [...found.values()];
 }
 
-/** Patches whose names contain all words of a search, in any order and case. */
+/** Patches whose names contain all words of the search text, in any order. Case is ignored. */
 export function searched(patches: readonly Patch[], text: string): Patch[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return patches.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
@@ -57,25 +60,27 @@ export function searched(patches: readonly Patch[], text: string): Patch[] {
 
 const namesOf = (shown: Shown): readonly string[] => shown ?? [];
 
-/** Names in the dataset's order, so that equal choices give equal documents. */
+/** Chosen names in the dataset's order, so that equal choices give equal scenes. null for no name. */
 function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
   const chosen = all.filter(({ name }) => names.has(name)).map(({ name }) => name);
   return chosen.length === 0 ? null : chosen;
 }
 
 export function withAll(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
-  if (these.length === all.length) return []; // includes faces in no patch
+  if (these.length === all.length) return []; // the whole boundary may have more faces than its patches
   return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
 }
 
-/** Shown patches without `these`. The whole boundary counts as all patches. */
+/** Returns the choice without the patches in `these`. The whole boundary counts as the choice of all patches. */
 export function withNone(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown);
   const gone = new Set(these.map(({ name }) => name));
   return inOrder(all, new Set(before.filter((name) => !gone.has(name))));
 }
 
-/** Inverts the choice of `these`. Inverting all patches of the whole boundary gives nothing, and the reverse. */
+/**
+ * Inverts the choice of the patches in `these`. The whole boundary counts as the choice of all patches, and vice versa.
+ */
 export function inverted(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = new Set(shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown));
   for (const { name } of these) if (!before.delete(name)) before.add(name);

@@ -1,5 +1,5 @@
-// Percentiles of an array's values from histograms that zoom in: with a few outliers, the bars of the first histogram
-// are too wide.
+// Percentiles of an array's values, found by repeated histograms over narrower ranges. In the first histogram, a few
+// outliers can make the bars too wide.
 import type { Range } from "../generated/protocol";
 
 export interface Counts {
@@ -9,14 +9,17 @@ export interface Counts {
   above: number;
 }
 
-/** Counts values in a range; null for the array's own range. */
+/** Computes a histogram over a range. null: the array's own range. */
 export type Count = (range: Range | null) => Promise<Counts>;
 
 const MOST_LOOKS = 12;
-/** Share of a histogram's range: a narrower result is counted again with narrower bars. */
+/** A result narrower than this share of the histogram's range is refined with a histogram over the result. */
 const WIDE_ENOUGH = 0.125;
 
-/** From the lower edge of the bar that exceeds the first share of all values to the upper edge of the second's bar. */
+/**
+ * Range from the lower edge of the bar that contains the first quantile to the upper edge of the bar that contains the
+ * second. `all`: number of all values.
+ */
 function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
   const width = (high - low) / counts.length;
   let seen = below;
@@ -33,7 +36,7 @@ function between({ range: [low, high], counts, below }: Counts, shares: readonly
   return [first, last];
 }
 
-/** The range between two shares (0 to 1) of the values; null if there are no values. */
+/** Returns the range between two quantiles, given as shares from 0 to 1. null if there are no values. */
 export async function percentiles(count: Count, shares: readonly [number, number]): Promise<Range | null> {
   let found = await count(null);
   const all = found.counts.reduce((sum, n) => sum + n, found.below + found.above);

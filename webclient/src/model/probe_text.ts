@@ -1,4 +1,4 @@
-// A probe's result as text for a notebook or a spreadsheet: one value a line, tab-separated columns, all digits.
+// A probe's result as text for a spreadsheet: one value per line, tab-separated columns, numbers with all digits.
 import type { ProbeResult } from "../generated/protocol";
 
 export interface ProbeContext {

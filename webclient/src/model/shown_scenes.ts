@@ -1,4 +1,5 @@
-// Scenes by revision. A picture lags behind the newest scene: its camera and dataset are those of its own revision.
+// Recent scenes by revision. The shown picture may be older than the newest scene, so its camera and dataset are looked
+// up by its own revision.
 import { complete, type FullCamera } from "./camera";
 import type { Scene } from "../generated/protocol";
 
@@ -8,10 +9,10 @@ interface Known {
 }
 
 export class ShownScenes {
-  /** In ascending order of revision. */
+  /** Scenes in ascending order of revision. */
   private known: Known[] = [];
 
-  /** For a new session: revisions of another session are not comparable. */
+  /** Forgets all scenes. Call for a new session: revisions of different sessions are not comparable. */
   clear(): void {
     this.known = [];
   }
@@ -21,14 +22,17 @@ export class ShownScenes {
     this.known = [...others, { revision, scene }].sort((a, b) => a.revision - b.revision);
   }
 
-  /** Scene of the shown picture; null if unknown. Drops older scenes: no picture of them follows. */
+  /**
+   * Returns the newest scene up to `revision`, or null if none is known. Drops all older scenes: no later picture shows
+   * them.
+   */
   of(revision: number): Scene | null {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);
     if (newest > 0) this.known = this.known.slice(newest);
     return newest < 0 ? null : (this.known[0]?.scene ?? null);
   }
 
-  /** null if the scene is unknown or has no camera. */
+  /** Returns the camera of the scene at `revision`. null if the scene is unknown or has no camera. */
   cameraOf(revision: number): FullCamera | null {
     const camera = this.of(revision)?.camera;
     return camera ? complete(camera) : null;

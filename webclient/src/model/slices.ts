@@ -1,4 +1,4 @@
-// Edits of slices: the position and looks of a new slice, and the change to another plane.
+// Edits of slice layers: plane and looks of a new slice, change to another plane, and equal looks for all slices.
 import { boundsCentre, type Bounds } from "./camera";
 import type { Coloring, SliceLayer, Vec3 } from "../generated/protocol";
 import { diff, equal, type JsonObject } from "./merge_patch";
@@ -10,7 +10,7 @@ export type Slices = readonly [string, SliceLayer][];
 type Looks = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
 type Plane = Pick<SliceLayer, "axis" | "value" | "origin" | "normal">;
 
-/** Normals of new free planes; each is used once before the first repeats. */
+/** Normals of new free planes. Each normal is used once before one is used again. */
 const NORMALS: readonly Vec3[] = [
   [1, 1, 0],
   [1, -1, 0],
@@ -20,7 +20,7 @@ const NORMALS: readonly Vec3[] = [
   [0, 1, -1],
 ];
 
-/** A slice's members other than its plane. */
+/** Members of a slice that do not define its plane: color, opacity, contours, edges. */
 const looksOf = ({ color, opacity, contours, edges }: SliceLayer): Looks => ({
   ...(color && { color }),
   ...(opacity !== undefined && { opacity }),
@@ -37,14 +37,19 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
   return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
-/** A new slice at a free place, with `color`, and otherwise the looks of the last slice. */
+/**
+ * Returns a new slice with `color`, in the widest gap between the others. The rest of its looks is copied from the last
+ * slice.
+ */
 export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
   return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
 }
 
-/** Change that lays a slice across another axis. A new free plane keeps the slice's position; a free plane that becomes
- * axis-aligned takes its origin's coordinate. */
+/**
+ * Returns the change that turns a slice perpendicular to another axis. A free plane starts at the slice's position. A
+ * slice that was free keeps its origin's coordinate along the new axis.
+ */
 export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
   const { axis, value } = slice;
   if (across === (axis ?? "free")) return {};
@@ -57,7 +62,9 @@ export function planeChange(slices: Slices, slice: SliceLayer, across: Across, b
   return { axis: across, value: clamp(at, ...endsOf(across, bounds)), origin: null, normal: null };
 }
 
-/** Changes by id that make all other slices look like `id`; empty if they already do. */
+/**
+ * Returns the changes by id that give all other slices the looks of slice `id`. Slices with equal looks are left out.
+ */
 export function likeThis(slices: Slices, id: string): Record<string, object> {
   const looks = looksOf(slices.find(([other]) => other === id)?.[1] ?? { type: "slice" });
   const changes = slices.map(
@@ -66,7 +73,7 @@ export function likeThis(slices: Slices, id: string): Record<string, object> {
   return Object.fromEntries(changes.filter(([, change]) => Object.keys(change).length > 0));
 }
 
-/** A short description of a slice's looks. */
+/** Describes a slice's looks: array or color, contour lines, cell edges. */
 export function looksInWords({ color, contours, edges }: SliceLayer): string {
   const lines = contours !== undefined && contours.visible !== false ? [`lines of ${contours.array}`] : [];
   const cells = edges !== undefined && edges.visible !== false ? ["cell edges"] : [];

@@ -1,4 +1,4 @@
-// Short messages that disappear by themselves.
+// Short messages at the edge of the page that disappear after some seconds.
 import type { Model } from "./model";
 
 const SHOWN_MS = 9000;

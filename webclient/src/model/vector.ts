@@ -1,4 +1,4 @@
-// Three-vectors and 4x4 matrices (column-major, as WebGL reads them).
+// Vectors of three numbers, and 4x4 matrices in column-major order, as WebGL reads them.
 import type { Vec3 } from "../generated/protocol";
 
 export type { Vec3 };
@@ -20,13 +20,13 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Unit vector; `fallback` for the zero vector. */
+/** Returns the unit vector of `a`, or `fallback` for the zero vector. */
 export function normalize(a: Vec3, fallback: Vec3 = [0, 0, 1]): Vec3 {
   const size = length(a);
   return size > 0 ? scale(a, 1 / size) : fallback;
 }
 
-/** Rodrigues' rotation by `angle` in radians; `axis` has length one. */
+/** Rotates `a` about the unit vector `axis` by `angle` in radians (Rodrigues' formula). */
 export function rotate(a: Vec3, axis: Vec3, angle: number): Vec3 {
   const c = Math.cos(angle);
   const s = Math.sin(angle);

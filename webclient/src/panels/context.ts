@@ -1,4 +1,4 @@
-// Context of the panels: the model and the commands.
+// Gives panels access to the model and the commands.
 import { useComputed } from "@preact/signals";
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
@@ -21,13 +21,13 @@ function usePage(): Page {
 
 export const useCommands = (): Commands => usePage().commands;
 
-/** Renders the panel again when the result of `select` changes. */
+/** Returns the result of `select`. The panel is rendered again when this result changes. */
 export function useModel<V>(select: (model: Model) => V): V {
   const { model } = usePage();
   return useComputed(() => select(model)).value;
 }
 
-/** The camera of the shown picture, which may be older than the scene's. */
+/** Camera of the shown picture. It may be older than that of the scene. */
 export function useCamera(): FullCamera | null {
   return useModel((model) => model.shownFrom.value ?? cameraOf(model));
 }

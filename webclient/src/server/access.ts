@@ -1,4 +1,4 @@
-// Asks a reachable server by plain HTTP why it refuses the WebSocket: a failed WebSocket gives a page no reason.
+// Asks the server by HTTP why it refuses the WebSocket. Browsers tell a page no reason for a failed WebSocket.
 import type { Refusal } from "../model/state";
 
 export type Fetch = (address: URL, init?: RequestInit) => Promise<Response>;
@@ -10,10 +10,10 @@ async function sentenceOf(response: Response): Promise<string> {
   const type = response.headers.get("Content-Type") ?? "";
   const text = type.startsWith("text/plain") ? (await response.text()).trim() : "";
   if (text !== "" && text.length <= LONGEST_SENTENCE) return text;
-  return `What answers at ${new URL(response.url).host} is no CIEL server: ${response.status} ${response.statusText}`.trim();
+  return `${new URL(response.url).host} is not a CIEL server. Its answer was ${response.status} ${response.statusText}`.trim();
 }
 
-/** Returns null if nothing answers. `base`: the page's address. */
+/** Returns why the server refuses the WebSocket, or null if nothing answers over HTTP. `base`: the page's address. */
 export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | null> {
   try {
     const headers = { "Content-Type": "application/json" };
@@ -26,14 +26,17 @@ export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | 
   }
 }
 
-/** Returns the token in the user's input: a bare token, or the whole address that the server printed. */
+/** Returns the token in the user's input. Accepts a bare token, or the whole address that the server printed. */
 export function tokenIn(typed: string): string {
   const text = typed.trim();
   const query = /\?[^#]*/.exec(text)?.[0];
   return (query === undefined ? null : new URLSearchParams(query).get("token")) ?? text;
 }
 
-/** Whether the server accepts the token, as a cookie that the page cannot read. Throws Error on any other refusal. */
+/**
+ * Sends the token to the server. Returns false if it is wrong. If it is right, the server sets a cookie that the page
+ * cannot read. Throws Error if the server refuses for another reason.
+ */
 export async function offerToken(base: string, token: string, fetch: Fetch): Promise<boolean> {
   const address = new URL("./", base);
   address.searchParams.set("token", token);

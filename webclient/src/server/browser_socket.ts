@@ -1,8 +1,11 @@
-// The server's addresses, relative to the page and its prefix.
+// Connects to the server by WebSocket and HTTP, at addresses relative to the page.
 import type { SocketLike } from "./connection";
 import { Disconnected, type Post } from "./rpc";
 
-/** Removes the token from the address, so that links do not contain it. The server has made it a cookie. */
+/**
+ * Removes the token from the page's address, so that copied links do not contain it. The server has already stored it
+ * in a cookie.
+ */
 export function hideToken(): void {
   const address = new URL(location.href);
   if (!address.searchParams.has("token")) return;

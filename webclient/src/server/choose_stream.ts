@@ -1,49 +1,49 @@
-// Automatic choice of pictures or polygons by the cost of a change. A pure function of measured facts.
+// Chooses between pictures and polygons by the time that a change takes. Pure function of measured values.
 
 export type Kind = "image" | "geometry";
-/** What the user changes: the camera (needs no new polygons), a value (does), or nothing. */
+/** What the user changes: the camera, which needs no new polygons; a value, which needs new ones; or nothing. */
 export type Gesture = "camera" | "value" | "rest";
 
 export interface StreamFacts {
   current: Kind;
   gesture: Gesture;
-  /** Bytes per second; null until a long frame has arrived. */
+  /** Measured bytes per second of the connection; null until a frame was long enough to measure. */
   lineRate: number | null;
-  /** A still has arrived. If long enough, it has measured the line. */
+  /** Whether a still has arrived. A long still measures the connection's rate. */
   sawStill: boolean;
-  /** Round trip of a call; null until one was answered. */
+  /** Round trip of a call in milliseconds; null until one was answered. */
   roundTripMs: number | null;
-  /** Bytes of an interactive picture. `pictureMs`: server time including extraction. */
+  /** Bytes of a moving picture. `pictureMs`: server time for it in milliseconds, including extraction. */
   pictureBytes: number;
   pictureMs: number;
-  /** Bytes of all polygons of the scene. `extractMs`: server time for them. */
+  /** Bytes of all polygons of the scene. `extractMs`: server time to extract them, in milliseconds. */
   polygonBytes: number;
   extractMs: number;
-  /** Time from request to drawn polygons in this browser; null if not measured. */
+  /** Milliseconds from request to drawn polygons in this browser; null if not measured. */
   drawMs: number | null;
-  /** WebGL2 uses the graphics card. */
+  /** Whether WebGL2 uses the graphics card. */
   hardware: boolean;
-  /** Name of a feature that only pictures can show; empty: none. */
+  /** Name of a feature of the scene that only pictures can show; empty if there is none. */
   onlyPictures: string;
 }
 
 export interface Choice {
   stream: Kind;
-  /** Reason, for the user. */
+  /** Reason for the choice, shown to the user. */
   why: string;
 }
 
-/** Assumed draw time with a graphics card before any measurement. */
+/** Assumed draw time of polygons before any measurement, with a graphics card. */
 const USUAL_DRAW_MS = 16;
-/** Polygons that take longer to draw are used only if pictures are slower still. */
+/** Limit of the draw time of polygons. Above it, pictures are used if they are faster. */
 const TOO_SLOW_MS = 100;
-/** Hysteresis: the stream changes only for one that is faster by this factor. */
+/** The stream changes only if the other one is faster by this factor. This prevents repeated switching. */
 const BETTER = 1.3;
-/** Seconds that polygons may take to arrive at rest, and during a camera gesture. */
+/** Seconds that the transfer of the polygons may take: without a gesture, and during a camera gesture. */
 const FETCH_AT_REST = 3;
 const FETCH_IN_GESTURE = 0.3;
 
-/** Assumed line rate for a round trip up to NEAR_MS, if all frames were too short to measure. */
+/** Assumed bytes per second if no frame was long enough to measure and the round trip is at most NEAR_MS. */
 const NEAR_MS = 25;
 const NEAR_RATE = 12.5e6;
 
@@ -65,24 +65,27 @@ export function chooseStream(facts: StreamFacts): Choice {
   const picture = Math.max(facts.pictureMs / 1000, facts.pictureBytes / lineRate);
   if (draw > TOO_SLOW_MS && draw / 1000 > picture)
     return pictures(
-      `this browser needs ${seconds(draw / 1000)} to draw the polygons, a picture comes in ${seconds(picture)}`,
+      `this browser needs ${seconds(draw / 1000)} to draw the polygons, a picture arrives in ${seconds(picture)}`,
     );
   const line = `${amount(lineRate)}/s`;
   if (facts.gesture === "value") {
     const change = Math.max(facts.extractMs / 1000, fetch) + draw / 1000;
-    const compared = `a change is ${seconds(change)} of polygons (${amount(polygonBytes)} at ${line}) and ${seconds(picture)} of pictures`;
+    const compared = `a change takes ${seconds(change)} with polygons (${amount(polygonBytes)} at ${line}) and ${seconds(picture)} with pictures`;
     const border = current === "geometry" ? picture * BETTER : picture / BETTER;
     return change <= border ? { stream: "geometry", why: compared } : pictures(compared);
   }
   if (current === "geometry") return { stream: "geometry", why: "the view turns without a picture from the server" };
   const patience = facts.gesture === "rest" ? FETCH_AT_REST : FETCH_IN_GESTURE;
-  const cost = `the polygons (${amount(polygonBytes)}) come in ${seconds(fetch)} at ${line}`;
+  const cost = `the polygons (${amount(polygonBytes)}) arrive in ${seconds(fetch)} at ${line}`;
   return fetch <= patience
     ? { stream: "geometry", why: `${cost}, and the view turns without the server` }
     : pictures(cost);
 }
 
-/** Polygons not larger than a picture suit any line, except when every change makes new ones. */
+/**
+ * Choice without a known line rate. Polygons with no more bytes than a picture are chosen, except during a value
+ * gesture, in which each change makes new polygons.
+ */
 function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
   const isFewer = sawStill && polygonBytes <= pictureBytes;
   if (isFewer && (gesture !== "value" || current === "geometry"))
@@ -90,12 +93,12 @@ function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: 
       stream: "geometry",
       why: `the polygons are ${amount(polygonBytes)}, a picture is ${amount(pictureBytes)}`,
     };
-  return { stream: current, why: "the line is not measured yet" };
+  return { stream: current, why: "the speed of the connection is not measured yet" };
 }
 
 const pictures = (why: string): Choice => ({ stream: "image", why });
 
-/** Whether the browser's WebGL2 renderer is not a software renderer. */
+/** Whether the browser draws WebGL2 with a graphics card. Software renderers are recognized by name. */
 export function hasHardwareWebGL(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (gl === null) return false;

@@ -1,4 +1,4 @@
-// One WebSocket that reconnects: exponential back-off with jitter, a heartbeat, and a visible state.
+// A WebSocket that reconnects, with exponential back-off, jitter and a heartbeat. Reports its state.
 import type { ConnectionState } from "../model/state";
 import { Disconnected, Rpc, type Post } from "./rpc";
 
@@ -13,14 +13,14 @@ export interface SocketLike {
 
 export interface ConnectionEvents {
   state(state: ConnectionState): void;
-  /** A new socket: the server's state of the last connection is gone. */
+  /** A new socket is open. The server has forgotten the views of the previous connection. */
   opened(rpc: Rpc): void;
   notification(name: string, params: unknown): void;
   binary(message: ArrayBuffer): void;
   roundTrip(milliseconds: number): void;
 }
 
-/** Time and randomness, replaceable in tests. */
+/** Source of time and random numbers. Tests replace it. */
 export interface Clock {
   now(): number;
   random(): number;
@@ -33,7 +33,10 @@ export const LAST_RETRY_MS = 15_000;
 export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
-/** Doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A quarter is random, so that clients do not return all at once. */
+/**
+ * Milliseconds until the next attempt: doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A random quarter prevents that all
+ * clients reconnect at once.
+ */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
   return delay * (0.75 + 0.25 * random);
@@ -61,12 +64,12 @@ export class Connection {
     this.events.state({ kind: "closed" });
   }
 
-  /** Connects now instead of after the delay. Does nothing while a socket exists. */
+  /** Connects at once instead of after the delay. Does nothing while a socket exists. */
   retryNow(): void {
     if (this.socket === null) this.connect();
   }
 
-  /** Call when the network is lost: ends the socket without waiting for the heartbeat. */
+  /** Call when the browser has lost the network. Closes the socket without waiting for the heartbeat. */
   lost(): void {
     if (this.socket !== null) this.ended();
   }
@@ -98,7 +101,7 @@ export class Connection {
     this.setTimer(() => this.ended(), CONNECT_TIMEOUT_MS);
   }
 
-  // Detects a dead line by an unanswered call: pulling a cable closes no socket.
+  // Detects a dead connection by an unanswered call. A socket does not close when a cable is pulled.
   private heartbeat(rpc: Rpc): void {
     const sent = this.clock.now();
     this.setTimer(() => this.ended(), HEARTBEAT_MS);
@@ -109,7 +112,7 @@ export class Connection {
         this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
       },
       (error: unknown) => {
-        // An error answer also proves that the line works.
+        // An error answer also proves that the connection works.
         if (this.rpc === rpc && !(error instanceof Disconnected))
           this.setTimer(() => this.heartbeat(rpc), HEARTBEAT_MS);
       },

@@ -1,4 +1,4 @@
-// Shared interface of the parts of this folder; Server in server.ts implements it.
+// Interface of Server (server.ts) for the other files of this folder.
 import type { Scene } from "../generated/protocol";
 import type { CanvasSize } from "../model/canvas_size";
 import type { Model } from "../model/model";
@@ -9,23 +9,23 @@ import type { Histograms } from "./histograms";
 import type { Latency } from "./latency";
 import type { Session, StreamWish } from "./session";
 
-/** Receives the frames of a view. */
+/** Receives binary messages with the frames of a view. */
 export interface FrameReceiver {
-  /** A view is being opened: its frames may arrive before show(). */
+  /** Call before view.open. Frames of the new view may arrive before show(). */
   expect(): void;
   show(view: number): void;
   receive(message: ArrayBuffer): void;
 }
 
-/** The page, as used by the server's code. */
+/** What the server's code needs from the rest of the page. */
 export interface Page {
   background(): "dark" | "light";
-  /** Scene of the link that opened the page; null without one. */
+  /** Scene of the link that opened the page; null if the page was opened without a link. */
   link(): Scene | null;
-  /** null until the canvases exist. */
+  /** Receiver of frames; null until the canvases exist. */
   frames(): FrameReceiver | null;
   clearPicture(): void;
-  /** The visible canvas. */
+  /** Which of the two canvases is visible. */
   shown(): "none" | "image" | "geometry";
   stopPlaying(): void;
 }
@@ -43,6 +43,6 @@ export interface Core {
   readonly entry: Entry;
   readonly streams: { current(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
-  /** The server's scene at this revision. */
+  /** The server has this scene at this revision. */
   taken(revision: number, scene: Scene): void;
 }

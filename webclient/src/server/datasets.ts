@@ -1,4 +1,4 @@
-// Keeps the dataset list and the description of the scene's dataset up to date.
+// Keeps the list of datasets and the description of the scene's dataset up to date.
 import { update } from "../model/model";
 import type { Core } from "./core";
 
@@ -10,7 +10,7 @@ export async function listDatasets(server: Core): Promise<void> {
   }
 }
 
-/** Fetches the description if the scene's dataset differs from the described one, or always with `again`. */
+/** Fetches the description of the scene's dataset unless it is already known. `again`: fetches it in any case. */
 export async function describeDataset(server: Core, again = false): Promise<void> {
   const { model } = server;
   const name = model.scene.peek()?.dataset;

@@ -1,8 +1,8 @@
-// Time from a redraw request to the drawn polygons. WebGL calls return at once, but the next animation frame waits
-// until the last one is drawn.
+// Measures the time from a redraw request to drawn polygons. WebGL calls return before the drawing ends, but the next
+// animation frame starts only after it.
 
 const REMEMBERED = 8;
-/** Measurements needed for a result: the first ones include shader compilation. */
+/** Number of measurements needed for a result. The first ones include shader compilation. */
 const FEWEST = 4;
 
 export class DrawPace {
@@ -12,7 +12,7 @@ export class DrawPace {
     this.waits = [...this.waits.slice(1 - REMEMBERED), at - requestedAt];
   }
 
-  /** Median milliseconds from request to picture; null if unknown. */
+  /** Median time from request to drawn polygons in milliseconds; null if not measured. */
   get milliseconds(): number | null {
     if (this.waits.length < FEWEST) return null;
     const sorted = [...this.waits].sort((a, b) => a - b);

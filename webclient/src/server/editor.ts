@@ -1,4 +1,5 @@
-// Local copy of the scene, following the server. Changes apply at once and are sent at most once per animation frame.
+// Local copy of the scene, kept in step with the server's. Changes apply at once and are sent at most once per
+// animation frame.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";
@@ -16,14 +17,17 @@ export interface SceneServer {
 export type Step = "undo" | "redo";
 
 export interface EditorEvents {
-  /** The scene, canUndo or canRedo has changed. */
+  /** The local scene, canUndo or canRedo has changed. */
   changed(): void;
-  /** The server has accepted a change made at `since` (performance.now). `scene` is the result, as `revision`. */
+  /**
+   * The server has accepted a change of this page. `since`: time of the change (performance.now); `scene`: the scene
+   * after it, at `revision`.
+   */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
-  /** A change of this layer was dropped: another client has removed the layer. */
+  /** A change of this layer was dropped, because another client has removed the layer. */
   gone(layer: Layer): void;
-  /** The server cannot show the result of this step. */
+  /** The server refused an undo or redo, because it cannot show the resulting scene. */
   stuck(step: Step, error: Error): void;
 }
 
@@ -36,9 +40,12 @@ interface Change {
   patch: JsonObject;
   gesture: string;
   since: number;
-  /** The scene after the change. */
+  /** The local scene after this change. */
   scene: Scene;
-  /** Targets a removed layer, as already reported: a refusal is not reported again. */
+  /**
+   * The change contained a layer that another client has removed. The user was told, so a refusal is not reported
+   * again.
+   */
   isVain?: boolean;
 }
 
@@ -48,15 +55,18 @@ export class SceneEditor {
   private queue: Change[] = [];
   private unanswered: Change[] = [];
   private differsFromServer = false;
-  /** The local scene may differ from the server's; fetched when nothing is in flight. */
+  /**
+   * Whether the local scene may differ from the server's scene. If so, the server's is fetched once all changes are
+   * answered.
+   */
   private doubtful = false;
   private asking = false;
-  /** Unanswered undos, redos and followed links. */
+  /** Number of unanswered undos, redos and proposed scenes. */
   private travelling = 0;
   private patchesAtOnce = new PatchesAtOnce();
   private frameRequested = false;
   private gestures = 0;
-  /** Last state of layers that other clients have removed. */
+  /** Last state of layers that other clients have removed, by id. */
   private readonly lost = new Map<string, Layer>();
   private readonly history = new SceneHistory();
   canUndo = false;
@@ -76,17 +86,17 @@ export class SceneEditor {
     return this.server !== null;
   }
 
-  /** Whether changes are not yet accepted by the server. */
+  /** Whether the server has not accepted all changes yet. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
   }
 
-  /** Undo and redo steps for reopening the session with this scene. */
+  /** Undo and redo steps to send when the session is opened again with this scene. */
   stepsAround(scene: Scene): Steps {
     return this.history.around(scene);
   }
 
-  /** Returns a gesture name. Changes with the same name are one undo step. */
+  /** Returns a new gesture name. All changes with one gesture name are one undo step. */
   newGesture(): string {
     return `${this.name}-${++this.gestures}`;
   }
@@ -106,12 +116,12 @@ export class SceneEditor {
     this.requestFlush();
   }
 
-  /** An automatic change, undone together with the previous step. */
+  /** Makes an automatic change. It is undone together with the previous change. */
   amend(patch: object): void {
     this.change(patch, `${this.name}-${this.gestures}`);
   }
 
-  /** Replaces the document, as one step. */
+  /** Replaces the whole scene as one undo step. */
   replace(scene: Scene, gesture?: string): void {
     if (this.document === null) return;
     this.change(diff(this.document as unknown as JsonObject, scene as unknown as JsonObject), gesture);
@@ -119,7 +129,8 @@ export class SceneEditor {
 
   async undo(): Promise<void> {
     const stuck = (error: Error): void => {
-      this.canUndo = false; // until the server says otherwise after another change
+      // Undo stays disabled until an answer of the server enables it.
+      this.canUndo = false;
       this.events.stuck("undo", error);
     };
     const moved = (scene: Scene): void => this.history.moved("undo", scene);
@@ -135,7 +146,7 @@ export class SceneEditor {
     await this.travel((server) => server.redo(), moved, stuck);
   }
 
-  /** Call when a session was opened. Changes made while disconnected are sent as one step. */
+  /** Call when a session was opened. Changes made while disconnected are sent to it as one undo step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
     this.patchesAtOnce = new PatchesAtOnce();
@@ -154,24 +165,27 @@ export class SceneEditor {
     this.server = null;
     this.unanswered = [];
     this.travelling = 0;
-    this.canUndo = this.canRedo = false; // the server keeps the history
+    this.canUndo = this.canRedo = false; // the server keeps the undo history
     this.events.changed();
   }
 
-  /** Call before `connected` if another scene was chosen to replace the local one. */
+  /** Drops the local scene and its history. Call before `connected` when another scene was chosen instead. */
   forget(): void {
     this.document = null;
     this.history.forget();
   }
 
-  /** Another client has changed the scene. Changes of this page may be in flight. */
+  /** Takes the scene that another client has changed. Unanswered changes of this page are applied again on top. */
   overheard(scene: Scene): void {
     this.history.found(scene);
     this.adopt({ scene }, this.unanswered);
-    this.doubt(); // canUndo and canRedo are now unknown
+    this.doubt(); // fetches canUndo and canRedo, which the notification does not contain
   }
 
-  /** Like `replace`, but the local scene changes only after the server has accepted the new one. */
+  /**
+   * Sends the scene as one change. Unlike with `replace`, the local scene changes only after the server has accepted
+   * it.
+   */
   async propose(scene: Scene): Promise<void> {
     const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
     await this.travel(
@@ -183,7 +197,7 @@ export class SceneEditor {
     );
   }
 
-  /** Takes the server's state and reapplies changes that are in flight or not sent yet. */
+  /** Takes the server's scene, then applies `onTheWay` and the queued changes on top of it. */
   private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
@@ -199,7 +213,7 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  /** Removes changes of lost layers: merged into the scene they would be incomplete layers. */
+  /** Removes changes of layers that another client has removed. The server would merge them into incomplete layers. */
   private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
     const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
     for (const id of stray) this.events.gone(this.lost.get(id) as Layer);
@@ -213,12 +227,12 @@ export class SceneEditor {
   ): Promise<void> {
     const server = this.server;
     if (server === null) {
-      this.events.refused(new Error("There is no open session now; try it again when the picture is back"));
+      this.events.refused(new Error("The session is not open. Try again when the picture is back"));
       return;
     }
-    while (this.queue.length > 0) this.sendOldest(server); // undo must revert the user's latest change
+    while (this.queue.length > 0) this.sendOldest(server); // so that undo reverts the latest change
     const since = this.timing.now();
-    const before = new Set(this.unanswered); // the server takes these first
+    const before = new Set(this.unanswered); // changes sent before the step, which its result contains
     this.travelling += 1;
     this.events.changed();
     try {
@@ -273,7 +287,7 @@ export class SceneEditor {
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
         if (change.isVain !== true) this.events.refused(error as Error);
-        this.doubtful = true; // the local scene still has the refused change
+        this.doubtful = true; // the local scene still contains the refused change
         this.answered(change);
       },
     );
@@ -297,7 +311,7 @@ export class SceneEditor {
         if (this.server !== server) return;
         this.asking = false;
         if (this.differsFromServer)
-          this.doubtful = true; // changed meanwhile: ask again after its answer
+          this.doubtful = true; // changed during the call: fetch again after the answer to the change
         else {
           this.history.found(state.scene);
           this.adopt(state, []);

@@ -1,10 +1,13 @@
-// Finds out why a reachable server refuses this page, and offers a token to it.
+// Finds out why a reachable server refuses this page, and sends the token that the user enters.
 import type { Model } from "../model/model";
 import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 
 const get: Fetch = (address, init) => fetch(address, init);
 
-/** A restarted server answers calls before the next socket attempt, so one answer is no proof. */
+/**
+ * Number of consecutive HTTP answers after which WebSockets count as blocked. After a restart, the server answers HTTP
+ * before the page tries a WebSocket again.
+ */
 const TRIES_BEFORE_NO_SOCKET = 2;
 
 export class Entry {
@@ -15,7 +18,7 @@ export class Entry {
     private readonly retry: () => void,
   ) {}
 
-  /** Call after a socket failed. */
+  /** Finds the reason of a failed WebSocket. Call after each failure. */
   async explain(): Promise<void> {
     const refusal = await askRefusal(document.baseURI, get);
     if (this.model.connection.peek().kind === "open") return;
@@ -29,14 +32,15 @@ export class Entry {
     this.model.refusal.value = null;
   }
 
-  /** Returns null if the token was accepted, else a sentence for the user. */
+  /** Sends the token that the user typed. Returns null if the server accepted it, else a sentence for the user. */
   async enter(typed: string): Promise<string | null> {
     try {
-      if (!(await offerToken(document.baseURI, tokenIn(typed), get))) return "This is not the server's token.";
+      if (!(await offerToken(document.baseURI, tokenIn(typed), get)))
+        return "The token is wrong. Copy the token from the address that the server printed at its start.";
       this.retry();
       return null;
     } catch (error) {
-      return error instanceof TypeError ? "The server does not answer now." : (error as Error).message;
+      return error instanceof TypeError ? "The server does not answer. Try again later." : (error as Error).message;
     }
   }
 }

@@ -1,4 +1,5 @@
-// First scene of a page: the link's scene, else the tab's own session, else the first usable dataset.
+// First scene of a page: that of the link, else that of the tab's session, else the default scene of the first usable
+// dataset.
 import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
 import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
 import { subtract } from "../model/vector";
@@ -9,7 +10,7 @@ import type { CanvasSize } from "../model/canvas_size";
 
 export interface FirstSceneOptions {
   session: string;
-  /** The tab had this session before. */
+  /** Whether the tab or the link already names this session. */
   rejoin: boolean;
   link: Scene | null;
   size: CanvasSize;
@@ -22,7 +23,7 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
   return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
 }
 
-/** The dataset's default scene, fitted to this canvas and theme. */
+/** The dataset's default scene, with the camera fitted to this canvas and the background of the theme. */
 export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.default_bounds;
@@ -30,7 +31,7 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
-/** Adds the default camera to a scene without one: overlays of the canvas need a camera. */
+/** Adds the default camera to a scene without one, because overlays of the canvas need a camera. */
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {
@@ -40,17 +41,17 @@ async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise
     return { ...scene, camera: size.clearOfCorner(defaultView(bounds, size.aspect), bounds) };
   } catch (error) {
     if (!(error instanceof RpcError)) throw error;
-    return scene; // opening it reports the error
+    return scene; // session.open will report the error for this scene
   }
 }
 
-/** Returns null if the server has no usable dataset. */
+/** Returns the first scene, or null if the server has no usable dataset. */
 export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
   if (options.link !== null) return withCamera(call, options.link, options.size);
   try {
     if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
   } catch (error) {
-    if (!(error instanceof RpcError)) throw error; // unknown session: continue with a new one
+    if (!(error instanceof RpcError)) throw error; // an RpcError means that the session is unknown: start a new one
   }
   const usable = (await call("dataset.list", {})).find(({ problem }) => problem === "");
   if (usable === undefined) return null;

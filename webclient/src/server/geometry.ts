@@ -1,25 +1,28 @@
-// Kind 2: one batch of polygons of one layer (protocol/frame.md).
+// Decodes frames of kind 2: a batch of polygons of one layer (protocol/frame.md).
 import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { readFrameHeader, FRAME_HEADER_BYTES } from "../generated/frame_header";
 import type { ColorScale } from "../model/color_scale";
 import type { Coloring, Range, Vec3 } from "../generated/protocol";
 import { scaleOf } from "../model/color_range";
 
-/** nx, ny, nz, d: shown where dot(normal, offset) + d >= 0. */
+/**
+ * Clip plane nx, ny, nz, d. It keeps the points with dot(n, offset) + d >= 0; offsets are relative to the batch's
+ * origin.
+ */
 export type ClipPlane = [number, number, number, number];
 
 export interface GeometryBatch {
   layer: string;
   lines: boolean;
   points: boolean;
-  positions: Float32Array; // offsets from origin
+  positions: Float32Array; // offsets from `origin`, x y z per vertex
   normals: Float32Array | null;
   scalars: Float32Array | null;
   indices: Uint32Array;
   scale: ColorScale;
   color: [number, number, number, number];
   lit: boolean;
-  width: number; // of lines and points, in the server's pixels
+  width: number; // of lines and points, in picture pixels
   clip: ClipPlane[];
   origin: Vec3;
 }
@@ -28,13 +31,13 @@ interface MeshPart {
   id: string;
   step: number;
   low: Vec3;
-  bytes?: [number, number]; // absent if sent in an earlier frame
+  bytes?: [number, number]; // of the encoded vertices and indices; absent if sent in an earlier frame
 }
 
 interface ValuesPart {
   id: string;
   of: "vertices" | "triangles" | "lines" | "points";
-  step?: number; // absent: values are floats
+  step?: number; // absent if the values are floats instead of integers
   origin?: number;
   low?: number;
   bytes?: number;
@@ -69,13 +72,13 @@ interface Mesh {
 const NO_VALUE = 0xffffffff;
 const CORNERS = { triangles: 3, lines: 2, points: 1 } as const;
 
-/** Await before decoding the first batch. Rejects if the browser has no WebAssembly. */
+/** Resolves when the decoder has loaded. Await before decoding a batch. Rejects if the browser has no WebAssembly. */
 export const geometryReady: Promise<void> = MeshoptDecoder.ready;
 
-/** A batch refers to a part that is not kept here: the server must send it again. */
+/** A batch refers to a part of an earlier frame that is not kept. The server must send all parts again. */
 export class MissingPart extends Error {}
 
-/** Reads consecutive parts of a message. Throws Error when the message is too short, or too long at end(). */
+/** Reads consecutive parts of a message. Throws Error if the message is shorter or longer than its parts. */
 class Rest {
   constructor(private bytes: Uint8Array) {}
 
@@ -91,19 +94,23 @@ class Rest {
   }
 }
 
-/** Parts of batches by id. Later batches may refer to them instead of sending them again. */
+/** Decoded meshes and values by id. Later batches refer to them by id instead of containing them. */
 class KeptParts {
   private readonly parts = new Map<string, { frame: number; part: unknown }>();
 
-  /** Returns the part and marks it as used in this frame. Throws MissingPart if `decode` is null and the part is not kept. */
+  /**
+   * Returns a part and marks it as used by this frame. `decode`: null if the batch does not contain the part. Throws
+   * MissingPart if such a part is not kept.
+   */
   use<Part>(id: string, frame: number, decode: (() => Part) | null): Part {
     const part = decode === null ? this.parts.get(id)?.part : decode();
-    if (part === undefined) throw new MissingPart(`A geometry frame names a part ${id} that did not come before`);
+    if (part === undefined)
+      throw new MissingPart(`A geometry frame names the part ${id}, which was not received before`);
     this.parts.set(id, { frame, part });
     return part as Part;
   }
 
-  /** Drops parts last used before frame `base`: no later batch refers to them. */
+  /** Drops parts last used before frame `base`. The server no longer refers to them. */
   forgetBefore(base: number): void {
     for (const [id, { frame }] of this.parts) if (frame < base) this.parts.delete(id);
   }
@@ -158,7 +165,7 @@ function decodeValues({ vertices, indices }: BatchHeader, part: ValuesPart, rest
   return values;
 }
 
-/** Makes one vertex per corner, with the value of its triangle, line or point. */
+/** Splits shared vertices: makes one vertex for each corner, with the value of its triangle, line or point. */
 function apart(
   { positions, normals, indices }: Mesh,
   values: Float32Array,
@@ -177,16 +184,19 @@ function apart(
   };
 }
 
-/** Decodes the frames of one view, which share unchanged parts. */
+/** Decodes the frames of one view. Keeps the parts that later frames refer to. */
 export class GeometryDecoder {
   private kept = new KeptParts();
 
-  /** Call before the frames of another view. */
+  /** Forgets all kept parts. Call before decoding frames of another view. */
   clear(): void {
     this.kept = new KeptParts();
   }
 
-  /** Returns null for a frame without polygons. Throws Error on inconsistent sizes, MissingPart on an unknown part. */
+  /**
+   * Decodes one frame; null if it has no polygons. Throws Error on inconsistent sizes and MissingPart on a missing
+   * part.
+   */
   decode(message: ArrayBuffer): GeometryBatch | null {
     const bytes = message.byteLength - FRAME_HEADER_BYTES;
     if (bytes < 4) throw new Error("A geometry frame is cut off");

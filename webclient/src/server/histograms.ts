@@ -1,13 +1,13 @@
-// Histograms of the scalars in use, fetched once per dataset, scalar and step.
+// Histograms of scalars, fetched once for each dataset, scalar and time step.
 import { signal, type Signal } from "@preact/signals";
 import { Disconnected, RpcError } from "./rpc";
 import type { Histogram } from "../model/state";
 
 const KEPT = 200;
-/** The server computes few at a time and refuses a connection with many waiting calls. */
+/** Number of simultaneous requests. The server computes few at a time and refuses a connection with too many. */
 const AT_ONCE = 2;
 const RETRY_MILLISECONDS = 1000;
-const LIMIT_REACHED = -32003; // components/errors/Limit in the contract
+const LIMIT_REACHED = -32003; // error code `Limit` of the contract
 
 interface Known {
   histogram: Signal<Histogram | null>;
@@ -20,7 +20,7 @@ export class Histograms {
   private wanted: Of[] = [];
   private underWay = 0;
   private isDue = false;
-  /** Number of `clear` calls. Answers to earlier requests may be of another dataset. */
+  /** Number of `clear` calls. An answer to a request from before the last call is ignored. */
   private cleared = 0;
 
   constructor(
@@ -29,8 +29,8 @@ export class Histograms {
   ) {}
 
   /**
-   * Returns null until it has arrived, or if there is none. Reading it subscribes to its arrival. The fetch starts
-   * later, after the page has been drawn.
+   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. Signal
+   * readers run again when it arrives. The fetch starts after the current rendering.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);
@@ -38,7 +38,7 @@ export class Histograms {
     return known.histogram.value;
   }
 
-  /** Forgets all histograms and requests; they are fetched again when read. */
+  /** Forgets all histograms and requests. They are fetched again when read. */
   clear(): void {
     for (const known of this.known.values()) {
       known.state = "forgotten";
@@ -79,11 +79,11 @@ export class Histograms {
       this.remember(of, "here", answer);
     } else if (answer instanceof RpcError && answer.code === LIMIT_REACHED) {
       this.want(of, RETRY_MILLISECONDS);
-      return; // the server would refuse the others too
+      return; // the server would refuse further requests too
     } else if (answer instanceof Disconnected) {
       this.remember(of, "forgotten");
     } else {
-      this.remember(of, "missing"); // no values at this step; the layer reports it
+      this.remember(of, "missing"); // the array has no values at this step; the layer reports this
     }
     this.askMore();
   }
@@ -92,7 +92,8 @@ export class Histograms {
     const key = JSON.stringify(of);
     const known = this.knownOf(of);
     this.known.delete(key);
-    this.known.set(key, known); // the newest are last
+    // Moves the entry to the end: the first one of the map was used least recently.
+    this.known.set(key, known);
     known.state = state;
     if (histogram !== null) known.histogram.value = histogram;
   }

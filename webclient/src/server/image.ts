@@ -1,4 +1,4 @@
-// Kind 1: one picture, decoded off the main thread.
+// Decodes frames of kind 1: one picture. The browser decodes it off the main thread.
 import { FRAME_HEADER_BYTES } from "../generated/frame_header";
 
 const SIGNATURES: Record<string, number[]> = {
@@ -6,7 +6,7 @@ const SIGNATURES: Record<string, number[]> = {
   "image/jpeg": [0xff, 0xd8, 0xff],
 };
 
-/** Returns the picture of an image frame. Throws Error if the payload is neither PNG nor JPEG. */
+/** Returns the PNG or JPEG of an image frame. Throws Error for any other payload. */
 export function pictureOf(message: ArrayBuffer): Blob {
   const picture = new Uint8Array(message, FRAME_HEADER_BYTES);
   for (const [type, signature] of Object.entries(SIGNATURES))

@@ -1,4 +1,4 @@
-// Time from a change to its picture, and pictures per second.
+// Measures the time from a change to the picture that shows it, and the pictures per second.
 
 const WINDOW_MS = 1500;
 
@@ -8,7 +8,10 @@ export class Latency {
   private times: number[] = [];
   last: number | null = null;
 
-  /** A change made at `since` became `revision`. Its picture may have arrived before this answer. */
+  /**
+   * A change made at time `since` became `revision`. Its picture may have been shown before the server's answer
+   * arrived.
+   */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
     else this.waiting.push({ revision, since });
@@ -17,7 +20,7 @@ export class Latency {
   shown(revision: number, now: number): void {
     this.times = this.times.filter((time) => now - time < WINDOW_MS);
     this.times.push(now);
-    if (revision <= this.presented.revision) return; // the still of a shown revision
+    if (revision <= this.presented.revision) return; // a still follows the preview of the same revision
     this.presented = { revision, at: now };
     const answered = this.waiting.filter((change) => change.revision <= revision);
     this.waiting = this.waiting.filter((change) => change.revision > revision);
@@ -33,7 +36,7 @@ export class Latency {
     return ((recent.length - 1) * 1000) / (newest - first);
   }
 
-  /** Call for a new session: revisions of different sessions are not comparable. */
+  /** Forgets all measurements. Call for a new session: revisions of different sessions are not comparable. */
   reset(): void {
     this.waiting = [];
     this.presented = { revision: -1, at: 0 };

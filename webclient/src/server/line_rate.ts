@@ -1,8 +1,11 @@
-// Line rate in bytes per second, from the pieces of a frame (protocol/frame.md): bytes after the first piece, divided
-// by the time since it. Moving pictures of one piece give no measurement; the still after them is longer.
+// Measures the bandwidth in bytes per second from the pieces of a frame (protocol/frame.md): the bytes after the first
+// piece, divided by the time since it. A frame of one piece cannot be measured.
 import type { FrameHeader } from "../generated/frame_header";
 
-/** Fewer bytes may arrive at once from buffers. Frames longer than this by a short piece begin with one. */
+/**
+ * Fewest bytes after the first piece for a measurement, because fewer may arrive at once from a buffer. The server
+ * makes the first piece short if at least this many bytes follow it.
+ */
 const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
 
@@ -16,10 +19,10 @@ interface Measured {
 export class LineRate {
   private now: Measured | null = null;
   private rates: number[] = [];
-  /** Whether the newest rate is of the current frame; each piece then updates it. */
+  /** Whether the newest rate belongs to the current frame. If so, each further piece replaces it. */
   private isOfNow = false;
 
-  /** Call for each message; `at` in milliseconds. Returns whether it gave a measurement. */
+  /** Call for each message. `at`: time of arrival in milliseconds. Returns whether the message gave a measurement. */
   arrived({ view, frame, payloadBytes }: FrameHeader, at: number): boolean {
     if (this.now?.view !== view || this.now.frame !== frame) {
       this.now = { view, frame, from: at, bytes: 0 };
@@ -35,7 +38,10 @@ export class LineRate {
     return true;
   }
 
-  /** Median of the last few rates, since a busy page sees a whole frame arrive at once. null: unknown. */
+  /**
+   * Median of the last rates; null if nothing was measured. A busy page may receive all pieces of a frame at once,
+   * which gives too high a rate.
+   */
   get bytesPerSecond(): number | null {
     const sorted = [...this.rates].sort((a, b) => a - b);
     return sorted[Math.floor((sorted.length - 1) / 2)] ?? null;

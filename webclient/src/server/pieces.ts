@@ -1,19 +1,22 @@
-// Reassembles pictures and batches. They arrive in pieces, since proxies cut long messages (protocol/frame.md).
+// Joins the pieces of pictures and batches. The server splits long messages, because proxies reject them
+// (protocol/frame.md).
 import { FRAME_HEADER_BYTES, writeFrameHeader, type FrameHeader } from "../generated/frame_header";
 
 interface Begun {
   frame: number;
   flags: number;
   message: ArrayBuffer;
-  /** Bytes of the payload. */
+  /** Payload bytes received so far. */
   arrived: number;
 }
 
-/** The pieces of one view. */
+/** Joins the pieces of the frames of one view. */
 export class Pieces {
   private begun: Begun | null = null;
 
-  /** Returns the whole message after its last piece, else null. Throws Error when a piece is missing. */
+  /**
+   * Adds a piece. Returns the whole message after the last piece, otherwise null. Throws Error if a piece is missing.
+   */
   add(header: FrameHeader, message: ArrayBuffer): ArrayBuffer | null {
     if (header.payloadBytes === header.wholeBytes) {
       this.begun = null;
@@ -34,7 +37,7 @@ export class Pieces {
     return begun.message;
   }
 
-  /** Drops an incomplete frame. */
+  /** Drops the pieces of an incomplete frame. */
   clear(): void {
     this.begun = null;
   }

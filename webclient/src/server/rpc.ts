@@ -1,5 +1,5 @@
-// JSON-RPC 2.0 over one text channel: calls, answers, notifications. It knows no socket. Answers that are too long for
-// a socket message are fetched by POST.
+// JSON-RPC 2.0 over a text channel: calls, answers, notifications. Answers longer than a WebSocket message may be are
+// fetched by HTTP POST.
 import { ErrorCode, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
@@ -18,7 +18,7 @@ export class RpcError extends Error {
   }
 }
 
-/** The connection ended before the answer came. */
+/** Rejects a call whose answer had not arrived when the connection ended. */
 export class Disconnected extends Error {
   constructor() {
     super("The connection ended before the server answered");
@@ -26,7 +26,7 @@ export class Disconnected extends Error {
   }
 }
 
-/** Sends one request by POST and returns the answer's text. */
+/** Sends a JSON-RPC request by HTTP POST and returns the text of the answer. */
 export type Post = (request: string) => Promise<string>;
 
 interface Pending {
@@ -44,10 +44,13 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
-/** Pictures and surface files exceed the limit of a socket message. */
+/** Methods always called by HTTP POST: pictures and surface files exceed the limit of a WebSocket message. */
 const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
 
-/** Methods with effects must not be repeated when only the answer was too long. */
+/**
+ * Method to call instead when an answer was too long for a message. Undo and redo have already taken effect and must
+ * not be repeated.
+ */
 const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.undo": "scene.get",
   "scene.redo": "scene.get",
@@ -83,7 +86,7 @@ export class Rpc {
       return;
     }
     const call = typeof message.id === "number" ? this.pending.get(message.id) : undefined;
-    if (call === undefined) return; // answer to an abandoned call
+    if (call === undefined) return; // the answer to an unknown call
     this.pending.delete(message.id as number);
     if (message.error?.code === ErrorCode.AnswerTooLong)
       this.byPost(ASKED_AGAIN_AS[call.method] ?? call.method, call.params).then(call.resolve, call.reject);
@@ -95,7 +98,7 @@ export class Rpc {
     return new Promise((resolve, reject) => settle(JSON.parse(text) as Message, { resolve, reject }));
   }
 
-  /** Rejects all pending calls with Disconnected. Call when the socket has closed. */
+  /** Rejects all unanswered calls with Disconnected. Call when the socket has closed. */
   close(): void {
     for (const call of this.pending.values()) call.reject(new Disconnected());
     this.pending.clear();

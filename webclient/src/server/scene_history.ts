@@ -1,38 +1,41 @@
-// Copy of the server's undo and redo steps. Restores them after a server restart.
+// Copy of the server's undo and redo steps. A restarted server gets them when the session is opened again.
 import type { Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
-/** Merge patches, nearest step first. The first applies to the scene, each next one to the previous result. */
+/**
+ * Undo and redo steps as merge patches, nearest first. The first patch applies to the current scene, each next one to
+ * the previous result.
+ */
 export interface Steps {
   undo: JsonObject[];
   redo: JsonObject[];
 }
 
 const MOST_STEPS = 50;
-/** Limit of all patches as JSON: the message that carries them has at most 1 MiB. */
+/** Limit of the characters of all patches as JSON. The message that contains them has at most 1 MiB. */
 const MOST_CHARACTERS = 400_000;
-/** Gesture of other clients' changes. Consecutive ones are one step: their gestures are unknown. */
+/** Gesture name for the changes of other clients. Their gestures are unknown, so consecutive ones count as one step. */
 const OF_OTHERS = "others";
 
 export class SceneHistory {
-  /** The server's scene; null until a session was open. */
+  /** The server's scene; null until a session has been opened. */
   private scene: JsonObject | null = null;
   private steps: Steps = { undo: [], redo: [] };
   private gesture = "";
 
-  /** Call when the server has accepted a change of this page. */
+  /** The server has accepted a change of this page. */
   changed(patch: JsonObject, gesture: string): void {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
-  /** Call with the server's scene, whichever client changed it. */
+  /** The server has this scene. Any client may have changed it. */
   found(scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null) this.scene = found;
     else this.become(found, OF_OTHERS);
   }
 
-  /** Call with the scene after an undo or redo. The server skips steps that it cannot show. */
+  /** An undo or redo of this page led to this scene. The server skips steps whose scene it cannot show. */
   moved(step: keyof Steps, scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null || equal(this.scene, found)) return;
@@ -42,7 +45,7 @@ export class SceneHistory {
     while (!equal(at, found)) {
       const patch = taken.shift();
       if (patch === undefined) {
-        this.found(scene); // a scene unknown to this page
+        this.found(scene); // the steps of this page do not lead to this scene
         return;
       }
       const next = applyPatch(at, patch) as JsonObject;
@@ -54,7 +57,10 @@ export class SceneHistory {
     this.steps = step === "undo" ? { undo: taken, redo: back } : { undo: back, redo: taken };
   }
 
-  /** Steps for a session that begins with this scene. The scene may have changes unknown to the server. */
+  /**
+   * Steps to open a session with, starting at this scene. The scene may contain changes that the server has not
+   * accepted.
+   */
   around(scene: Scene): Steps {
     const begun = scene as unknown as JsonObject;
     if (this.scene === null) return { undo: [], redo: [] };
@@ -82,7 +88,7 @@ export class SceneHistory {
   }
 }
 
-/** The nearest steps that fit in one message. */
+/** Returns as many of the nearest steps as fit into one message. */
 function fitting({ undo, redo }: Steps): Steps {
   let left = MOST_CHARACTERS;
   const near = (patches: JsonObject[]): JsonObject[] => {

@@ -1,5 +1,5 @@
-// Camera of a scene without one. The server chooses it and leaves room for annotations. Overlays of the canvas and the
-// first camera gesture use it.
+// Fetches the camera that the server chooses for a scene without one. It leaves room for annotations. Overlays of the
+// canvas and the first camera gesture use it.
 import { complete } from "../model/camera";
 import type { Core } from "./core";
 
@@ -8,7 +8,7 @@ export class SeenFrom {
 
   constructor(private readonly server: Core) {}
 
-  /** Call after the server's scene or the canvas has changed. */
+  /** Fetches the camera again if needed. Call after the scene or the canvas size has changed. */
   async reconsider(): Promise<void> {
     const { editor, model, session, size, tab } = this.server;
     const { scene } = editor;
@@ -21,7 +21,7 @@ export class SeenFrom {
       const camera = complete(await session.call("scene.camera", { session: tab.id, ...pixels }));
       if (key === this.asked) model.seenFrom.value = { dataset: scene.dataset, camera };
     } catch {
-      this.asked = ""; // the view reports the failure
+      this.asked = ""; // view.failed already reports why the scene cannot be drawn
     }
   }
 }

@@ -1,4 +1,4 @@
-// The page's access to the server: one session, its scene and its calls. Writes results into the model.
+// The page's access to the server: one session, its scene and its calls. Results are written into the model.
 import type { CanvasSize } from "../model/canvas_size";
 import { layerName } from "../model/layer_names";
 import { update, type Model } from "../model/model";
@@ -56,14 +56,18 @@ export class Server implements Core {
         gone: (layer) =>
           showToast(
             model,
-            `${layerName(layer)} is gone: another window or a script has removed it. Nothing was changed`,
+            `${layerName(layer)} no longer exists: another window or a script has removed the layer. Nothing was changed`,
             "error",
           ),
         stuck: (step, error) =>
-          showToast(model, `This cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`, "error"),
+          showToast(
+            model,
+            `The change cannot be ${step === "undo" ? "undone" : "redone"}. ${wordsFor(error)}`,
+            "error",
+          ),
       },
       { now, requestFrame: (callback) => void requestAnimationFrame(callback) },
-      Math.random().toString(36).slice(2, 10), // distinguishes gestures from those of other pages
+      Math.random().toString(36).slice(2, 10), // distinguishes the gestures of several pages in one session
     );
     const address = socketAddress(document.baseURI);
     const post = postTo(document.baseURI);
@@ -84,25 +88,25 @@ export class Server implements Core {
     setInterval(() => this.refreshRate(), RATE_MS);
   }
 
-  /** Call after the canvas size has changed. */
+  /** Requests pictures of the new size. Call after the canvas size has changed. */
   resized(): void {
     this.session.resize();
     void this.seenFrom.reconsider();
   }
 
   fail(error: unknown): void {
-    // A lost connection has its own notice.
+    // The page shows a lost connection separately.
     if (!(error instanceof Disconnected)) showToast(this.model, wordsFor(error as Error), "error");
   }
 
-  /** The server's scene at a revision. Its picture may already be shown. */
+  /** The server has this scene at this revision. A picture of it may already be shown. */
   taken(revision: number, scene: Scene): void {
     this.scenes.taken(revision, scene);
     const { readout } = this.model;
-    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session yet
+    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session
   }
 
-  /** A frame is on the screen. */
+  /** A frame was drawn on the canvas. `bytes`: size of its messages. */
   presented(header: FrameHeader, bytes: number): void {
     const { model, page } = this;
     const at = now();

@@ -1,4 +1,4 @@
-// Opens or rejoins the session and its view after every connection.
+// Opens the session and its view after each connection, or joins them again.
 import type { Notifications, Scene, SessionState } from "../generated/protocol";
 import type { ConnectionState } from "../model/state";
 import { Connection, type Clock, type SocketLike } from "./connection";
@@ -11,20 +11,20 @@ export interface ViewSize {
   pixel_ratio: number;
 }
 
-/** Requested stream of a view. `moving` is the format of moving pictures; stills are always PNG. */
+/** Stream requested for a view. `moving`: format of pictures during changes; stills are always PNG. */
 export interface StreamWish {
   stream: "image" | "geometry";
   moving: "png" | "jpeg";
 }
 
 export interface SessionHost {
-  /** Returns the scene to open a new session with; null if there is nothing to show. */
+  /** Returns the scene for a new session, or null if there is nothing to show. */
   firstScene(call: Caller): Promise<Scene | null>;
   viewSize(): ViewSize;
   stream(): StreamWish;
-  /** A view is being opened: its frames may arrive before viewOpened(). */
+  /** Called before view.open. Frames of the new view may arrive before viewOpened(). */
   viewOpening(): void;
-  /** 0: no view. */
+  /** A view was opened, or the view has ended (0). */
   viewOpened(view: number): void;
   opened(state: SessionState): void;
   /** The server refused to open the session or its view. */
@@ -42,7 +42,10 @@ export class Session {
   private readonly connection: Connection;
   private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
-  /** Scene to open instead of the editor's scene, which the server refused or never had. */
+  /**
+   * Scene to open the session with instead of the editor's scene. The server refused the editor's scene, or has never
+   * had it.
+   */
   private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
@@ -82,7 +85,7 @@ export class Session {
     this.connection.lost();
   }
 
-  /** Rejects with Disconnected while there is no connection. */
+  /** Calls a method of the server. Rejects with Disconnected while there is no connection. */
   call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
     return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params);
   }
@@ -98,7 +101,7 @@ export class Session {
     if (!isSame) this.renew();
   }
 
-  /** Requests the view's frame again, with all of its polygons. */
+  /** Requests the current frame of the view again. The server then sends all polygons. */
   renew(): void {
     if (this.view === 0) return;
     const size = this.host.viewSize();
@@ -112,7 +115,9 @@ export class Session {
     this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
-  /** Shows this scene. If no session is open (no scene before, or refused), opens it with this scene. */
+  /**
+   * Shows this scene. Opens the session with it if none is open, because there was no scene or the server refused it.
+   */
   async begin(scene: Scene): Promise<void> {
     this.chosen = scene;
     await this.joining;
@@ -124,11 +129,11 @@ export class Session {
     }
   }
 
-  /** Retries to open the session after a refusal. */
+  /** Tries again to open the session that the server has refused. */
   async open(): Promise<void> {
     const { rpc, joining } = this;
     await joining;
-    if (this.joining !== joining) return; // another call is already opening it
+    if (this.joining !== joining) return; // another call to open() continues
     if (rpc !== null && rpc === this.rpc && !this.editor.isConnected) await this.joinOrSayWhy(rpc);
   }
 
@@ -150,7 +155,7 @@ export class Session {
     const { chosen } = this;
     this.joining = this.join(rpc, chosen).catch((error: unknown) => {
       if (this.rpc !== rpc) return;
-      if (this.chosen === chosen) this.chosen = null; // the next try uses the previous scene, if any
+      if (this.chosen === chosen) this.chosen = null; // the next attempt uses the editor's scene
       this.setView(0);
       this.editor.disconnected();
       this.host.refused(error as Error);
@@ -178,7 +183,7 @@ export class Session {
       state,
     );
     this.host.opened(state);
-    // Another page may have opened the session with another dataset.
+    // Another page may have opened the session before, with another dataset.
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.sentStream = this.host.stream();
@@ -186,7 +191,7 @@ export class Session {
     const { view } = await rpc.call("view.open", { session, ...this.sentSize, ...this.sentStream });
     if (this.rpc !== rpc) return;
     this.setView(view);
-    this.resize(); // size and stream may have changed meanwhile
+    this.resize(); // size and stream may have changed since view.open was sent
     this.setStream(this.host.stream());
   }
 
@@ -200,12 +205,12 @@ export class Session {
   }
 }
 
-/** Error text for the user: the server's reason and the path in the scene. */
+/** Text of an error for the user: the server's reason, and the path of the refused member of the scene. */
 export function wordsFor(error: Error): string {
   if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
   const { reason, path } = error.data as { reason?: unknown; path?: unknown };
   const words = typeof reason === "string" && reason !== "" ? reason : error.message;
   const sentence = words.charAt(0).toUpperCase() + words.slice(1);
-  // A schema error already begins with the path.
+  // The text of a schema error already begins with the path.
   return typeof path === "string" && !words.startsWith(path) ? `${sentence} (${path})` : sentence;
 }

@@ -1,4 +1,4 @@
-// Applies the server's answers and notifications to the page.
+// Applies the server's answers and notifications to the page's state.
 import type { Notifications, Scene } from "../generated/protocol";
 import { wordsFor, type SessionHost } from "./session";
 import { describeDataset, listDatasets } from "./datasets";
@@ -10,7 +10,7 @@ import type { Core } from "./core";
 
 type Handlers = { [N in keyof Notifications]: (params: Notifications[N]) => void };
 
-const NOTHING = "The server offers no dataset that can be opened. Start it with one: ciel serve NAME.ciel";
+const NOTHING = "The server has no dataset that can be opened. Start the server with a dataset: ciel serve NAME.ciel";
 
 function removePicture(server: Core): void {
   server.page.clearPicture();
@@ -41,13 +41,13 @@ export function sessionHost(server: Core): SessionHost {
       server.latency.reset();
       server.scenes.clear();
       server.histograms.clear();
-      // If the server forgot the previous session, its revisions are invalid now.
+      // A restarted server counts revisions from the start, so the readout's revision is reset.
       update(server.model, { fatal: null, revision, readout: { ...server.model.readout.peek(), revision: 0 } });
       server.taken(revision, scene);
       void describeDataset(server, true);
     },
     refused: (error) => {
-      removePicture(server); // it shows a session that no longer exists
+      removePicture(server); // the picture shows a session that no longer exists
       update(server.model, {
         fatal: wordsFor(error),
         description: null,
@@ -94,12 +94,12 @@ function notificationHandlers(server: Core): Handlers {
   return {
     "dataset.changed": ({ dataset, times }) => {
       const description = server.model.description.peek();
-      void listDatasets(server); // it may have become unusable, or usable again
+      void listDatasets(server); // this dataset may have become usable or unusable
       if (description?.name !== dataset) return;
       const more = times === undefined ? 0 : times.length - description.times.length;
       const appended = more > 0 && description.times.every((time, step) => time === times?.[step]);
       if (appended) showToast(server.model, `${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
-      else server.histograms.clear(); // replaced; an append keeps the existing steps
+      else server.histograms.clear(); // the dataset was replaced; an append keeps the values of earlier steps
       void describeDataset(server, true);
     },
     "scene.changed": ({ session, revision, scene }) => {
@@ -110,7 +110,7 @@ function notificationHandlers(server: Core): Handlers {
     },
     "view.failed": ({ message, revision }) => {
       server.page.stopPlaying();
-      if (openingIn(server.model) !== null) removePicture(server); // it shows another dataset
+      if (openingIn(server.model) !== null) removePicture(server); // it shows the previous dataset
       update(server.model, { failedRevision: revision });
       showToast(server.model, message, "error");
     },

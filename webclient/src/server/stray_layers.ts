@@ -1,4 +1,4 @@
-// Changes of layers that another client of the session has removed.
+// Finds changes of layers that another client has removed.
 import type { Layer, Scene } from "../generated/protocol";
 import { isObject, type JsonObject } from "../model/merge_patch";
 
@@ -6,7 +6,10 @@ export function removedBetween(before: Scene | null, after: Scene): [string, Lay
   return Object.entries(before?.layers ?? {}).filter(([id]) => !(id in (after.layers ?? {})));
 }
 
-/** Ids of layers that the patch changes but the scene does not have. A layer with a type is new, not stray. */
+/**
+ * Ids of layers that the patch changes but that the scene lacks. A change with a type adds a layer, so it is not
+ * counted.
+ */
 export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
   if (!isObject(layers)) return [];
   return Object.keys(layers).filter((id) => {

@@ -1,4 +1,4 @@
-// Selects the stream of the view: the user's choice, or for `auto` by scene, gesture and line rate.
+// Selects the stream of the view: the user's choice, or for `auto` the one that chooseStream suggests.
 import type { Scene } from "../generated/protocol";
 import { FrameKind, type FrameHeader } from "../generated/frame_header";
 import { layersOf } from "../model/scalars";
@@ -8,12 +8,12 @@ import { LineRate } from "./line_rate";
 import type { StreamWish } from "./session";
 import type { Core } from "./core";
 
-/** A gesture ends after this pause. */
+/** Milliseconds without a change after which a gesture has ended. */
 const REST_MS = 600;
-/** Estimates until the first frame of each kind. */
+/** Estimated cost of pictures and polygons until the first frame of each kind has arrived. */
 const USUAL_PICTURE = { bytesOfPixel: 0.07, ms: 60 };
 const USUAL_TRIANGLE_BYTES = 8;
-/** Draw times up to this are not scaled by the number of triangles. */
+/** Draw times up to this limit are not scaled by the number of triangles. */
 const SMOOTH_MS = 33;
 
 export class Streams {
@@ -24,20 +24,22 @@ export class Streams {
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
-  /** Times exclude extraction, which varies with the iso-value. */
+  /**
+   * Bytes and server time of the newest moving picture. The time excludes extraction, which depends on the iso-value.
+   */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
   private polygons: { bytes: number; triangles: number } | null = null;
 
   constructor(private readonly server: Core) {}
 
-  /** Returns the stream to open a view with. */
+  /** Returns the stream to request when a view is opened. */
   current(): StreamWish {
     this.asked = this.wanted();
     return this.asked;
   }
 
-  /** Call for each message of the view. The line rate may be known before the frame is complete. */
+  /** A message of the view has arrived. The line rate can be measured before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
     if (this.rate.arrived(header, at)) this.reconsider();
   }
@@ -50,7 +52,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** Call when the scene has changed, here or in another window. */
+  /** The scene has changed, in this page or another one. */
   changed(before: Scene | null, now: Scene | null): void {
     if (before === null || now === null || before === now) return;
     const keys = new Set([...Object.keys(before), ...Object.keys(now)]) as Set<keyof Scene>;
@@ -64,7 +66,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** Call when an input of the choice may have changed. */
+  /** Chooses the stream again. Call when a measured value may have changed. */
   reconsider(): void {
     const wanted = this.wanted();
     if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
@@ -108,14 +110,20 @@ export class Streams {
     return stream;
   }
 
-  /** Keeps the text while `about` is the same: the numbers vary with every frame. */
+  /**
+   * Shows the reason for the choice. The text stays while `about` is the same, because its numbers vary with every
+   * frame.
+   */
   private say(about: string, streamWhy: string): void {
     if (about === this.said) return;
     this.said = about;
     this.server.model.streamWhy.value = streamWhy;
   }
 
-  /** Measured draw time, scaled to `triangles` if above SMOOTH_MS; null if unknown. */
+  /**
+   * Time to draw `triangles` triangles in milliseconds; null if not measured. Measured times up to SMOOTH_MS are not
+   * scaled.
+   */
   private drawMs(triangles: number): number | null {
     const { milliseconds } = this.pace;
     const drawn = this.polygons?.triangles ?? 0;
@@ -123,7 +131,10 @@ export class Streams {
     return (milliseconds * triangles) / drawn;
   }
 
-  /** At most the still's time: the first picture includes shader compilation. */
+  /**
+   * Server time of a moving picture in milliseconds. At most that of the still, because the first picture includes
+   * shader compilation.
+   */
   private pictureMs(): number {
     if (this.picture === null) return USUAL_PICTURE.ms;
     return Math.min(this.picture.ms, this.still?.ms ?? Infinity);

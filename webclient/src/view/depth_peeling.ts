@@ -1,6 +1,6 @@
-// Depth peeling: draws transparent surfaces, lines and points in the correct order at every pixel, also where they
-// intersect. Each layer has the nearest fragments behind the previous one. Same method as the server
-// (server/render/surfaces/depth_peeling.hpp). After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
+// Depth peeling: draws transparent surfaces, lines and points in depth order at every pixel, even where they intersect.
+// A layer has, at each pixel, the nearest fragment behind the previous layer. Same method as
+// server/render/surfaces/depth_peeling.hpp. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
 import type { PartPrograms, Picture } from "./geometry_parts";
 import { buildProgram, type Program } from "./gl_program";
 import { LayerCount, MOST_LAYERS } from "./layer_count";
@@ -14,23 +14,26 @@ import {
 import { makeSheetTexture, SheetMaker, type Sheet, type Sheets } from "./peeling_sheets";
 import { LINE_FRAGMENT, LINE_VERTEX, POINT_FRAGMENT, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
-/** Sheets take 28 bytes per pixel, 44 with lines: at twice the resolution at most 0.4 gigabytes. */
+/**
+ * Largest picture, in pixels, whose layers are drawn at twice its resolution. The render targets then take at most 0.4
+ * GB: 28 bytes per target pixel, or 44 with lines.
+ */
 const MOST_PIXELS_AT_TWICE_THE_RESOLUTION = 2 << 20;
 
-/** Texture units; unit 0 has the color scale. */
+/** Texture units of the peeling shaders' samplers. Unit 0 has the color scale. */
 const UNITS = { nearer: 1, nearer_lines: 2, own_lines: 3, behind: 4, sum: 5, layer: 6 };
 
 export interface PeeledScene {
   width: number;
   height: number;
-  /** Draws at the picture's own resolution and with fewer layers. */
+  /** Whether the camera moves. If so, layers have the picture's own resolution, and there are fewer. */
   moving: boolean;
-  /** Lines of less than full opacity are among the layers. */
+  /** Whether the layers contain lines of less than full opacity. */
   joins: boolean;
-  /** Draws opaque surfaces, for their depth. */
+  /** Draws the opaque surfaces. Only their depth is used. */
   drawOpaque(picture: Picture): void;
   drawLayer(programs: PartPrograms, picture: Picture): void;
-  /** Draws lines of less than full opacity again. */
+  /** Draws the lines of less than full opacity a second time, to join their segments. */
   joinLines(programs: PartPrograms, picture: Picture): void;
 }
 
@@ -46,7 +49,7 @@ export class DepthPeeling {
   private readonly count = new LayerCount();
   private sheets: Sheets | null = null;
   private made = "";
-  /** Number of layers of the newest picture whose queries are unread. */
+  /** Number of layers of the newest picture whose occlusion queries have not been read; 0 after reading. */
   private asked = 0;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
@@ -64,23 +67,24 @@ export class DepthPeeling {
     this.noLines = makeSheetTexture(gl, gl.RGBA8, 1, 1);
   }
 
-  /** Frees the sheets; the next draw allocates them again. */
+  /** Frees the render targets. The next draw allocates them again. */
   free(): void {
     this.maker.free();
     this.sheets = null;
   }
 
-  /** Blends the layers over the opaque picture on the canvas. */
+  /** Blends the transparent layers over the opaque picture on the canvas. */
   draw(scene: PeeledScene): void {
     const { gl } = this;
     const twice = scene.width * scene.height <= MOST_PIXELS_AT_TWICE_THE_RESOLUTION ? 2 : 1;
     const sheets = this.sheetsFor(twice * scene.width, twice * scene.height, scene.joins);
-    const pixels = scene.moving ? 1 : twice; // moving uses a part of the sheets, so that a drag allocates nothing
+    // Moving pictures use a part of the render targets, so a drag allocates nothing.
+    const pixels = scene.moving ? 1 : twice;
     const picture = { width: pixels * scene.width, height: pixels * scene.height, pixels };
     gl.viewport(0, 0, picture.width, picture.height);
     this.drawOpaque(scene, sheets, picture);
     this.begin(sheets);
-    this.lacksLayers(); // reads available query results
+    this.lacksLayers(); // reads query results that are available
     this.asked = this.count.next(scene.moving);
     let [layer, nearer] = sheets.layers;
     for (const query of this.queries.slice(0, this.asked)) {
@@ -96,7 +100,10 @@ export class DepthPeeling {
     this.putOnCanvas(sheets, pixels);
   }
 
-  /** Whether a new picture would have more layers than the newest; null if not known yet. */
+  /**
+   * Whether drawing again would show more layers than the newest picture has; null until the query results are
+   * available.
+   */
   lacksLayers(): boolean | null {
     const { gl } = this;
     const asked = this.queries.slice(0, this.asked);
@@ -136,7 +143,8 @@ export class DepthPeeling {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // Depth at the centers of the layers' pixels. The canvas is multisampled, so its depth cannot be used.
+  // Draws the depth of opaque surfaces at the centers of the layers' pixels. The canvas is multisampled, so its depth
+  // cannot be used.
   private drawOpaque(scene: PeeledScene, { opaque }: Sheets, picture: Picture): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, opaque.framebuffer);
@@ -184,7 +192,7 @@ export class DepthPeeling {
     gl.blendEquation(gl.FUNC_ADD);
   }
 
-  // Blends the layer behind the sum; colors are premultiplied.
+  // Blends the newest layer behind the sum of the earlier ones. Colors are premultiplied.
   private add({ sum, colors }: Sheets): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, sum.framebuffer);

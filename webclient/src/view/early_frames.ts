@@ -1,7 +1,11 @@
-// Frames that arrive before the answer to view.open, which names their view (protocol/frame.md).
+// Keeps frames that arrive before the answer to view.open. Only the answer tells the id of the new view
+// (protocol/frame.md).
 import type { FrameHeader } from "../generated/frame_header";
 
-/** The server sends at most this many before the first acknowledgement, and early frames are not acknowledged. */
+/**
+ * Number of frames kept for a view. The server sends at most this many before the first acknowledgement, and early
+ * frames are not acknowledged.
+ */
 const MOST_FRAMES = 2;
 
 interface EarlyFrame {
@@ -21,7 +25,7 @@ export class EarlyFrames {
     if (frames.length > MOST_FRAMES) frames.shift();
   }
 
-  /** Messages of the view, in order of arrival. */
+  /** Returns the kept messages of a view in order of arrival. */
   of(view: number): ArrayBuffer[] {
     return (this.views.get(view) ?? []).flatMap(({ messages }) => messages);
   }

@@ -1,4 +1,4 @@
-// Draws the polygon stream in the browser: the camera moves without a round trip.
+// Draws the polygon stream with WebGL2. The camera then moves without a round trip to the server.
 import type { GeometryBatch } from "../server/geometry";
 import { DepthPeeling } from "./depth_peeling";
 import { GeometryParts, type PartPrograms, type Picture } from "./geometry_parts";
@@ -17,11 +17,12 @@ import {
 
 const isOpaqueSurface = (batch: GeometryBatch): boolean => isSurface(batch) && batch.color[3] >= 1;
 const isTransparent = (batch: GeometryBatch): boolean => batch.color[3] > 0 && batch.color[3] < 1;
-// If there are layers, lines and points are in them: drawn earlier, their soft edges would hide layers behind them.
+// If depth peeling is used, lines and points are in its layers. If they were drawn before, their soft edges would hide
+// layers behind them.
 const isInLayers = (batch: GeometryBatch): boolean => isTransparent(batch) || (!isSurface(batch) && batch.color[3] > 0);
 const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent(batch);
 
-/** The constructor throws Error if the browser has no WebGL2. */
+/** Canvas for the polygon stream. The constructor throws Error if the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private programs!: PartPrograms;
@@ -35,7 +36,8 @@ export class GeometryCanvas {
     restored: () => void,
   ) {
     const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
-    if (gl === null) throw new Error("This browser has no WebGL2; the stream of images works without it");
+    if (gl === null)
+      throw new Error("The browser has no WebGL2; choose the stream of images, which works without WebGL2");
     this.gl = gl;
     this.prepare();
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
@@ -52,12 +54,12 @@ export class GeometryCanvas {
     if (!this.isPeeled) this.peeling?.free();
   }
 
-  /** Whether depth peeling is used. A moving picture then differs from one at rest. */
+  /** Whether depth peeling is used. A moving picture then has fewer layers than one at rest, so it must be redrawn. */
   get isPeeled(): boolean {
     return this.parts.has(isTransparent);
   }
 
-  /** Whether a new picture would show more layers; null if not known yet. */
+  /** Whether drawing again would show more transparent layers; null if not known yet. */
   lacksLayers(): boolean | null {
     return this.isPeeled && this.peeling !== null ? this.peeling.lacksLayers() : false;
   }
@@ -83,7 +85,7 @@ export class GeometryCanvas {
   private drawOpaque(look: Look, picture: Picture): void {
     const { gl } = this;
     this.parts.prepare(this.programs, look, picture);
-    // Offsets surfaces backwards, so that lines on them are not half hidden.
+    // Moves surfaces back in depth, so that they do not cover half of the lines on them.
     gl.polygonOffset(this.parts.reachOfOverlays() * picture.pixels, 1);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     this.parts.draw(this.programs, look, picture.pixels, isOpaqueSurface);

@@ -1,4 +1,4 @@
-// The batches of a frame in GPU memory. Each is drawn by the program for its kind.
+// The batches of a frame in GPU memory, and the draw calls for them.
 import { boundsRadius } from "../model/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "./matrices";
 import type { GeometryBatch } from "../server/geometry";
@@ -10,7 +10,7 @@ import type { Look } from "./look";
 import { isSurface, placesOf } from "./same_places";
 import { ScaleTextures, scaleUniforms } from "./scale_textures";
 
-/** Texture unit of line ends. Unit 0 has the color scale, depth_peeling.ts uses those between. */
+/** Texture unit of line ends. Unit 0 has the color scale; depth_peeling.ts uses units 1 to 6. */
 const ENDS_UNIT = 7;
 
 export interface PartPrograms {
@@ -24,18 +24,21 @@ interface Part {
   place: number;
   vertexArray: WebGLVertexArrayObject;
   buffers: WebGLBuffer[];
-  /** Line ends; lines have no buffers. null for other kinds. */
+  /** Texture with the ends of the batch's lines, which have no vertex buffers. null for surfaces and points. */
   ends: WebGLTexture | null;
 }
 
-/** Size of the render target. `pixels`: target pixels per picture pixel along one side. */
+/** Size of the render target in pixels. `pixels`: target pixels per picture pixel along one side. */
 export interface Picture {
   width: number;
   height: number;
   pixels: number;
 }
 
-/** Compares identity: the decoder returns the same arrays for unchanged parts. */
+/**
+ * Whether two batches have the same arrays. Comparing references is enough: the decoder returns unchanged parts as the
+ * same arrays.
+ */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
   a.normals === b.normals &&
@@ -52,7 +55,7 @@ export class GeometryParts {
     this.textures = new ScaleTextures(gl);
   }
 
-  /** Uploads new batches, keeps unchanged ones, frees the others. */
+  /** Uploads new batches, keeps unchanged ones on the GPU and frees all others. */
   set(batches: GeometryBatch[]): void {
     const before = new Set(this.parts);
     const places = placesOf(batches);
@@ -78,13 +81,16 @@ export class GeometryParts {
     return this.parts.some(({ batch }) => wanted(batch));
   }
 
-  /** Pixels by which lines and points extend beyond their position. Same as on the server. */
+  /**
+   * Largest distance in picture pixels from the middle of a line or point to its edge, clamped to 1 to 6. The server
+   * uses the same value.
+   */
   reachOfOverlays(): number {
     const widths = this.parts.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);
   }
 
-  /** Sets the uniforms of a picture. Call once per picture, before draw(). */
+  /** Sets the uniforms that all batches of a picture share. Call once per picture and before draw(). */
   prepare({ surface, lines, points }: PartPrograms, look: Look, { width, height, pixels }: Picture): void {
     const { gl } = this;
     const depths = depthRange(look.camera, look.bounds);

@@ -1,19 +1,19 @@
-// Converts pointer, wheel and touch events of the canvas to camera moves. It knows no scene.
+// Converts pointer, wheel and touch events on the canvas to camera moves.
 import { orbit, pan, roll, type FullCamera, type Size } from "../model/camera";
 import type { Vec3 } from "../model/vector";
 
 export interface GestureTarget {
-  /** null if there is no camera to move. */
+  /** Camera that a gesture moves; null if there is none. */
   camera(): FullCamera | null;
-  size(): Size; // CSS pixels
-  /** Zooms about (x, y). Returns the same camera at the zoom limit. */
+  size(): Size; // of the canvas, in CSS pixels
+  /** Returns the camera zoomed about pixel (x, y), or the same camera at the limit of zooming. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
-  /** `gesture` is the same from press to release. */
+  /** Moves the camera. `gesture` is the same name from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  /** An orbit gesture begins at (x, y). */
+  /** An orbit gesture begins at pixel (x, y). */
   turns(x: number, y: number): void;
-  /** Center of an orbit. */
+  /** Returns the point about which an orbit gesture rotates. */
   pivot(camera: FullCamera): Vec3;
   click(x: number, y: number): void;
   doubleClick(x: number, y: number): void;
@@ -26,9 +26,9 @@ interface Finger {
 
 type Drag = "orbit" | "pan" | "roll";
 
-/** Movement below this many pixels is a click. */
+/** A press that moves by less than this many CSS pixels is a click. */
 const CLICK_SLOP = 4;
-/** Wheel turns closer than this are one gesture. */
+/** Turns of the wheel with shorter pauses are one gesture. */
 const WHEEL_PAUSE_MS = 400;
 const WHEEL_FACTOR_PER_PIXEL = 0.0015;
 const PIXELS_PER_LINE = 16;
@@ -80,7 +80,7 @@ class Gestures {
       const { x, y } = this.at(event);
       if (this.drag === "orbit") this.target.turns(x, y);
     } else {
-      this.travelled = Infinity; // two fingers never click
+      this.travelled = Infinity; // a gesture of two fingers is never a click
     }
     this.fingers.set(event.pointerId, this.at(event));
     this.element.setPointerCapture(event.pointerId);
@@ -135,14 +135,14 @@ class Gestures {
     if (event.timeStamp - this.wheelAt > WHEEL_PAUSE_MS) this.wheelGesture = this.target.newGesture();
     this.wheelAt = event.timeStamp;
     const { x, y } = this.at(event);
-    // A pinch on a touch pad arrives as a wheel with the control key, in far smaller steps.
+    // Browsers report a pinch on a touch pad as wheel events with the control key, in far smaller steps.
     const factor = wheelFactor(event.ctrlKey ? event.deltaY * 6 : event.deltaY, event.deltaMode);
     const next = this.target.zoomed(camera, factor, x, y);
     if (next !== camera) this.target.move(next, this.wheelGesture);
   }
 }
 
-/** Listens for the element's lifetime. */
+/** Converts gestures on the element for its whole lifetime. */
 export function listenToGestures(element: HTMLElement, target: GestureTarget): void {
   new Gestures(element, target);
 }

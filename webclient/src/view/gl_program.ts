@@ -1,4 +1,4 @@
-// A WebGL2 program with its uniforms by name.
+// Compiles WebGL2 programs and caches the locations of their uniforms.
 
 export interface Program {
   program: WebGLProgram;
@@ -12,7 +12,7 @@ export function buildProgram(gl: WebGL2RenderingContext, vertex: string, fragmen
     [gl.FRAGMENT_SHADER, fragment],
   ] as const) {
     const shader = gl.createShader(type);
-    if (shader === null) break; // the context is lost; linking says so
+    if (shader === null) break; // the context is lost: nothing can be compiled
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
     gl.attachShader(program, shader);
@@ -20,9 +20,7 @@ export function buildProgram(gl: WebGL2RenderingContext, vertex: string, fragmen
   }
   gl.linkProgram(program);
   if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true && !gl.isContextLost()) {
-    throw new Error(
-      `The browser's WebGL does not take a shader: ${gl.getProgramInfoLog(program) ?? "no reason given"}`,
-    );
+    throw new Error(`The browser's WebGL rejects a shader: ${gl.getProgramInfoLog(program) ?? "no reason given"}`);
   }
   const locations = new Map<string, WebGLUniformLocation | null>();
   return {

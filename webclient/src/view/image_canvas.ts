@@ -1,15 +1,15 @@
-// Draws pictures of the image stream over the whole canvas. Smaller (interactive) ones are enlarged.
+// Draws pictures of the image stream on a canvas. Smaller pictures, sent during changes, are enlarged to the canvas.
 
 export class ImageCanvas {
   private readonly context: CanvasRenderingContext2D;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const context = canvas.getContext("2d", { alpha: false });
-    if (context === null) throw new Error("This browser draws no 2-d canvas");
+    if (context === null) throw new Error("The browser has no 2-d canvas; use another browser");
     this.context = context;
   }
 
-  // Resizing blanks a canvas, so it is resized only together with a new picture.
+  // Changes the size only together with a new picture, because resizing clears a canvas.
   show(image: ImageBitmap, width: number, height: number): void {
     if (this.canvas.width !== width || this.canvas.height !== height) {
       this.canvas.width = width;

@@ -1,13 +1,13 @@
-// Lines of any width, drawn as rectangles: WebGL lines are one pixel wide. The vertex shader fetches the ends from a
-// texture, with six vertices per line. Instances of four vertices would leave most of the GPU idle.
+// Lines of any width, drawn as rectangles, because WebGL lines are one pixel wide. The vertex shader fetches line ends
+// from a texture and makes six vertices per line. Instancing of four vertices would leave most of the GPU idle.
 import type { GeometryBatch } from "../server/geometry";
 
 const FLOATS_PER_END = 4;
-/** Texture width: WebGL2 guarantees 2048 columns and rows. LINE_VERTEX uses it too. */
+/** Width in texels of the texture with line ends. WebGL2 guarantees 2048 columns and rows. LINE_VERTEX uses it too. */
 export const ENDS_PER_ROW = 2048;
 export const VERTICES_PER_LINE = 6;
 
-/** Returns x, y, z and value of both ends, line after line. */
+/** Returns x, y, z and the scalar of both ends of each line. */
 export function lineEnds({ positions, scalars, indices }: GeometryBatch): Float32Array {
   const ends = new Float32Array(FLOATS_PER_END * indices.length);
   indices.forEach((vertex, at) => {

@@ -1,4 +1,4 @@
-// Camera, bounds, background and lights for drawing polygons.
+// Camera, bounding box, background and lights of a picture of polygons.
 import type { Bounds, FullCamera } from "../model/camera";
 import type { Rgb } from "../model/background";
 import type { Lights } from "../model/lights";

@@ -1,15 +1,18 @@
-// The camera as matrices for WebGL.
+// View and projection matrices of a camera for WebGL, and its near and far planes.
 import { boundsCentre, boundsRadius, frame, type Bounds, type FullCamera } from "../model/camera";
 import { dot, subtract, type Matrix, type Vec3 } from "../model/vector";
 
-/** World offset by `origin` to eye coordinates. float32 positions are offsets, so large coordinates lose no digits. */
+/**
+ * Matrix from positions relative to `origin` to eye coordinates. Positions are float32 offsets, so large world
+ * coordinates lose no digits.
+ */
 export function viewMatrix(camera: FullCamera, origin: Vec3): Matrix {
   const { right: r, up: u, forward: f } = frame(camera);
   const eye = subtract(camera.position, origin);
   return [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, eye), -dot(u, eye), dot(f, eye), 1];
 }
 
-/** Near and far planes close around the box, for the best depth resolution. */
+/** Distances of the near and far plane, close around the bounding box for the best depth resolution. */
 export function depthRange(camera: FullCamera, bounds: Bounds): [number, number] {
   const radius = Math.max(boundsRadius(bounds), 1e-12) * 1.01;
   const along = dot(subtract(boundsCentre(bounds), camera.position), frame(camera).forward);

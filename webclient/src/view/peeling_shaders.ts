@@ -1,23 +1,24 @@
-// Shader parts for PEELED, and programs that cover a whole sheet (depth_peeling.ts). They write the depth that they
-// compare: a fixed-function depth may differ in its last bit.
+// Shader code of depth peeling: parts enabled by PEELED, and programs that cover a whole render target
+// (depth_peeling.ts). The shaders write the depth that they compare, because the fixed-function depth may differ in the
+// last bit.
 
 const VERSION = "#version 300 es\n";
 
-/** Returns the source with the names defined. */
+/** Returns the shader source with a #define for each name. */
 export const defining = (source: string, ...names: string[]): string =>
   source.replace(VERSION, VERSION + names.map((name) => `#define ${name}\n`).join(""));
 
 export const LAYERS = `
 #ifdef PEELED
-uniform highp sampler2D nearer;       // depths of the layer before this one
-uniform highp sampler2D nearer_lines; // its record
-uniform float place_in_order;         // of what lies in the same place (same_places.ts)
-uniform float reach;                  // of lines and points over the place where they are, in pixels
-layout(location = 1) out vec2 record; // number of the last line, and how far back it is that
-const float least = 5e-7;             // of 24 bits the last few, and what rounding takes
+uniform highp sampler2D nearer;       // depths of the previous layer
+uniform highp sampler2D nearer_lines; // line record of the previous layer
+uniform float place_in_order;         // of the batch, among coincident ones (same_places.ts)
+uniform float reach;                  // pixels by which lines and points extend beyond their position
+layout(location = 1) out vec2 record; // x: number of the last line; y: depth up to which fragments belong to it
+const float least = 5e-7;             // smallest depth difference that counts: a few steps of 24 bits, plus rounding
 float depth_in_order() { return gl_FragCoord.z - place_in_order * least; }
-// A little back, so that lines on it are not half buried. Where it is steep that is farther, and beside wide lines what
-// lies just behind it comes before it.
+// Depth of a surface, moved back so that it does not cover half of the lines on it. The distance grows with the slope.
+// On steep surfaces, something close behind may therefore come before the surface.
 float depth_under_lines() {
   return depth_in_order() + reach * max(abs(dFdx(gl_FragCoord.z)), abs(dFdy(gl_FragCoord.z)));
 }
@@ -29,15 +30,16 @@ void leave_out_what_is_seen(float depth) {
 #endif
 `;
 
-// Segments overlap in their joints, where each would absorb light. Fragments of the same mesh as the last line, at the
-// same depth within the depth change of a joint, belong to the same line. The nearest segment is in the layer. JOINING
-// draws them again and keeps the largest coverage.
+// Joins line segments of less than full opacity. Segments of one line overlap at their joints and would absorb light
+// twice there. A fragment belongs to the same line as the last one if both have the same mesh, and if their depths
+// differ by at most the depth change within a joint. The layer has the fragment of the nearest segment. JOINING draws
+// all segments again and keeps the largest coverage.
 export const LINE_LAYERS = `
 #ifdef PEELED
 flat in float joint;
 #ifdef JOINING
-uniform highp sampler2D own_lines; // record of the layer itself
-uniform highp sampler2D behind;    // depths of what is opaque
+uniform highp sampler2D own_lines; // line record of the layer that is being drawn
+uniform highp sampler2D behind; // depths of opaque surfaces
 #endif
 void leave_out_the_same_line(float depth) {
   leave_out_what_is_seen(depth);
@@ -57,8 +59,9 @@ void leave_out_the_same_line(float depth) {
 export const COVER_VERTEX = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }`;
 
-// The offset draws layers coincident with opaque faces over them, despite rounding. Depth 0 ends a pixel whose nearer
-// layers let less than half a color step through.
+// Starts a layer with the depth of the opaque surfaces. The offset keeps layers that coincide with opaque surfaces in
+// front, despite rounding. Depth 0 rejects all further fragments at pixels whose nearer layers let through less than
+// half a color step.
 export const DEPTH_COPY_FRAGMENT = `#version 300 es
 precision highp float;
 uniform highp sampler2D behind;
@@ -83,7 +86,7 @@ void main() {
 export const LAYERS_PICTURE_FRAGMENT = `#version 300 es
 precision highp float;
 uniform highp sampler2D sum;
-uniform int pixels; // of the sheet to one of the picture along a side
+uniform int pixels; // sheet pixels per picture pixel along a side
 out vec4 result;
 void main() {
   ivec2 corner = ivec2(gl_FragCoord.xy) * pixels;

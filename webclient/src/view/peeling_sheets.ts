@@ -1,4 +1,4 @@
-// Render targets of depth peeling.
+// Render targets of depth peeling, called sheets.
 
 export interface Sheet {
   framebuffer: WebGLFramebuffer;
@@ -7,13 +7,16 @@ export interface Sheet {
   record: WebGLTexture | null;
 }
 
-/** Two layers alternate as current and previous layer. They share one color texture. */
+/**
+ * Render targets of a picture. The two of `layers` alternate between current and previous layer and share a color
+ * texture.
+ */
 export interface Sheets {
   opaque: Sheet;
   layers: [Sheet, Sheet];
-  /** The layer's colors alone. */
+  /** Framebuffer with only the color texture of the layers. */
   colors: Sheet;
-  /** Accumulated light, and the transmittance for layers behind. */
+  /** Sum of the light of all layers so far. Alpha: share of the light behind them that is let through. */
   sum: Sheet;
 }
 
@@ -39,7 +42,9 @@ export class SheetMaker {
     this.hasFloats = gl.getExtension("EXT_color_buffer_float") !== null;
   }
 
-  /** Replaces the earlier sheets. `recorded`: layers also record the last line at each pixel. */
+  /**
+   * Allocates render targets and frees the earlier ones. `recorded`: layers also record the last line at each pixel.
+   */
   make(width: number, height: number, recorded: boolean): Sheets {
     const { gl } = this;
     this.free();

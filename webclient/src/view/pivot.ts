@@ -1,5 +1,5 @@
-// Center of an orbit: the surface point under the cursor, else the center of the visible geometry. The server finds it.
-// Until its answer the view orbits about the target, then continues about the pivot without a jump.
+// Center of an orbit: the surface point under the cursor, else the center of the drawn geometry. The server finds it.
+// Until its answer arrives, the view orbits about the camera's target.
 import type { FullCamera } from "../model/camera";
 import type { Vec3 } from "../generated/protocol";
 import type { Server } from "../server/server";
@@ -10,7 +10,7 @@ export class Pivot {
 
   constructor(private readonly server: Server) {}
 
-  /** Asks for the pivot of an orbit that begins at (x, y), in CSS pixels of the canvas. */
+  /** Asks the server for the center of an orbit that begins at (x, y), in CSS pixels of the canvas. */
   seek(x: number, y: number): void {
     const { editor, session, size, tab } = this.server;
     const dataset = editor.scene?.dataset;
@@ -25,7 +25,7 @@ export class Pivot {
         const at = position ?? centre;
         if (turn === this.asked && at !== null) this.known = { dataset, at };
       },
-      () => undefined, // keeps orbiting about the target
+      () => undefined, // on failure, orbits about the target
     );
   }
 

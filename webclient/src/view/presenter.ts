@@ -1,4 +1,4 @@
-// From binary messages to the screen: decode, keep the newest, draw in an animation frame, then acknowledge.
+// Shows binary messages on the screen: decodes them, draws the newest frame in an animation frame, and acknowledges it.
 import { MissingPart, type GeometryBatch } from "../server/geometry";
 import { EarlyFrames } from "./early_frames";
 import { readFrameHeader, FrameKind, type FrameHeader } from "../generated/frame_header";
@@ -10,18 +10,18 @@ export interface Screen {
 }
 
 export interface PresenterEvents {
-  /** A message of any view, which may be a piece of a frame. */
+  /** A message of any view has arrived. It may be one piece of a frame. */
   arrived(header: FrameHeader): void;
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
   failed(error: Error): void;
-  /** A frame refers to polygons of an earlier damaged frame. */
+  /** A frame refers to polygons of an earlier frame that could not be decoded. All polygons must be requested again. */
   incomplete(): void;
 }
 
 export interface Decoders {
   image(message: ArrayBuffer): Promise<ImageBitmap>;
-  /** Decodes the frames of one view; call clear() before another view. */
+  /** Decodes the frames of one view. Call clear() before frames of another view. */
   geometry: { decode(message: ArrayBuffer): GeometryBatch | null; clear(): void };
 }
 
@@ -39,7 +39,7 @@ export class Presenter {
   private ready: ReadyFrame | null = null;
   private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
   private frameRequested = false;
-  /** null unless a view is being opened. */
+  /** Frames of the view that is being opened; null if none is. */
   private early: EarlyFrames | null = null;
 
   constructor(
@@ -49,13 +49,13 @@ export class Presenter {
     private readonly requestFrame: (callback: () => void) => void,
   ) {}
 
-  /** A view is being opened: its frames may arrive before `show`. */
+  /** Call before view.open. Keeps frames that arrive before show() names the view. */
   expect(): void {
     this.show(0);
     this.early = new EarlyFrames();
   }
 
-  /** Shows only frames of this view from now on. 0: none. */
+  /** Shows only frames of this view from now on. 0: no frames at all. */
   show(view: number): void {
     const early = this.early?.of(view) ?? [];
     this.early = null;
@@ -93,7 +93,8 @@ export class Presenter {
   private receiveWhole(header: FrameHeader, message: ArrayBuffer): void {
     if (header.kind === FrameKind.image) this.receiveImage(header, message);
     else if (header.kind === FrameKind.geometry) this.receiveGeometry(header, message);
-    else throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload it`);
+    else
+      throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload the page`);
   }
 
   private receiveImage(header: FrameHeader, message: ArrayBuffer): void {
@@ -107,7 +108,7 @@ export class Presenter {
         }
       },
       (error: unknown) => {
-        // Acknowledged despite the failure: else the server waits forever, and the next frame may be valid.
+        // Acknowledges the damaged frame. Without this, the server would not send the next one.
         if (view === this.view) this.events.acknowledge(view, header.frame);
         this.events.failed(error as Error);
       },
@@ -130,14 +131,14 @@ export class Presenter {
     if (!header.lastOfFrame) return;
     this.parts = null;
     if (parts.damaged) {
-      this.events.acknowledge(header.view, header.frame); // as with a damaged image
+      this.events.acknowledge(header.view, header.frame); // like a damaged image, see receiveImage
       return;
     }
     const draw = (): void => this.screen.showGeometry(parts.batches);
     this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
   }
 
-  // A decoder may finish an older frame after a newer one: the older one is skipped.
+  // Skips a frame that was decoded after a newer one.
   private offer(frame: ReadyFrame): void {
     const stale = frame.header.frame <= this.lastFrame;
     if (stale || (this.ready !== null && this.ready.header.frame > frame.header.frame)) {
@@ -168,7 +169,7 @@ export class Presenter {
       frame.draw();
       this.events.presented(frame.header, frame.bytes);
     } catch (error) {
-      this.events.failed(error as Error); // a browser without WebGL2
+      this.events.failed(error as Error); // draw() throws if the browser has no WebGL2
     }
     frame.release();
     this.events.acknowledge(frame.header.view, frame.header.frame);

@@ -1,4 +1,4 @@
-// Fixed drawing order of coincident geometry, independent of the camera.
+// Order of batches whose geometry coincides. It does not depend on the camera.
 import type { GeometryBatch } from "../server/geometry";
 
 export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
@@ -6,8 +6,9 @@ export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !bat
 type Described = Pick<GeometryBatch, "layer" | "lines" | "points" | "color" | "width">;
 
 /**
- * Returns one place per batch, from 1; a higher place is nearer. Points are nearer than lines, lines nearer than
- * surfaces. Within a kind, layer names decide, so the layer order has no effect. Batches of one mesh share a place.
+ * Returns one place for each batch, from 1. Where batches coincide, the one with the higher place is drawn in front:
+ * points before lines, lines before surfaces, then by layer id. The scene's layer order has no effect. Lines or points
+ * of one layer share a place if color and width are equal; surfaces of one layer always do.
  */
 export function placesOf(batches: readonly Described[]): number[] {
   const keys = batches.map(({ layer, lines, points, color, width }) =>

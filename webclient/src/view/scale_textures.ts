@@ -1,4 +1,5 @@
-// A color scale for the shaders: a row of colors and a few uniforms (server/render/surfaces/color_scales.cpp).
+// A color scale for the shaders: a texture with one row of colors, and uniforms
+// (server/render/surfaces/color_scales.cpp).
 import {
   bytesOf,
   colorRow,
@@ -11,15 +12,18 @@ import {
 } from "../model/color_scale";
 import type { Rgb } from "../model/background";
 
-/** Texels of a row; color points at this distance along the range are still distinct. */
+/** Texels of the color row. It resolves color points that are 1/1024 of the range apart. */
 const ROW_SIZE = 1024;
-/** Dragging a color point makes a row for each position. */
+/** Number of textures kept. Dragging a color point needs a new texture for each position. */
 const MOST_KEPT = 16;
 
 export interface ScaleUniforms {
-  /** Subtracted from values, `rule` and `inside`, so that a small range far from 0 keeps its digits. */
+  /**
+   * Subtracted from values, from the low end in `rule` and from `inside`. Values of a small range far from 0 then keep
+   * their digits as floats.
+   */
   origin: number;
-  /** low, 1 / width, steps, way: as in server/render/surfaces/color_glsl.cpp. */
+  /** Low end, 1 / width, steps, way, as in server/render/surfaces/color_glsl.cpp. */
   rule: [number, number, number, number];
   inside: [number, number];
   below: Rgb;
@@ -29,13 +33,13 @@ export interface ScaleUniforms {
 
 const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
 
-/** Beyond it, a value minus the origin may overflow a float. */
+/** Largest low end that is used as origin. With a larger one, value - origin may overflow a float. */
 const FARTHEST_ORIGIN = 1e37;
 
 const originOf = ({ log, range: [low] }: ColorScale): number =>
   log || Math.abs(low) > FARTHEST_ORIGIN ? 0 : Math.fround(low);
 
-/** The numbers must fit the shader's floats. */
+/** Returns the uniforms of a scale. All numbers are finite 32-bit floats. */
 export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   const isOfBothSigns = isLogOfBothSigns(scale);
   const linear = Math.max(LINEAR_SHARE * scale.range[1], 1e-37);
@@ -44,7 +48,8 @@ export function scaleUniforms(scale: ColorScale): ScaleUniforms {
     return scale.log ? Math.log2(value) : value;
   };
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
-  const largest = 3e38; // shaders do not support infinities
+  // Replaces infinity, which shaders do not support.
+  const largest = 3e38;
   const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
   const origin = originOf(scale);
   const [first = [0, 0, 0], last = first] = colorRow({ ...scale, steps: 0 }, 2);
@@ -65,7 +70,7 @@ function pixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
   return row;
 }
 
-/** Textures of one context. Keeps the MOST_KEPT most recently used ones. */
+/** Color textures of one WebGL context. Keeps the MOST_KEPT most recently used ones. */
 export class ScaleTextures {
   private readonly kept = new Map<string, WebGLTexture>();
 

@@ -1,5 +1,5 @@
-// The server's shading (server/render/) in GLSL ES 3.00, so that both streams show the same picture. With PEELED
-// defined they draw the layers of depth peeling (peeling_shaders.ts).
+// The server's shading (server/render/) in GLSL ES 3.00, so that pictures and polygons look the same. With PEELED
+// defined, the shaders draw layers of depth peeling (peeling_shaders.ts).
 import LIGHTING from "../../../protocol/lighting.glsl?raw";
 import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
 import { LAYERS, LINE_LAYERS } from "./peeling_shaders";
@@ -12,13 +12,13 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
 uniform float point_size;
-uniform float value_origin; // values are carried less it, or those of a small range beside them would lose their digits
-out vec3 place; // in units of the bounds' radius: derivatives of small scenes must not underflow
+uniform float value_origin; // subtracted from values: those of a small range far from 0 keep their digits
+out vec3 place; // position in units of the bounds' radius: derivatives of small scenes must not underflow
 out vec3 eye_normal;
 out float value;
 out vec3 offset;
 #ifdef POINTS
-// Discs of a plane that faces the viewer are as deep as each other: parted by less than is seen, each counts.
+// Points at equal depth get small different depths, so that each of them becomes a layer of its own.
 float own_depth(int number) { return float((uint(number) * 2654435769u) >> 24) * 1e-8; }
 #endif
 void main() {
@@ -27,7 +27,7 @@ void main() {
   place = at.xyz * scale;
   eye_normal = mat3(view) * normal;
   value = scalar - value_origin;
-  gl_PointSize = point_size + 1.0; // room for a soft edge; counts for points only
+  gl_PointSize = point_size + 1.0; // +1: room for soft edges; only used for points
   gl_Position = projection * at;
 #ifdef POINTS
   gl_Position.z -= 2.0 * gl_Position.w * own_depth(gl_VertexID);
@@ -37,12 +37,12 @@ void main() {
 const COLORED = `#version 300 es
 precision highp float;
 in float value;
-in vec3 offset; // from the batch's origin
+in vec3 offset; // position relative to the batch's origin
 uniform vec4 clip[6];
 uniform int clip_planes;
 uniform sampler2D scale_colors;
-// Less value_origin, as values are.
-uniform vec4 rule; // low, 1 / width, steps, way: low and width of logarithms to base 2 unless it is 0
+// Color scale, relative to value_origin.
+uniform vec4 rule; // low, 1 / width, steps, way; low and width are log2 values unless way is 0
 uniform vec2 inside;
 uniform vec3 below;
 uniform vec3 above;
@@ -105,7 +105,7 @@ void main() {
   result = vec4(base, color.a);
 }`;
 
-// A disc with soft edges, shaded as a ball.
+// Draws a point as a disc with soft edges, shaded as a ball.
 export const POINT_FRAGMENT = `${COLORED}${LIT}
 uniform float point_size;
 void main() {
@@ -113,7 +113,7 @@ void main() {
   vec2 from_center = (gl_PointCoord - 0.5) * (point_size + 1.0);
   float inside = point_size * 0.5 - length(from_center);
 #ifdef PEELED
-  float cover = color.a < 1.0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside); // else each rim would be a layer
+  float cover = color.a < 1.0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside); // a soft rim would be a layer
 #else
   float cover = clamp(inside + 0.5, 0.0, 1.0);
 #endif
@@ -126,8 +126,8 @@ void main() {
   result = vec4(base, color.a * cover);
 }`;
 
-// A line as a rectangle of its width in pixels, with soft edges. Clipped at the near plane: points behind the eye have
-// no pixel.
+// Draws a line as a rectangle in pixels with soft edges. Clips the line at the near plane, because points behind the
+// eye have no pixel.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform float value_origin;
@@ -139,11 +139,11 @@ out float value;
 out vec3 offset;
 out float across;
 out float weight;
-flat out float joint; // depth within which it meets others
+flat out float joint; // depth change within half a line width: overlapping segments differ by at most this
 vec4 end_at(int number) { return texelFetch(ends, ivec2(number % ${ENDS_PER_ROW}, number / ${ENDS_PER_ROW}), 0); }
 void main() {
   int line = gl_VertexID / ${VERTICES_PER_LINE};
-  int corner = gl_VertexID % ${VERTICES_PER_LINE}; // 0 1 2, 3 2 1
+  int corner = gl_VertexID % ${VERTICES_PER_LINE}; // corners 0 1 2, 3 2 1 of two triangles
   if (corner > 3) corner = ${VERTICES_PER_LINE} - corner;
   vec4 from = end_at(2 * line);
   vec4 to = end_at(2 * line + 1);
@@ -167,7 +167,7 @@ void main() {
   offset = mix(from.xyz, to.xyz, t);
   vec4 here = at_end ? last : first;
   value = mix(from.w - value_origin, to.w - value_origin, t);
-  across *= here.w; // perspective takes it back: straight in the picture
+  across *= here.w; // undoes perspective interpolation: linear in the picture
   weight = here.w;
   gl_Position = here + vec4(moved / viewport * 2.0 * here.w, 0.0, 0.0);
 }`;
@@ -180,7 +180,7 @@ ${LINE_LAYERS}
 void main() {
   leave_out_what_is_clipped();
   float cover = clamp(half_width + 0.5 - abs(across / weight), 0.0, 1.0);
-  if (cover < 0.02) discard; // else an unseen edge would still hide what is behind it
+  if (cover < 0.02) discard; // invisible fragments would still write depth
 #ifdef PEELED
   leave_out_the_same_line(depth_in_order());
 #endif

@@ -1,4 +1,4 @@
-// The canvases. Shows the server's frames, and redraws polygons when the camera or look changes.
+// The canvases of the page. Shows the server's frames, and draws polygons again when the camera or the lights change.
 import { effect } from "@preact/signals";
 import { backgroundColors } from "../model/background";
 import { lightsOf } from "../model/lights";
@@ -36,7 +36,7 @@ export class View {
     this.pivot = new Pivot(server);
   }
 
-  /** Call when the canvases exist. */
+  /** Starts drawing. Call when the canvases exist. */
   async attach(imageCanvas: HTMLCanvasElement, geometryCanvas: HTMLCanvasElement): Promise<void> {
     const { model, server } = this;
     const viewport = new Viewport(
@@ -60,13 +60,13 @@ export class View {
       (callback) => void requestAnimationFrame(callback),
     );
     effect(() => {
-      lookOf(model); // subscribes to its signals
+      lookOf(model); // reads signals: this effect runs again when one of them changes
       viewport.redraw();
     });
-    await geometryReady.catch((error: unknown) => server.fail(error)); // images work without it
+    await geometryReady.catch((error: unknown) => server.fail(error)); // pictures can be shown without this decoder
   }
 
-  /** Canvas size in CSS pixels. */
+  /** The canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.server.size.set(width, height, pixelRatio);
     this.model.canvasSize.value = this.server.size.css;

@@ -1,13 +1,13 @@
-// The image and the geometry canvas. Only the canvas of the newest frame is visible.
+// The canvas for pictures and the canvas for polygons. Only the one with the newest frame is visible.
 import type { GeometryBatch } from "../server/geometry";
 import { GeometryCanvas } from "./geometry_canvas";
 import { ImageCanvas } from "./image_canvas";
 import type { Look } from "./look";
 import type { Screen } from "./presenter";
 
-/** The view is at rest after this time without a change. */
+/** Milliseconds without a change after which a view with transparent layers is drawn in full quality. */
 const REST_MS = 150;
-/** Interval of lacksLayers() calls. */
+/** Milliseconds between queries whether transparent layers are missing. */
 const ASK_AGAIN_MS = 30;
 
 export class Viewport implements Screen {
@@ -20,11 +20,11 @@ export class Viewport implements Screen {
   constructor(
     imageCanvas: HTMLCanvasElement,
     private readonly geometryCanvas: HTMLCanvasElement,
-    /** Current look; null until there is a scene. */
+    /** Returns camera, background and lights; null until there is a scene. */
     private readonly look: () => Look | null,
-    /** In device pixels. */
+    /** Size of the canvas in device pixels. */
     readonly size: () => { width: number; height: number },
-    /** Called after polygons were drawn that `redraw` requested at that time. */
+    /** Called after redraw() has drawn polygons. `requestedAt`: time of the request (performance.now). */
     private readonly drawn: (requestedAt: number) => void,
   ) {
     this.images = new ImageCanvas(imageCanvas);
@@ -43,12 +43,15 @@ export class Viewport implements Screen {
     this.switchTo("geometry");
   }
 
-  /** Nothing is shown until the next frame. */
+  /** Hides both canvases until the next frame. */
   clear(): void {
     this.switchTo("none");
   }
 
-  /** Call after the camera, size or background has changed: redraws the current polygons. */
+  /**
+   * Draws the current polygons again in the next animation frame. Call after camera, size, background or lights have
+   * changed.
+   */
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;
     this.redrawRequested = true;

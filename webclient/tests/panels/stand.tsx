@@ -1,4 +1,4 @@
-// A panel on its own: a model with what it shows, commands that only remember what was asked of them, no server.
+// Renders one panel for tests, with a model but without a server. Commands are only recorded.
 import { render, type JSX } from "preact";
 import { act } from "preact/test-utils";
 import type { Commands } from "../../src/commands/commands";
@@ -32,7 +32,7 @@ const ANSWERS: Record<string, unknown> = {
   "camera.get": null,
 };
 
-/** Every command, by its path; those that answer have an answer that never changes. */
+/** A fake of all commands. Each call is recorded with the command's path; some return a fixed result. */
 function recorder(calls: Call[], path: string[] = []): unknown {
   return new Proxy(() => undefined, {
     get: (_, name) =>
@@ -57,7 +57,7 @@ export interface Stand {
   model: Model;
   calls: Call[];
   root: HTMLElement;
-  /** The element with this accessible name: its label or its text. */
+  /** Returns the element with this accessible name, from its label or its text. */
   find: (name: string) => HTMLElement;
   click: (name: string) => void;
   key: (name: string, key: string) => void;

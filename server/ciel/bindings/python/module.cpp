@@ -1,5 +1,5 @@
-// The kernel for Python: NumPy arrays in and out. Arrays are read where they lie; the GIL is released while the kernel
-// works. Docstrings say shapes and types; ciel_mesh/__init__.pyi has the types.
+// Python bindings of the kernel: the module ciel_mesh._kernel. NumPy arrays are read without a copy, and the GIL is
+// released while the kernel works. Docstrings give shapes; ciel_mesh/__init__.pyi has the type annotations.
 #include "ciel/contour.hpp"
 #include "ciel/contour_lines.hpp"
 
@@ -35,7 +35,8 @@ NumberType type_of(const py::array& array, const char* name) {
                          "; use float32, float64, or integers of 32 or 64 bits in this machine's byte order");
 }
 
-// Of one or two dimensions; borrowed.
+// Returns a view that does not own the array. Throws ValueError unless the array has one or two dimensions, TypeError
+// for a number type that the kernel does not read.
 ArrayView view_of(const py::array& array, const char* name) {
     if (array.ndim() != 1 && array.ndim() != 2)
         throw py::value_error(std::string(name) + " must have one or two dimensions, not " +
@@ -53,7 +54,7 @@ ArrayView view_of(const std::optional<py::array>& array, const char* name) {
     return array ? view_of(*array, name) : ArrayView();
 }
 
-// The vector's own memory as an array of rows x columns, without a copy.
+// Returns a NumPy array of rows x columns that takes over the vector's memory. A vector given as an rvalue is moved.
 template <class Number, class Owner>
 py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
     using Vector = std::decay_t<Owner>;
@@ -92,7 +93,7 @@ ciel::Options options_of(const std::string& algorithm, const std::string& decide
 
 ciel::Vec3d vector_of(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-// A surface for Python. The first access to an array hands it to Python, which owns it from then on.
+// A surface for Python. Each access to an array property makes a new NumPy array.
 struct PySurface {
     ciel::Surface surface;
     ciel::Vec3d origin{};
@@ -251,8 +252,8 @@ void add_surface(py::module_& module) {
         .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
 }
 
-// A Contour with the mesh it is of, so that results know their origin.
-// Threads that share one take turns: the GIL does not part them, for it is released.
+// A Contour and its mesh, whose origin is added to the positions of its surfaces.
+// The mutex lets threads that share the object take turns, because the GIL is released during calls.
 struct PyContour {
     PyContour(const ciel::Mesh& of, const ArrayView& values, const ciel::Options& options)
         : mesh(of), contour(ciel::Field(of, values), options) {}

@@ -1,4 +1,4 @@
-// Borrowed view of a caller's array: any common number type, with strides. Not in the paper.
+// ArrayView: a non-owning view of a caller's array of any common number type, with strides. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -31,11 +31,12 @@ requires is_array_number<T>
     return NumberType::float64;
 }
 
-// `rows` rows of `columns` numbers. Borrows: the array must outlive the call that it is given to, and is never written.
+// View of a table of `rows` rows and `columns` columns. Does not own the array, which must outlive every call that
+// receives the view. Never writes to the array.
 class ArrayView {
 public:
     ArrayView() = default;
-    // values.size() / columns dense rows.
+    // Views `values` as dense rows of `columns` numbers. An incomplete last row is left out.
     template <class T>
     requires is_array_number<T> ArrayView(std::span<const T> values, std::size_t columns = 1)
         : ArrayView(values.data(), number_type<T>(), values.size() / columns, columns,
@@ -63,7 +64,7 @@ public:
         return {reinterpret_cast<const T*>(begin_), rows_ * columns_};
     }
 
-    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // converts from any type
+    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // converted from any NumberType
     // Throws Error when the array has floating-point numbers. A uint64 above the int64 range is returned as a negative
     // number.
     [[nodiscard]] std::int64_t integer(std::size_t row, std::size_t column = 0) const;

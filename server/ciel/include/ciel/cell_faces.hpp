@@ -1,5 +1,5 @@
-// Faces of each of the C cells: the inverse of owner and neighbour. This is the input form of the paper's appendix A:
-// "polyhedra as lists of faces".
+// Lists of the faces of each cell, made from the owner and neighbour of each face. The paper's appendix A takes meshes
+// in this form: "polyhedra as lists of faces".
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,8 +7,8 @@
 namespace ciel {
 
 struct CellFaces {
-    std::vector<std::uint64_t> begin; // C + 1, into face
-    std::vector<Index> face;          // ascending within a cell
+    std::vector<std::uint64_t> begin; // one entry per cell and one more: index of the cell's first face in `face`
+    std::vector<Index> face;          // face ids, cell by cell, ascending within a cell
 
     [[nodiscard]] std::span<const Index> of(Index cell) const {
         return std::span(face).subspan(begin[cell], begin[cell + 1] - begin[cell]);

@@ -1,4 +1,4 @@
-// Centres and areas of faces, centroids of cells. Not in the paper.
+// Computes centers and areas of faces, and centroids of cells. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,14 +7,14 @@
 
 namespace ciel {
 
+// Returns the position as an offset from the mesh's origin.
 [[nodiscard]] inline Vec3d position(const FaceMeshView& mesh, Index vertex) {
     const float* p = &mesh.positions[3 * std::size_t{vertex}];
     return {p[0], p[1], p[2]};
 }
 
-// Copies a face's loop; reads each index once. Throws Error when an index leads out of the mesh, as do read_cells,
-// face_shapes and cell_centres.
-// A mesh may be mapped from a file that changes after it was verified.
+// Copies the vertex ids of a face into `loop` and reads each id once, because another process may change a mapped file
+// at any time. Like read_cells, face_shapes and cell_centres, throws Error when an index is out of range.
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
 
 struct FaceCells {
@@ -24,14 +24,14 @@ struct FaceCells {
 
 struct FaceShape {
     Vec3d centre{}; // as an offset from the mesh's origin
-    Vec3d area{};   // along the normal, out of the owner
+    Vec3d area{};   // vector along the normal, out of the owner; its length is the area
 };
 
-// Shape of a face with this loop. The indices must have been checked.
+// Returns the shape of the face with these vertex ids. REQUIRES: all ids are below mesh.vertex_count().
 [[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
 [[nodiscard]] std::vector<FaceShape> face_shapes(const FaceMeshView& mesh);
 
-// Centroids of the cells, as offsets from the mesh's origin.
+// Returns the centroids of all cells, as offsets from the mesh's origin. `faces` is the result of face_shapes.
 [[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<FaceShape>& faces);
 
 } // namespace ciel

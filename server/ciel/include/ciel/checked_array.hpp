@@ -1,5 +1,5 @@
-// Index arrays in mapped files, which another process may change during reading. Every index that is returned is in
-// range, whatever the bytes. Not in the paper.
+// CheckedArray: an array of indices in a mapped file, which another process may change during reading. Every index
+// that it returns is in range, whatever the file holds. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,22 +11,23 @@
 
 namespace ciel {
 
-// Owner of an array. It reports damage with its own message.
+// Reports a damaged array. The owner of a mapped array implements it with a message that names the file.
 class ArrayKeeper {
 public:
     ArrayKeeper() = default;
     ArrayKeeper(const ArrayKeeper&) = default;
     ArrayKeeper& operator=(const ArrayKeeper&) = default;
     virtual ~ArrayKeeper() = default;
-    // Throws Error that names the array. Any thread.
+    // Throws Error with a message that names the damaged array. Any thread may call it.
     [[noreturn]] virtual void refuse() const = 0;
 };
 
-// Calls the keeper; without one, throws Error about a damaged mesh.
+// Calls keeper->refuse(). If `keeper` is null, throws Error about a damaged mesh.
 [[noreturn]] void refuse_array(const ArrayKeeper* keeper);
 
-// Borrows the array and its keeper. Any thread may read. Each access reads the memory once and checks the value. Two
-// accesses to the same place may differ: copy a value that is used twice.
+// View of an array of indices; owns neither the array nor its keeper. Any thread may read. Each access reads the
+// memory once and checks the value. Two accesses to the same entry may differ: copy an entry that is used twice.
+// An entry out of range throws the keeper's Error.
 template <class T, bool may_be_none = false>
 class CheckedArray {
 public:
@@ -35,7 +36,7 @@ public:
     using iterator = const_iterator;
 
     CheckedArray() = default;
-    // Valid entries are below `limit`. With `may_be_none`, `none` is valid too.
+    // An entry is valid if it is below `limit`. With the template argument `may_be_none`, `none` is valid too.
     CheckedArray(std::span<const T> entries, T limit, const ArrayKeeper* keeper = nullptr)
         : data_(entries.data()), size_(entries.size()), limit_(limit), keeper_(keeper) {}
 
@@ -49,14 +50,14 @@ public:
     [[nodiscard]] CheckedArray part(std::size_t begin, std::size_t count) const {
         return {std::span(data_ + begin, count), limit_, keeper_};
     }
-    // Unchecked entries, for code that searches for damage.
+    // Returns the entries without checks, for code that verifies the array itself.
     [[nodiscard]] std::span<const T> unchecked() const { return {data_, size_}; }
-    // Throws Error. For callers that find entries which contradict each other.
+    // Throws the keeper's Error. For callers that find entries which contradict each other.
     [[noreturn]] void refuse() const { refuse_array(keeper_); }
 
 private:
     [[nodiscard]] T read(const T* at) const {
-        const T entry = *const_cast<const volatile T*>(at); // once: a second read might find another number
+        const T entry = *const_cast<const volatile T*>(at); // volatile: the compiler must not read the memory twice
         const bool holds = may_be_none ? static_cast<T>(entry + 1) <= limit_ : entry < limit_;
         if (!holds) [[unlikely]]
             refuse_array(keeper_);
@@ -114,6 +115,6 @@ private:
 };
 
 using Ids = CheckedArray<Index>;
-using OptionalIds = CheckedArray<Index, true>; // or none
+using OptionalIds = CheckedArray<Index, true>; // ids that may be `none`
 
 } // namespace ciel

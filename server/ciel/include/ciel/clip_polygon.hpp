@@ -9,8 +9,8 @@
 
 namespace ciel {
 
-// Replaces `kept` by the corners, in order, of the part where distance >= 0; empty if there is none. `corners` may also
-// be a line of two corners or a single corner.
+// Clips the convex polygon `corners` and writes the part where distance(corner) >= 0 to `kept`, in the same order.
+// `kept` is empty if no part remains. `corners` may also be a line segment (two corners) or a single point.
 template <class Distance>
 void clip_polygon(std::span<const Vec3d> corners, const Distance& distance, std::vector<Vec3d>& kept) {
     kept.clear();

@@ -1,26 +1,28 @@
-// Clips a polygon surface by half-spaces (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). Exports to a file
-// the part that pictures show. Not in the paper.
+// Clips a polygon surface by half-spaces (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). File exports use
+// it to write only the part that pictures show. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"
 
 namespace ciel {
 
-struct HalfSpace { // kept: dot(normal, position) + offset >= 0; position is an offset from the mesh's origin
+// Keeps positions with dot(normal, position) + offset >= 0. Positions are offsets from the mesh's origin.
+struct HalfSpace {
     Vec3d normal{};
     double offset = 0;
 };
 
 struct ClippedSurface {
-    Surface surface; // vertices that stay come first; `points` has entries for these only
-    std::vector<float> values;
+    Surface surface;           // input vertices that are kept come first; `points` has entries for them only
+    std::vector<float> values; // one per vertex; empty if the input had none
 };
 
-// Returns a surface that owns its data. `values`: one per vertex, or empty; throws Error on another number. Any thread.
+// Returns the part of `surface` inside all half-spaces. `values`: one per vertex, or empty; throws Error on another
+// number. Any thread.
 // Values and normals are interpolated at new vertices. Two polygons that share a side share its new vertex, so no
-// cracks open. Chunks are dropped.
-// Vertices within `slack` of a plane count as kept, so that rounding does not cut up a surface in the plane itself,
-// such as a cap. A polygon that is not convex may keep a side along the plane that it runs over twice.
+// cracks open. The result has no chunks.
+// Vertices at most `slack` outside a plane are kept. Otherwise rounding would tear a surface that lies in the plane,
+// such as a cap. The parts of a polygon that is not convex may stay joined by an edge along the plane, passed twice.
 [[nodiscard]] ClippedSurface clip_surface(const Surface& surface, std::span<const float> values,
                                           std::span<const HalfSpace> planes, double slack);
 

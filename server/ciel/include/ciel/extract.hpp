@@ -1,5 +1,5 @@
-// Iso-surfaces and slices of a field on a topology (paper, algorithms 1-4). Extraction is incremental from one nu to
-// the next.
+// Query: extracts iso-surfaces and slices of a field on a topology (paper, algorithms 1-4). nu is the iso-value.
+// Extraction is incremental from one nu to the next.
 #pragma once
 
 #include "ciel/decider.hpp"
@@ -10,7 +10,7 @@
 
 namespace ciel {
 
-// A vertex of the surface, on one active edge. Positions and all other arrays are lerp(a, b, t).
+// A vertex of the surface on an active edge. Its position and its value in any array are lerp(value at a, at b, t).
 struct EdgePoint {
     Index a, b; // mesh vertices, a < b
     float t;    // 0 at a, 1 at b
@@ -20,22 +20,22 @@ struct EdgePoint {
     return static_cast<float>(a + static_cast<double>(t) * (static_cast<double>(b) - a));
 }
 
-// An indexed polygon surface. Vertices are shared across blocks, unique per active edge and in the order of edge ids.
+// An indexed polygon surface. There is one vertex per active edge, in the order of edge ids; blocks share vertices.
 // Polygons are in storage order of their cells. Their right-hand normal points to higher values. A cell that the
-// surface crosses in several places has several polygons. On a face with more than one way to join its points, the
-// decider chooses.
+// surface crosses in several places has several polygons. The Decider chooses how points are joined on an ambiguous
+// face.
 // Polygons of fewer than three distinct points (collapsed cells) are left out; polygons without area are kept. Every
 // vertex belongs to a polygon.
-// The bits are the same for any block size, thread count, algorithm and history of calls. Only `chunks` depends on the
-// blocks.
+// The result has the same bits for any block size, thread count, algorithm and history of calls. Only `chunks` depends
+// on the blocks.
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's origin
-    // Unit vectors towards higher values (see Normals); empty if not requested.
+    // One unit vector per vertex, towards higher values (see Normals); empty if not requested.
     std::vector<Vec3f> normals;
     std::vector<EdgePoint> points;
-    std::vector<Index> polygon_offset{0}; // polygons + 1
+    std::vector<Index> polygon_offset{0}; // polygons + 1, into polygon_vertex
     std::vector<Index> polygon_vertex;
-    std::vector<Index> polygon_cell; // the cut cell of each polygon
+    std::vector<Index> polygon_cell; // mesh cell that each polygon cuts
     std::vector<Index> polygon_face; // mesh face of each polygon, for surfaces of mesh faces; else empty
 
     // Consecutive polygons of one block: the unit of streaming and culling.
@@ -46,16 +46,18 @@ struct Surface {
 };
 
 enum class Normals {
-    gradient, // the field's gradient; the area-weighted normal of the polygons around the point where the gradient is
-              // zero or points against them
-    polygons  // area-weighted normal of the polygons around the point; a new field costs nothing extra
+    // The normalized gradient of the field. Where it is zero or points against the polygons around the point, their
+    // area-weighted normal.
+    gradient,
+    // The area-weighted normal of the polygons around the point. Needs no gradients, which a new field must compute.
+    polygons
 };
 
-// signatures: block signatures. propagation: the paper's Algorithm 2. naive: the paper's baseline without a list of
-// active edges.
+// How active edges are found; the surface is the same. signatures: per block, which vertices are high (the default).
+// propagation: the paper's Algorithm 2, an active-edge list. naive: the paper's baseline, visits every cell.
 enum class Algorithm { signatures, propagation, naive };
 
-// Options of a Query. The result does not depend on the algorithm.
+// Options of a Query. The algorithm affects the time, not the surface; the decider affects the surface.
 struct Extraction {
     // NOLINTNEXTLINE(google-explicit-constructor): callers often pass only an algorithm
     Extraction(Algorithm with_algorithm = Algorithm::signatures, Decider with_decider = Decider::isolate_high)
@@ -65,9 +67,10 @@ struct Extraction {
     Decider decider;
 };
 
-// One viewer's query state on one field: signatures, active edges. Not thread-safe: one call at a time. Any number of
-// Queries may share a Topology and Fields. The topology and the arrays of the mesh must outlive the Query. Throws Error
-// when the mesh and the topology differ in their numbers of vertices or cells.
+// Extracts surfaces of one field for one viewer, and keeps the signatures or active edges from call to call. Not
+// thread-safe: one call at a time. Any number of Queries may share a Topology and Fields. The topology and the arrays
+// of the mesh must outlive the Query. The constructor throws Error when the mesh and the topology differ in their
+// numbers of vertices or cells.
 class Query {
 public:
     Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction = {});
@@ -75,22 +78,22 @@ public:
     Query(Query&&) noexcept;
     Query& operator=(Query&&) noexcept;
 
-    // Changes the field (another array, a new time step); the topology is untouched. The field must live until the next
-    // call of set_field. Throws Error when it belongs to another topology.
+    // Sets the field to extract from, such as another array or time step. The field must live until the next call of
+    // set_field. Throws Error when the field belongs to another topology.
     void set_field(const Field& field);
 
     // Sets how ambiguous faces are joined, from the next extraction on.
     void set_decider(Decider decider);
-    void set_normals(Normals normals); // kind that `extract` makes on request; default: gradient
-    // Sets moved vertices: `mesh` differs only in its positions from the mesh that the topology was built from.
-    // Gradients depend on positions: call Field::vertices_moved too. Throws Error when the numbers of vertices or cells
-    // differ.
+    void set_normals(Normals normals); // kind of normals that `extract` makes; default: gradient
+    // Sets new positions of the vertices. `mesh` may differ only in its positions from the mesh that the topology was
+    // built from. Call Field::vertices_moved too, because gradients depend on positions. Throws Error when the numbers
+    // of vertices or cells differ.
     void set_mesh(const FaceMeshView& mesh);
 
-    // High means value >= nu. Cells that touch a vertex without a value are not cut (field.hpp). Replaces `out` and
-    // reuses its buffers. `normals`: whether to make normals (set_normals). Returns false, with `out` unspecified, when
-    // `stop` was requested; the Query stays usable. Throws Error when no field is set. Uses all threads of the parallel
-    // loop.
+    // Writes the iso-surface at `nu` to `out` and reuses its buffers. A vertex is high when its value >= nu. Cells that
+    // touch a vertex whose value is NaN or infinite are not cut. `normals`: whether to make normals (set_normals).
+    // Returns false, with `out` unspecified, when `stop` was requested; the Query stays usable. Throws Error when no
+    // field is set. Uses all threads of the parallel loop.
     bool extract(double nu, bool normals, Surface& out, const StopToken& stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -100,20 +103,21 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Algorithms 1 and 3: extracts a series of values in one call. `sink` gets the surfaces in the order of the values and
-// may keep one by moving it. Returns false when stopped.
+// Extracts the surfaces at several values (paper, algorithms 1 and 3). `sink` gets each surface in the order of
+// `values` and may keep it by moving from it. Returns false when `stop` was requested.
 bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop = {});
 
-// Interpolates `values` at each point of the surface into `out`. Both are interleaved; `values` has `components` per
-// mesh vertex. Throws Error when `out` has another size than points * components, or `components` is below 1.
+// Interpolates `values` at each point of the surface into `out`. Both arrays are interleaved: `values` has `components`
+// numbers per mesh vertex, `out` as many per point. Throws Error when `out` has another size or `components` < 1.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out);
 
-// Returns three indices per triangle. Each polygon becomes a fan from its first good corner, or from the best one if
-// none is good. Of more than 64 corners about 64 are tried. Where every fan folds over, ears are clipped instead.
-// Triangles with zero area or a repeated vertex are left out. Linear in the corners.
+// Returns three vertex indices per triangle. Each polygon becomes a triangle fan. The fan starts at the first corner
+// that gives no thin or reversed triangle, else at the best corner. In a polygon of more than 64 corners only 64 to 127
+// corners are tried. If every tried fan has a reversed triangle, ears are clipped. Triangles with zero area or a
+// repeated vertex are left out. Takes time linear in the number of corners.
 [[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
-void triangulate(const Surface& surface, std::vector<Index>& out); // reuses its buffer
+void triangulate(const Surface& surface, std::vector<Index>& out); // writes to `out` and reuses its buffer
 
 } // namespace ciel

@@ -1,5 +1,5 @@
-// A mesh as faces with an owner and a neighbour. The store keeps this form, and the CIEL topology is built from it. It
-// is the input of Algorithm 5 (paper, appendix A) with its faces matched.
+// FaceMesh: a mesh as a list of faces, each with an owner and a neighbour cell. Datasets are stored in this form, and
+// Topology is built from it. It is the input of Algorithm 5 (paper, appendix A) after the faces have been matched.
 #pragma once
 
 #include "ciel/checked_array.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel {
 
-// Borrowed; the owner of the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked at each
+// View of a FaceMesh; the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked at each
 // read, because the arrays may be in a mapped file. Positions and types are not checked: any value is harmless.
 // A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner` into
 // `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed cells)
@@ -22,10 +22,10 @@ struct FaceMeshView {
     Vec3d origin{};                           // added to every position
     std::span<const float> positions;         // 3 V: offsets from origin
     std::span<const std::uint8_t> cell_types; // C: CellType
-    Offsets face_offset;                      // F + 1, into face_vertex
-    Ids face_vertex;                          // vertex ids of each loop
-    Ids owner;                                // F
-    OptionalIds neighbour;                    // F
+    Offsets face_offset;                      // F + 1: index in face_vertex of the first vertex of each face
+    Ids face_vertex;                          // vertex ids, loop by loop
+    Ids owner;                                // F: cell id
+    OptionalIds neighbour;                    // F: cell id, or none on the boundary
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
@@ -38,7 +38,7 @@ struct FaceMeshView {
     }
 };
 
-// Keepers of the arrays of a mesh; null for arrays in memory that no other process changes.
+// Keepers that report damage in the arrays of a mesh; null for arrays that no other process can change.
 struct FaceMeshKeepers {
     const ArrayKeeper *face_offset = nullptr, *face_vertex = nullptr, *owner = nullptr, *neighbour = nullptr;
 };

@@ -1,6 +1,5 @@
-// A scalar field on the vertices as the kernel reads it: values in block order, [min, max] per block, gradients on
-// demand. Also the quantities derived from a field (paper: slices, section 2.1; minima, section 2.2; gradients, section
-// 3).
+// Field: a scalar field on the vertices of a mesh, with [min, max] per block and cached extrema and gradients (paper:
+// slices, section 2.1; minima, section 2.2; gradients, section 3).
 #pragma once
 
 #include "ciel/array_view.hpp"
@@ -14,22 +13,24 @@ namespace ciel {
 
 class GeometricVertices; // geometric_vertices.hpp
 
-// Immutable except for caches that are made on demand, each under its own lock: values in block order, ranges of cells,
-// the sorted extrema and the gradients. Copies share everything. Thread-safe, except set_direction and vertices_moved.
+// Copies share everything. Values never change. Values in block order, ranges of cells, sorted extrema and gradients
+// are caches that are filled on demand under locks. Thread-safe, except set_direction and vertices_moved.
 class Field {
 public:
-    // values: one number per point of the mesh, in the caller's order; copied as floats. NaN and infinities mean "no
-    // value here": a cell that touches such a point is not cut, and adds nothing to gradients. Throws Error on another
-    // number of values. Keeps the mesh alive.
+    // Makes a field from one number per point of the mesh, in the caller's order; copies them as floats. NaN and
+    // infinities mean "no value": a cell that touches a point without a value is not cut and adds nothing to gradients.
+    // Throws Error on another number of values. Keeps the mesh alive.
     Field(const Mesh& mesh, const ArrayView& values);
-    // From one number per cell. Point values are weighted means of the cells around the point, exact for linear fields
-    // where the cells surround it (point_interpolation.hpp). Throws Error on another number of values.
+    // Makes a field from one number per cell. A point gets a weighted mean of the cells around it, which is exact for
+    // linear fields if the cells surround the point (point_interpolation.hpp). Throws Error on another number of
+    // values.
     [[nodiscard]] static Field from_cells(const Mesh& mesh, const ArrayView& values);
-    // The distance from the plane through `origin` perpendicular to `normal`, which has unit length. The surface at 0
-    // is a slice.
+    // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
+    // The iso-surface at 0 is a slice.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
-    // Values in stored order, without a copy. `keep_alive` owns the values, which must not change while the field
-    // lives. The topology must outlive the field. Throws Error on another number of values.
+    // Uses one value per vertex in the topology's vertex order, without a copy. `keep_alive` owns the values, which
+    // must not change while the field lives. The topology must outlive the field. Throws Error on another number of
+    // values.
     Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive);
     ~Field();
     Field(const Field&);
@@ -37,26 +38,26 @@ public:
     Field(Field&&) noexcept;
     Field& operator=(Field&&) noexcept;
 
-    [[nodiscard]] const Mesh* mesh() const; // the field's mesh; null if made from a topology
+    [[nodiscard]] const Mesh* mesh() const; // null if the field was made from a Topology
     [[nodiscard]] std::span<const float> values() const;
-    [[nodiscard]] std::array<float, 2> range() const; // finite values only; {0, 0} when there are none
+    [[nodiscard]] std::array<float, 2> range() const; // [min, max] of the finite values; {0, 0} when there are none
 
-    // Strict local minima under the order (value, vertex id), sorted in that order (paper, section 2.2). Vertices
-    // without a value are neither minima nor neighbours.
+    // Returns the vertices that are strict local minima under the order (value, vertex id), sorted in that order
+    // (paper, section 2.2). Vertices without a value are neither minima nor neighbours.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
 
-    // States that the values are plane_distance(mesh, ., normal) on the mesh of `where`. Extrema are then searched only
-    // at the vertices of `where`. Call it before any other use of the field.
+    // Declares that the values are plane_distance(mesh, ., normal) on the mesh of `where`. Extrema are then searched
+    // only at the vertices that `where` finds. Call it before any other use of the field.
     void set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal);
 
-    // Copies the values of all blocks into block order now. Without this call each block is copied at its first use.
-    // Uses all threads.
+    // Copies the values of all blocks into block order. Without this call each block is copied at its first use. Uses
+    // all threads of the parallel loop.
     void take_in() const;
 
     // Drops the cached gradients, which depend on positions. Must not run during an extraction from this field.
     void vertices_moved();
 
-    struct Data; // for the kernel's own files
+    struct Data; // defined in src/fields/field_data.hpp, for the kernel only
     [[nodiscard]] const Data& data() const { return *data_; }
 
 private:
@@ -64,19 +65,19 @@ private:
     std::shared_ptr<Data> data_;
 };
 
-// Returns nu = dot(normal, position - origin) per vertex; origin is in world coordinates, as are positions. For
-// box-aligned and free slices (paper, section 2.1).
+// Returns dot(normal, position - origin) per vertex. `origin` and the positions are in world coordinates. An
+// iso-surface of the result is a slice (paper, section 2.1).
 [[nodiscard]] std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal);
 
-// Least-squares gradient per polyhedron, volume-weighted average at the vertices (paper, section 3); centred, in
-// double. Zero where no cell around a vertex has both a volume and all its values.
+// Returns a gradient per vertex: the mean of the least-squares gradients of the cells around it, weighted by volume
+// (paper, section 3). Zero if none of these cells has both a volume and finite values at all vertices.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values);
-// The same, with the mesh's existing topology.
+// Returns the same gradients faster, because the topology of `mesh` need not be built.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh,
                                                   std::span<const float> values);
 
-// Returns the number of faces with more than one local maximum around them under the order (value, vertex id) (paper,
-// section 4). It does not depend on nu. Faces that touch a vertex without a value do not count. Throws Error unless
+// Returns the number of faces that are ambiguous for some nu (paper, section 4): their loop has more than one local
+// maximum under the order (value, vertex id). Faces with a vertex without a value do not count. Throws Error unless
 // there is one value per vertex.
 [[nodiscard]] std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, std::span<const float> values);
 

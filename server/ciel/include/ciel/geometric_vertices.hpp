@@ -1,6 +1,7 @@
-// Vertices at which the distance along some direction can have a local extremum (paper, section 4: "only the boundary
-// vertices need to be traversed"). Erratum: that needs convex cells. An interior vertex is never an extremum if all of
-// its cells are convex there, because their edges point in all directions. With a reflex corner it may be one.
+// GeometricVertices: the vertices at which the distance along some direction can have a local extremum (paper, section
+// 4: "only the boundary vertices need to be traversed"). Erratum: the paper's statement needs convex cells. An interior
+// vertex is never an extremum if all its cells are convex at it, because their edges then point in all directions. An
+// interior vertex with a reflex corner may be an extremum.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -8,19 +9,22 @@
 
 namespace ciel {
 
-// For one mesh at fixed positions. Found once, at the first `find`, and valid for all directions. Thread-safe. Keeps
-// the mesh alive through `keep_alive`.
+// Candidates for extrema in one mesh at fixed positions, valid for all directions. The first call of `find` computes
+// them. Thread-safe. `keep_alive` owns the arrays of the mesh.
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
         : mesh_(mesh), keep_alive_(std::move(keep_alive)) {}
 
     struct Found {
-        std::vector<Index> vertices; // ascending: those on the boundary, and interior ones with a reflex or flat corner
-        // Up to this distance, float resolves the differences that exclude the omitted vertices.
+        // Ids in ascending order: boundary vertices, and interior vertices with a reflex or flat corner.
+        std::vector<Index> vertices;
+        // `vertices` is complete only for fields whose absolute distances do not exceed this. Larger distances may
+        // round to the same float at neighbouring vertices.
         double largest_distance = 0;
     };
-    [[nodiscard]] const Found& find(const Topology& topology) const; // of the same mesh
+    // `topology` must be that of the same mesh. Uses all threads of the parallel loop.
+    [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:
     FaceMeshView mesh_;

@@ -1,6 +1,7 @@
-// Weights of values around a place, exact for linear fields along the directions in which the values surround it. At a
-// boundary no values lie beyond it along the normal. In a mesh of one layer of cells none lie across the thickness.
-// Such directions are left out: weights that had to be exact along them would not be exact along any. Not in the paper.
+// Interpolation weights for values at scattered positions around a point. The interpolation is exact for linear fields
+// if values surround the point. Along some directions they do not: along the normal at a boundary, and across a mesh of
+// one layer of cells. The caller leaves these directions out, and the interpolation is exact along the others. Not in
+// the paper.
 // This work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured
 // adaptive grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
 #pragma once
@@ -12,10 +13,10 @@
 
 namespace ciel {
 
-// Collects the boundary normals at a place and merges similar ones.
+// Collects the normals of the boundary faces at a point and merges those within 37 degrees of each other.
 class LeftOutDirections {
 public:
-    // Longer normals weigh more. The sign of a normal is ignored.
+    // The length of the normal is its weight. Its sign is ignored.
     void add(Vec3d normal);
     // Returns at most three orthogonal unit vectors.
     [[nodiscard]] std::vector<Vec3d> directions() const;
@@ -28,8 +29,8 @@ private:
 // Returns `v` without its components along `directions`, which are orthogonal unit vectors.
 [[nodiscard]] Vec3d without_parts_along(std::span<const Vec3d> directions, Vec3d v);
 
-// Sets `weights` for values at `displacements` from the place: each >= 0, sum 1. Removes the components along
-// `left_out` from `displacements`.
+// Writes the weights of values whose positions are at `displacements` from the point. Each weight is >= 0, their sum
+// is 1. `left_out` are orthogonal unit vectors; their components are removed from `displacements`.
 void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_out, std::span<double> weights);
 
 } // namespace ciel

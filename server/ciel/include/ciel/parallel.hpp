@@ -7,7 +7,7 @@
 
 namespace ciel {
 
-// Borrows a callable. A std::function would allocate memory for the captures of each loop.
+// Non-owning reference to the body of a loop. Unlike std::function, it allocates no memory for captures.
 class LoopBody {
 public:
     template <class Body>
@@ -28,7 +28,7 @@ private:
 // exception thrown by a body reaches the caller after all ranges have ended.
 void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 
-void set_thread_count(unsigned threads); // 0: all of the machine's threads; not while a loop runs
+void set_thread_count(unsigned threads); // 0: all hardware threads; must not be called while a loop runs
 [[nodiscard]] unsigned thread_count();
 
 } // namespace ciel

@@ -1,6 +1,6 @@
-// Point data from cell data: a weighted mean of the cells around each vertex (linear_weights.hpp). It is exact for
-// linear fields where the cell centres surround the vertex; on the boundary it is exact along the boundary. It never
-// leaves the range of the cell values. Not in the paper.
+// Converts cell values to point values: weighted means over the cells around each vertex (linear_weights.hpp). They are
+// exact for linear fields if the cell centers surround the vertex; on the boundary, for fields that vary along the
+// boundary. They never leave the range of the cell values. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -10,21 +10,22 @@
 
 namespace ciel {
 
-// Cells that share no vertex never mix: unwelded regions stay apart. Throws Error when an index leads out of the mesh.
+// Weights of the cells around each vertex of a mesh. Only cells that have the vertex count, so values of regions that
+// are not welded do not mix. The constructor throws Error when the mesh holds an index that is out of range.
 class PointInterpolation {
 public:
     explicit PointInterpolation(const FaceMeshView& mesh);
 
-    // Converts `components` values per cell to as many per vertex. Values that are not finite are left out of the
-    // means; NaN where no value remains.
+    // Converts `components` interleaved values per cell to as many per vertex. Values that are not finite are left out
+    // of the means. A vertex without any finite value gets NaN.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
 
 private:
     void find_cells(const FaceMeshView& mesh);
 
-    std::vector<std::uint64_t> offset_; // V + 1
+    std::vector<std::uint64_t> offset_; // per vertex and one more: first entry in cell_ and weight_
     std::vector<Index> cell_;
-    std::vector<float> weight_; // >= 0, sum 1 per vertex
+    std::vector<float> weight_; // of the cell at this vertex: >= 0; the sum at a vertex is 1
 };
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// Makes names from outside safe to put in a message. Not in the paper.
+// Escapes names from files and clients, so that a message can quote them. Not in the paper.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace ciel {
 
-// Returns `text` with control characters escaped as in JSON (\u0000). A zero would end a message, and other control
-// characters would act on the terminal that prints it.
+// Returns `text` with control characters escaped as in JSON (\u0000). A NUL would end a message, and a terminal that
+// prints the message would obey other control characters.
 [[nodiscard]] std::string printable(std::string_view text);
 
 } // namespace ciel

@@ -1,22 +1,25 @@
-// Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types. Cells need not store data
-// that all cells of a type have in common.
+// Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types. All cells of a type share
+// its table, so a cell stores no connectivity inside the cell.
 #pragma once
 
 #include "ciel/types.hpp"
 
 namespace ciel {
 
-// Corners in VTK's order. A half-edge is numbered by its place in the loops of the faces, which are wound outwards.
+// Half-edges of one standard cell type. Corners are in VTK's order. Half-edges are numbered face by face, along the
+// loop of each face. Loops are wound outwards.
 struct StandardShape {
     static constexpr std::uint8_t end_of_list = 255;
 
     CellType type{};
     std::uint8_t corners = 0, faces = 0, edges = 0, half_edges = 0;
-    std::array<std::uint8_t, 7> face_begin{}; // face -> its first half-edge; one more at the end
-    // Per half-edge: the corner it leaves, its face, its neighbours in the loop, the other half-edge of the same edge.
+    std::array<std::uint8_t, 7> face_begin{}; // first half-edge of each face; after the last face: half_edges
+    // Per half-edge: the corner that it leaves, its face, the next and the previous half-edge of the face, the other
+    // half-edge of its edge, its edge.
     std::array<std::uint8_t, 24> origin{}, face{}, next{}, previous{}, mate{}, edge{};
-    std::array<std::array<std::uint8_t, 2>, 12> edge_ends{}; // corners
-    // The half-edges that leave a corner, as a list.
+    std::array<std::array<std::uint8_t, 2>, 12> edge_ends{}; // the two corners of each edge
+    // Linked lists of the half-edges that leave each corner: the first, then the next after each half-edge, up to
+    // end_of_list.
     std::array<std::uint8_t, 8> first_at_corner{};
     std::array<std::uint8_t, 24> next_at_corner{};
 
@@ -26,7 +29,7 @@ struct StandardShape {
     }
 };
 
-using ShapeLoops = std::array<std::array<int, 4>, 6>; // -1 ends a loop of three
+using ShapeLoops = std::array<std::array<int, 4>, 6>; // corners of each face; -1 is the fourth corner of a triangle
 
 constexpr void put_loops(StandardShape& shape, const ShapeLoops& loops) {
     std::uint8_t h = 0;
@@ -85,8 +88,8 @@ inline constexpr StandardShape wedge_shape =
 inline constexpr StandardShape pyramid_shape =
     make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
 
-// Returns the standard type with these numbers of faces and half-edges, or polyhedron. `largest`: corners of the
-// largest face; above 4 the cell is a polyhedron. The type in the input file is ignored.
+// Returns the standard type with these numbers of faces and half-edges, or polyhedron. `largest`: number of corners of
+// the largest face; above 4 the cell is a polyhedron.
 constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std::size_t largest) {
     if (largest > 4) return CellType::polyhedron;
     for (const StandardShape* shape : {&tetrahedron_shape, &hexahedron_shape, &wedge_shape, &pyramid_shape})

@@ -1,5 +1,5 @@
-// The kernel's stop token and lock; its parallel loop is in parallel.hpp. In WebAssembly both do nothing. Not in the
-// paper.
+// The kernel's stop token and lock. In WebAssembly, which runs one thread, they do nothing. The parallel loop is in
+// parallel.hpp. Not in the paper.
 #pragma once
 
 #if !defined(__wasm__)

@@ -1,5 +1,5 @@
-// Threshold: whole cells whose values lie in a range, and the surface around them. Not in the paper; uses its
-// mate_polyhedron (section 2.2). Any thread; all results own their data.
+// Threshold: selects the cells whose values lie in a range, and makes the surface around them. Not in the paper. All
+// functions may be called on any thread, and all results own their data.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -8,31 +8,31 @@ namespace ciel {
 
 enum class InRange { all, any }; // which vertices of a cell must lie in the range
 
-// Returns one flag per cell. `values`: one per vertex; throws Error on another number. The range includes both ends,
-// and never NaN. A cell without faces is not kept.
+// Returns one flag per cell: 1 if all, or any, of its vertices lie in the range. `values`: one per vertex; throws Error
+// on another number. The range includes both ends. NaN is outside. A cell without faces gets 0.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
                                                        std::array<double, 2> range, InRange vertices);
-// The same with one value per cell.
+// Returns one flag per cell: 1 if its value lies in the range, which includes both ends. NaN is outside.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range);
 
-struct CellFace { // a face as a side of one of its cells
+struct CellFace { // a face, seen from one of its two cells
     Index face, cell;
 };
-// Returns the faces of kept cells whose other half-edge (mate_polyhedron) is not of a kept cell: faces to other cells
-// and boundary faces. In the order of faces.
+// Returns the faces between a kept cell and a cell that is not kept, and the boundary faces of kept cells, in the order
+// of face ids. `kept`: one flag per cell.
 [[nodiscard]] std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 
-// Returns the faces as polygons, wound outwards from their cell. Points are mesh vertices (a == b), in the order of
-// their first use. Faces of fewer than three distinct vertices are left out.
+// Returns the faces as polygons, wound outwards from the given cell of each. The points of the surface are mesh
+// vertices (EdgePoint a == b), in the order of first use. Faces of fewer than three distinct vertices are left out.
 [[nodiscard]] Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces);
 
 [[nodiscard]] inline Surface threshold_surface(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
 
-// Returns the polygons of kept cells of a cut through the mesh. `kept`: one flag per cell; throws Error when a
-// polygon's cell has none. Throws Error for a clipped surface (clip_surface.hpp), whose new vertices have no points:
-// choose cells before clipping.
+// Returns the polygons of `surface`, a cut through a mesh, whose cells are kept. `kept`: one flag per cell; throws
+// Error when it is too short. Throws Error for the result of clip_surface, whose new vertices have no entries in
+// `points`: select cells before clipping.
 [[nodiscard]] Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept);
 
 } // namespace ciel

@@ -1,4 +1,5 @@
-// The CIEL structure (paper, section 2.2): half-edges in blocks of consecutive cells, with all six operators.
+// Topology: the paper's data structure (section 2.2). Half-edges in blocks of consecutive cells, with all six
+// operators.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -8,19 +9,20 @@
 
 namespace ciel {
 
-using HalfEdge = std::uint32_t; // a block's prefix + the index inside the block
+using HalfEdge = std::uint32_t; // id: first id of the half-edge's block + index inside the block
 
-// `half_edges` counts both sides of a face between two cells. `components` are sets of cells connected by faces.
+// Numbers of elements. `half_edges` counts both sides of a face between two cells. `components` are sets of cells
+// connected by faces.
 struct TopologyCounts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, half_edges = 0, boundary_faces = 0, cells = 0, components = 0;
 };
 
-// Immutable once built; shared by all sessions; thread-safe. Keeps no reference to the FaceMeshView, which may be freed
-// after the build.
+// Immutable once built, and thread-safe, so any number of Queries may share it. Keeps no reference to the FaceMeshView,
+// whose arrays may be freed after the build.
 class Topology {
 public:
     struct Options {
-        Index cells_per_block = 4096; // fewer if their half-edges would not fit 16 bits
+        Index cells_per_block = 4096; // a block gets fewer cells if its local ids would exceed 16 bits
     };
     // Throws Error when the mesh breaks the contract of FaceMeshView.
     explicit Topology(const FaceMeshView& mesh, Options options);
@@ -32,9 +34,9 @@ public:
     // The six operators. `vertex` is the vertex that the half-edge points to, as in the paper; `edge` is a mesh-wide
     // edge id. mate_polyhedron is `none` on a boundary face. next_around_vertex runs through all half-edges that leave
     // the half-edge's origin (the paper's appendix A), across blocks.
-    // Repeated vertices of a loop (collapsed cells) make no half-edge: every half-edge joins two distinct vertices, and
-    // mate_face(h) is never h. In a face that collapsed to a line, mate_face may stay in the face. Edge ids follow the
-    // first appearance of the edge in the mesh's faces, so they do not depend on the blocks.
+    // Repeated vertices of a loop (collapsed cells) make no half-edge. So every half-edge joins two distinct vertices,
+    // and mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the same
+    // face. Edge ids follow the first appearance of the edge in the mesh's faces, so they do not depend on the blocks.
     [[nodiscard]] Index vertex(HalfEdge h) const;
     [[nodiscard]] Index edge(HalfEdge h) const;
     [[nodiscard]] HalfEdge next_around_face(HalfEdge h) const;
@@ -43,16 +45,16 @@ public:
     [[nodiscard]] HalfEdge mate_polyhedron(HalfEdge h) const;
 
     [[nodiscard]] Index cell(HalfEdge h) const;
-    [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves it, or none
+    [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves the vertex, or none
     [[nodiscard]] HalfEdge half_edge_begin(Index cell) const;         // first of half_edges(cell), or none
-    [[nodiscard]] std::vector<HalfEdge> half_edges(Index cell) const; // ids not contiguous; not for hot loops
+    [[nodiscard]] std::vector<HalfEdge> half_edges(Index cell) const; // allocates memory: not for hot loops
 
     [[nodiscard]] const TopologyCounts& counts() const;
     [[nodiscard]] Index block_count() const;
-    // Counts the six operators, duplicates, escapes and block tables; not positions, not fields.
+    // Returns the size of all tables of the topology, without positions and fields.
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    struct Blocks; // the layout, for the kernel's own files (blocks.hpp)
+    struct Blocks; // defined in src/blocks/blocks.hpp, for the kernel only
     [[nodiscard]] const Blocks& blocks() const { return *blocks_; }
 
 private:

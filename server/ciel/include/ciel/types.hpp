@@ -1,4 +1,4 @@
-// Vocabulary of the kernel: indices, cell types, the error type. Not in the paper.
+// Basic types of the kernel: indices, vectors, cell types, errors. Not in the paper.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ using Vec3d = std::array<double, 3>;
 // The values are VTK's cell type numbers, which most formats share.
 enum class CellType : std::uint8_t { tetrahedron = 10, hexahedron = 12, wedge = 13, pyramid = 14, polyhedron = 42 };
 
-// Any error that a user can see. The message is one sentence that names the thing and says what to do.
+// Every error that users see. The message is one sentence that names the object at fault and says what to do.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

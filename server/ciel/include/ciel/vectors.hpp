@@ -1,4 +1,4 @@
-// Three-vectors in double precision: floats cannot hold the products of floats. Not in the paper.
+// Arithmetic on three-vectors in double precision, because products of floats lose bits in float. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,7 +12,7 @@ namespace ciel {
             static_cast<double>(to[2]) - from[2]};
 }
 
-// Each vector may hold floats or doubles.
+// Accepts vectors of floats and of doubles.
 template <class A, class B>
 [[nodiscard]] inline double dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
     return static_cast<double>(a[0]) * b[0] + static_cast<double>(a[1]) * b[1] + static_cast<double>(a[2]) * b[2];

@@ -56,8 +56,8 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// Places where a vertex occurs, half-edges of standard cells and behind them references to other blocks, faces with a
-// side: each kind has 16 bits.
+// Returns true when 16 bits are enough for each kind of local id: entries (blocks.hpp), half-edges of standard cells
+// and the references to Block::twin after them, sides of faces, vertices, and edges.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = StandardSection::no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
@@ -82,7 +82,7 @@ bool BlockBuilder::fits_16_bits() const {
 
 template <class Local>
 void BlockBuilder::fill(BuiltBlock& built) {
-    if (sizeof(Local) > sizeof(std::uint16_t)) { // standard sections are always of 16 bits
+    if (sizeof(Local) > sizeof(std::uint16_t)) { // standard sections have 16-bit ids, so all cells become polyhedra
         for (auto& cells : standard_) cells.clear();
         polyhedra_.resize(built.block.cell_count);
         for (Index cell = 0; cell < polyhedra_.size(); ++cell) polyhedra_[cell] = cell;
@@ -130,7 +130,8 @@ void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> 
     set_anchors<shape>(cells, section.half_edge_begin);
 }
 
-// The half-edge at a loop's first corner: it leaves that corner on side 0, and leads to it on side 1.
+// Sets anchor_ for the faces of standard cells: the half-edge at the first corner of the loop. On side 0 the half-edge
+// leaves that corner; on side 1 it leads to that corner.
 template <const StandardShape& shape>
 void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edge_begin) {
     for (const Recognised& cell : cells) {
@@ -173,7 +174,7 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local
     }
 }
 
-// From the last to the first, so that a vertex's list ascends.
+// Links the entries of each vertex into a list. Goes from the last entry to the first, so that each list ascends.
 template <class Local>
 void BlockBuilder::list_entries(Block& block, BlockArrays<Local>& arrays) {
     constexpr Local end = PolyhedralSection<Local>::end_of_list;

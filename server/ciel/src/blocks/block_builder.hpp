@@ -7,27 +7,27 @@
 
 namespace ciel {
 
-// What the linking of blocks needs and the finished block does not.
+// A block before link_blocks, with tables that only link_blocks needs.
 struct BuiltBlock {
-    Block block;                                 // vertices and edges not yet told into ghosts and own ones
-    std::vector<Index> vertices;                 // local -> mesh
-    std::vector<std::array<Index, 2>> edge_ends; // local
-    // The half-edges whose mates Block::twin is to hold: in another block or section, or nowhere.
+    Block block;                                 // ghost and owned vertices and edges are not yet separated
+    std::vector<Index> vertices;                 // local vertex -> mesh vertex
+    std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
+    // A side of a face whose mate belongs in Block::twin: the mate is in another block or section, or does not exist.
     struct Tail {
-        Index face, side; // of the mesh
-        Index anchor;     // local half-edge of that face at its first corner, along it or against it
-        Index steps;      // from the half-edge whose mate is wanted to the anchor, around the face
-        Index mate;       // of the anchor where it is in this block, in another section; or none
+        Index face, side; // mesh face; 0: side of the owner, 1: side of the neighbor
+        Index anchor;     // local half-edge at the face's first corner: leaves it on side 0, leads to it on side 1
+        Index steps;      // steps around the face from the half-edge whose mate is stored to the anchor
+        Index mate;       // the anchor's mate if it is in another section of this block; else none
     };
-    std::vector<Tail> tails; // by index into Block::twin
+    std::vector<Tail> tails; // tails[i] belongs to Block::twin[i]
 };
 
-// Scratch for many blocks, one per thread; borrows the mesh and its cells' faces.
+// Builds many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.
 class BlockBuilder {
 public:
     BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces) : loops_(mesh, faces) {}
 
-    // Throws Error naming the cell when a cell is not closed.
+    // Builds the block of the cells [cell_begin, cell_end). Throws Error, naming the cell, when a cell is not closed.
     [[nodiscard]] BuiltBlock build(Index cell_begin, Index cell_end);
 
 private:
@@ -51,19 +51,19 @@ private:
     void list_entries(Block& block, BlockArrays<Local>& arrays);
 
     BlockLoops loops_;
-    std::array<std::vector<Recognised>, 4> standard_; // by shape
-    std::vector<Index> polyhedra_;                    // local cells
-    std::vector<std::array<Index, 2>> anchor_;        // loop -> by side: its local half-edge there, or none
+    std::array<std::vector<Recognised>, 4> standard_; // by index in standard_types
+    std::vector<Index> polyhedra_;                    // other cells of the block: local ids
+    std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: local half-edge at the first corner, or none
 };
 
-// Local half-edges and entries behind those of the standard sections. Faces with other than polyhedra of this block on
-// them become tails of `built`; `anchor` gets the polyhedra's half-edges. Throws Error naming a cell that is not
-// closed.
+// Fills `out` with `cells`, whose local half-edges and entries come after those of the standard sections. Faces with
+// only one of `cells` become tails of `built`. Sets `anchor` for the sides of `cells`. Throws Error, naming the cell,
+// when a cell is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     PolyhedralSection<Local>& out, std::span<std::array<Index, 2>> anchor);
 
-// As turn of blocks.hpp, while the block's arrays are not in their place.
+// Like `turn` of blocks.hpp, for a block whose `arrays` are not set yet.
 template <class Local>
 [[nodiscard]] Index turn(const Block& block, const PolyhedralSection<Local>& polyhedra, Index local_half_edge,
                          Index steps);

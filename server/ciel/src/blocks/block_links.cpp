@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t blocks_per_task = 8;
 
-// `body(block)` for all blocks in parallel.
+// Calls body(block) for all blocks in parallel.
 template <class F>
 void for_blocks(std::size_t count, F&& body) {
     parallel_for(count, blocks_per_task, [&](std::size_t begin, std::size_t end) {
@@ -40,7 +40,7 @@ private:
         Index high, block, edge;
     };
     struct SharedLists {
-        std::vector<std::uint64_t> begin; // by mesh vertex, and one more
+        std::vector<std::uint64_t> begin; // by mesh vertex: first index in `edge`; one more at the end
         std::vector<SharedEdge> edge;
     };
 
@@ -61,10 +61,10 @@ private:
     std::vector<BuiltBlock>& built_;
     Topology::Blocks& out_;
     struct Owner {
-        Index edge, block, owner_edge; // a local edge that the local edge of another block owns
+        Index edge, block, owner_edge; // ghost edge `edge` is edge `owner_edge` of its owner `block`
     };
-    std::vector<std::vector<Owner>> ghosts_;   // per block
-    std::vector<std::vector<Index>> new_edge_; // per block: local edge -> its place among the owned, none for ghosts
+    std::vector<std::vector<Owner>> ghosts_;   // by block: its ghost edges
+    std::vector<std::vector<Index>> new_edge_; // by block, local edge: index among the owned edges; none for ghosts
 };
 
 void Linker::number_half_edges() {
@@ -75,7 +75,7 @@ void Linker::number_half_edges() {
         half_edges += b.block.half_edge_count;
         vertices += b.block.vertex_count;
         if (half_edges >= none || vertices >= none)
-            fail("a mesh holds fewer than 4,294,967,295 half-edges: split the dataset");
+            fail("the mesh has more than 4,294,967,294 half-edges; split the dataset");
     }
     out_.counts.half_edges = half_edges;
     out_.counts.vertices = mesh_.vertex_count();
@@ -87,7 +87,8 @@ void Linker::number_half_edges() {
     }
 }
 
-// Vertices are numbered by first use, so those that a block is the first to use are consecutive.
+// Separates ghost vertices from owned vertices. A block owns the vertices that it is the first to use. Vertices are
+// numbered by first use, so these are consecutive.
 void Linker::own_vertices() {
     Index owned = 0;
     for (BuiltBlock& b : built_) {
@@ -102,7 +103,8 @@ void Linker::own_vertices() {
 }
 
 void Linker::ring_vertices() {
-    std::vector<Index> first(mesh_.vertex_count(), none), last(mesh_.vertex_count(), none), next; // slots
+    // A slot is Block::vertex_begin + local vertex. `first` and `last` are by mesh vertex, `next` is by slot.
+    std::vector<Index> first(mesh_.vertex_count(), none), last(mesh_.vertex_count(), none), next;
     for (const BuiltBlock& b : built_) {
         Index slot = b.block.vertex_begin;
         next.resize(slot + b.vertices.size(), none);
@@ -111,7 +113,7 @@ void Linker::ring_vertices() {
                 first[v] = slot;
             } else {
                 next[last[v]] = slot;
-                next[slot] = first[v]; // until a later block has it too
+                next[slot] = first[v]; // closes the ring, until a later block has v too
             }
             last[v] = slot++;
         }
@@ -131,7 +133,8 @@ void Linker::ring_vertices() {
     for_blocks(built_.size(), [&](Index b) { link_border(built_[b].block, next); });
 }
 
-// `next`: by slot, the next one in the ring.
+// Sets neighbour, border_block and border_place of a block. `next`: slot -> next slot of the same vertex around its
+// ring.
 void Linker::link_border(Block& block, std::span<const Index> next) {
     const auto block_with = [&](Index slot) {
         const auto after =
@@ -161,7 +164,8 @@ void Linker::link_border(Block& block, std::span<const Index> next) {
         block.arrays);
 }
 
-// Edges that may be in several blocks: both ends are. By block; each with its lower mesh vertex.
+// Returns, by block, the edges that other blocks may have too, which are those with both ends on the border. Each edge
+// comes with its lower mesh vertex.
 std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_edges() const {
     std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
     for_blocks(built_.size(), [&](Index b) {
@@ -178,8 +182,8 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     return shared;
 }
 
-// Of the edges that one vertex is the lower end of, sorted by block. Short lists as they are; long ones, of a vertex
-// that many blocks meet at, by their upper ends.
+// Gives each edge that several blocks have to the first of these blocks. `edges`: edges of one lower vertex, ordered by
+// block. Long lists, at a vertex of many blocks, are sorted by upper vertex to avoid quadratic time.
 void Linker::give_to_first(std::span<SharedEdge> edges) {
     constexpr std::size_t short_list = 64;
     const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {
@@ -200,7 +204,7 @@ void Linker::give_to_first(std::span<SharedEdge> edges) {
     }
 }
 
-// By lower vertex, and there block by block.
+// Returns the shared edges, grouped by lower mesh vertex. Each group is ordered by block.
 Linker::SharedLists Linker::list_by_lower_vertex() const {
     const auto shared = shared_edges();
     SharedLists lists;
@@ -215,7 +219,8 @@ Linker::SharedLists Linker::list_by_lower_vertex() const {
     return lists;
 }
 
-// Equal edges meet in the list of their lower vertex; the first block owns them.
+// Finds the owner of each shared edge: the first block that has the edge. Equal edges meet in the list of their lower
+// vertex.
 void Linker::own_edges() {
     SharedLists lists = list_by_lower_vertex();
     ghosts_.resize(built_.size());
@@ -223,7 +228,8 @@ void Linker::own_edges() {
         give_to_first(std::span(lists.edge).subspan(lists.begin[v], lists.begin[v + 1] - lists.begin[v]));
 }
 
-// Ids through the mesh: a block's own edges one after another, ghosts have their owner's.
+// Assigns mesh-wide edge ids. The edges that a block owns have consecutive ids; a ghost edge has the id that its owner
+// assigns.
 void Linker::number_edges() {
     new_edge_.resize(built_.size());
     std::uint64_t edges = 0;
@@ -239,12 +245,12 @@ void Linker::number_edges() {
         edges += owned;
     }
     out_.edge_begin.push_back(static_cast<Index>(edges));
-    out_.counts.edges = edges; // fewer than half-edges, so they fit
+    out_.counts.edges = edges; // fewer than half-edges, so edge ids fit 32 bits
 }
 
 void Linker::renumber_edges(Index b) {
     Block& block = built_[b].block;
-    std::vector<std::pair<Index, Index>> ghosts; // (mesh-wide id, old local edge)
+    std::vector<std::pair<Index, Index>> ghosts; // of each ghost edge: (mesh-wide id, old local id)
     for (const Owner& ghost : ghosts_[b])
         ghosts.emplace_back(built_[ghost.block].block.edge_begin + new_edge_[ghost.block][ghost.owner_edge],
                             ghost.edge);
@@ -265,7 +271,7 @@ void Linker::renumber_edges(Index b) {
 }
 
 void Linker::join_twins() {
-    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {none, none}); // by side
+    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {none, none}); // by face and side
     for_blocks(built_.size(), [&](Index b) {
         for (const BuiltBlock::Tail& tail : built_[b].tails)
             anchor[tail.face][tail.side] = built_[b].block.half_edge_begin + tail.anchor;

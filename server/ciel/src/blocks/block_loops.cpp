@@ -19,7 +19,8 @@ void BlockLoops::gather(Index from, Index to) {
     find_edges();
 }
 
-// A copy of what the block's own faces have, which lie side by side, then without repeats where there are any.
+// Copies the loops of the faces that cells of the block own. These faces are consecutive in the mesh. Then removes
+// repeated vertices, if there are any.
 void BlockLoops::copy_own(Index face_begin, Index face_end) {
     const auto offsets = mesh.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
     own_offset_.assign(offsets.begin(), offsets.end());
@@ -58,7 +59,7 @@ void BlockLoops::remove_repeats() {
         append_loop(std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]));
 }
 
-// Returns false when the loop collapsed to a point.
+// Appends a loop without repeated vertices. Returns false when the loop collapsed to a point.
 bool BlockLoops::append_loop(std::span<const Index> ids) {
     const bool any = append_without_repeats(ids, vertex) > 0;
     if (!any && !ids.empty()) collapsed_.push_back(ids.front());
@@ -68,7 +69,7 @@ bool BlockLoops::append_loop(std::span<const Index> ids) {
 
 bool BlockLoops::append(Index face) {
     const auto ids = mesh.loop(face).unchecked();
-    if (ids.size() >= none - vertex.size()) mesh.face_offset.refuse(); // loops of one mesh do not overlap
+    if (ids.size() >= none - vertex.size()) mesh.face_offset.refuse(); // the corners of a block must fit 32 bits
     loop_.assign(ids.begin(), ids.end());
     mesh_face.push_back(face);
     mesh_cell.push_back({mesh.owner[face], mesh.neighbour[face]});
@@ -85,7 +86,7 @@ void BlockLoops::list_faces() {
     cell_loop_begin.assign(1, 0);
     cell_loop.clear();
     for (Index cell = cell_begin; cell < cell_end; ++cell) {
-        Index next = 0; // faces of a cell ascend, so that none is in its list twice
+        Index next = 0; // least valid next face: the list of a cell ascends
         for (const Index face : faces_.of(cell)) {
             if (face < next) mesh.owner.refuse();
             next = face + 1;
@@ -100,7 +101,7 @@ void BlockLoops::list_faces() {
     }
 }
 
-// Each side of a loop that is a cell of this block is in that cell's list.
+// Throws Error unless, for each side of a loop with a cell of this block, the list of that cell has the loop.
 void BlockLoops::check_sides() const {
     std::size_t sides = 0;
     for (Index loop = 0; loop < loop_count(); ++loop)
@@ -121,7 +122,8 @@ void BlockLoops::number_vertices() {
     for (Index& v : vertex) v = local_vertex_[v];
 }
 
-// By first appearance: for the edges that the block owns, that is the mesh-wide order, whatever the size of the blocks.
+// Numbers the edges of the block by first appearance in its loops. For the edges that the block owns, this is the
+// mesh-wide order, which does not depend on the block size.
 void BlockLoops::find_edges() {
     edge.resize(vertex.size());
     edge_ends.clear();

@@ -1,5 +1,5 @@
-// The faces around one block's cells with local ids: what its sections are filled from. The first step of what
-// block_builder.hpp does of Algorithm 5 (paper, appendix A).
+// Faces of the cells of one block, with local vertex and edge ids. BlockBuilder fills the sections of the block from
+// them. This is the first step of Algorithm 5 (paper, appendix A) in a block.
 #pragma once
 
 #include "blocks/local_numbers.hpp"
@@ -9,12 +9,13 @@
 
 namespace ciel {
 
-// A face seen from one of its cells: 2 * loop + side, side 1 against the stored direction.
+// A face as one of its cells sees it: 2 * loop + side. Side 0 runs along the stored loop, side 1 against it.
 using LoopRef = Index;
 
-// Scratch for many blocks, one per thread, as long as the largest of them; borrows the mesh and its cells' faces. Loops
-// lack the repeats of collapsed cells; one that collapsed to a point is empty and in no cell's list. What is read of
-// the mesh is read once and agrees with itself, also when the mesh changes meanwhile: else gather throws Error.
+// Gathers many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.
+// Loops have no repeated vertices of collapsed cells. A loop that collapsed to a point is empty and in no cell's list.
+// The mesh may be in a mapped file that changes. So each array is read once and checked, and gather throws Error when
+// data contradict each other.
 class BlockLoops {
 public:
     BlockLoops(const FaceMeshView& mesh, const CellFaces& faces);
@@ -23,12 +24,12 @@ public:
 
     [[nodiscard]] Index loop_count() const { return static_cast<Index>(mesh_face.size()); }
     [[nodiscard]] Index size(LoopRef ref) const { return begin[ref / 2 + 1] - begin[ref / 2]; }
-    // The i-th corner as the cell sees the loop from outside, counter-clockwise.
+    // Returns the i-th corner of the loop, counter-clockwise as seen from outside the cell.
     [[nodiscard]] Index corner(LoopRef ref, Index i) const {
         return ref % 2 == 0 ? begin[ref / 2] + i : begin[ref / 2 + 1] - 1 - i;
     }
     [[nodiscard]] Index vertex_at(LoopRef ref, Index i) const { return vertex[corner(ref, i)]; }
-    // The edge from the i-th corner to the next.
+    // Returns the local edge from the i-th corner to the next.
     [[nodiscard]] Index edge_at(LoopRef ref, Index i) const {
         return edge[ref % 2 == 0 ? corner(ref, i) : corner(ref, i + 1 == size(ref) ? 0 : i + 1)];
     }
@@ -36,7 +37,7 @@ public:
         return std::span(cell_loop).subspan(cell_loop_begin[local_cell],
                                             cell_loop_begin[local_cell + 1] - cell_loop_begin[local_cell]);
     }
-    // Local cell on a side of a loop, or none: in another block, or outside.
+    // Returns the local cell on a side of the loop; none if the cell is in another block or does not exist.
     [[nodiscard]] Index cell_on(Index loop, Index side) const {
         const Index cell = mesh_cell[loop][side];
         return cell >= cell_begin && cell < cell_end ? cell - cell_begin : none;
@@ -45,13 +46,13 @@ public:
 
     const FaceMeshView& mesh;
     Index cell_begin = 0, cell_end = 0;
-    std::vector<Index> mesh_face;                  // loop -> face: those the cells own, then those of earlier blocks
-    std::vector<std::array<Index, 2>> mesh_cell;   // loop -> owner and neighbour
+    std::vector<Index> mesh_face;                  // loop -> mesh face: first those that the cells own, then others
+    std::vector<std::array<Index, 2>> mesh_cell;   // loop -> mesh cells: owner, and neighbor or none
     std::vector<Index> begin;                      // loop -> first corner; one more at the end
-    std::vector<Index> vertex, edge;               // per corner, local; the edge leads to the next corner
-    std::vector<Index> vertices;                   // local -> mesh vertex, ascending
-    std::vector<std::array<Index, 2>> edge_ends;   // local, lower vertex first; by first appearance in the loops
-    std::vector<Index> cell_loop_begin, cell_loop; // by local cell, in the order of the mesh's faces
+    std::vector<Index> vertex, edge;               // by corner: local vertex, and local edge to the next corner
+    std::vector<Index> vertices;                   // local vertex -> mesh vertex, ascending
+    std::vector<std::array<Index, 2>> edge_ends;   // local edge -> its local vertices, the lower first
+    std::vector<Index> cell_loop_begin, cell_loop; // local cell -> its LoopRefs, in the order of mesh faces
 
 private:
     void list_faces();
@@ -63,15 +64,15 @@ private:
     void check_sides() const;
     void number_vertices();
     void find_edges();
-    Index edge_between(Index low, Index high); // a new one where there is none
+    Index edge_between(Index low, Index high); // creates the edge if it is new
 
     const CellFaces& faces_;
     std::vector<std::uint64_t> own_offset_;
     std::vector<Index> loop_;
     std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
-    LocalNumbers local_vertex_;                             // mesh vertex -> local
-    std::vector<Index> edge_head_, edge_next_;              // edges by their lower vertex: the first ones of each
-    std::unordered_map<std::uint64_t, Index> crowded_edge_; // the others: a vertex of thousands, say a fan's apex
+    LocalNumbers local_vertex_;                             // mesh vertex -> local vertex
+    std::vector<Index> edge_head_, edge_next_;              // lists of edges by lower vertex, at most 64 edges each
+    std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, beyond those 64
 };
 
 } // namespace ciel

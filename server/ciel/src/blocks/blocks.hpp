@@ -1,15 +1,16 @@
 // The layout behind Topology, for the kernel's own files: the paper's half-edges (section 2.2, figure 3) without
-// pointers, consecutive cells in blocks with local ids of 16 bits. Owns its arrays; nothing changes after the build, so
-// any thread may read.
+// pointers. Consecutive cells are in a block, with 16-bit local ids. Nothing changes after the build, so any thread may
+// read.
 //
-// A block's cells of one standard type make a StandardSection: what half-edges of a type have in common is in its
-// StandardShape, a cell stores its vertices, its edges and one reference per face. All other cells make the block's
-// PolyhedralSection: a face between two of them is stored once; a face with only one of them on it in the tail, with
-// its loop in the same direction.
+// The cells of one standard type in a block are a StandardSection. A cell stores its vertices, its edges and one
+// reference per face; all else is the same for all cells of the type and is in StandardShape.
+// All other cells of a block are its PolyhedralSection. Inner faces lie between two of these cells and are stored once.
+// Tail faces have only one of these cells; their loops also run in the direction of the mesh's loop.
 //
-// Local half-edges are numbered section by section: a standard cell's in the order of its shape; of the polyhedra
-// 2 * corner + side for inner faces, then one per corner of the tail. Side 0 runs along the stored loop (the owner's
-// side), side 1 against it. Entries are the places where a vertex occurs: a standard cell's corners, a stored loop's.
+// Local half-edges are numbered section by section. In a standard cell, they have the order of its shape. In a
+// PolyhedralSection, the half-edges of inner faces are 2 * corner + side; after them, tail faces have one half-edge per
+// corner. Side 0 of a face is the owner's and runs along the stored loop; side 1 runs against it.
+// An entry is a place where a vertex occurs: a corner of a standard cell or a corner of a stored loop.
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
@@ -31,51 +32,50 @@ struct StandardSection {
 
     const StandardShape* shape = nullptr;
     Index cells = 0;
-    Index half_edge_begin = 0, entry_begin = 0; // local
-    std::vector<std::uint16_t> cell;            // local cells, ascending; empty when all of the block's are here
-    std::vector<std::uint16_t> vertex;          // corners per cell
-    std::vector<std::uint16_t> edge;            // edges per cell
-    // Per face: the half-edge across its first one, in a standard section too; or the half-edges of those sections + an
-    // index into Block::twin; or no_mate.
+    Index half_edge_begin = 0, entry_begin = 0; // first local half-edge, first entry
+    std::vector<std::uint16_t> cell;            // local cells, ascending; empty means all cells of the block
+    std::vector<std::uint16_t> vertex;          // shape->corners local vertices per cell
+    std::vector<std::uint16_t> edge;            // shape->edges local edges per cell
+    // By cell and face: the mate of the first half-edge of the face. If the mate is in a standard section of the block:
+    // its local half-edge. Otherwise Block::standard_half_edges + an index into Block::twin, or no_mate on the
+    // boundary.
     std::vector<std::uint16_t> mate;
-    std::vector<std::uint16_t> next_entry; // per corner: next entry of the same vertex, or end_of_list
-    std::vector<std::uint64_t>
-        group_parts; // per group: a bit for each part of the block's vertices that it has some of
+    std::vector<std::uint16_t> next_entry;  // by corner: next entry of the same vertex, or end_of_list
+    std::vector<std::uint64_t> group_parts; // by group of cells: one bit per part of the vertices that it uses
 
     [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }
     [[nodiscard]] Index local_cell(Index i) const { return cell.empty() ? i : cell[i]; }
 };
 
-// 32 bits for a giant cell, which has a block of its own.
+// Local: std::uint16_t, or std::uint32_t in a block of one giant cell.
 template <class Local>
 struct PolyhedralSection {
     static constexpr Local end_of_list = std::numeric_limits<Local>::max();
     static constexpr Index escape = 15, longest_search = 256;
 
-    Index half_edge_begin = 0, entry_begin = 0; // local
-    Index inner_corners = 0;                    // corners below this belong to inner faces
-    Index far_corner = 0;                       // corners from here on belong to tail faces whose owner is another cell
-    Index inner_faces = 0;                      // faces below this are inner
-    Index twin_begin = 0;                       // + tail face: index into Block::twin
-    std::vector<Local> cell;                    // local cells, ascending; empty when all of the block's are here
-    // Per corner of a stored loop.
-    std::vector<Local> vertex;     // origin of side 0, target of side 1
-    std::vector<Local> edge;       // from this corner to the next
-    std::vector<Local> next_entry; // next entry of the same vertex, or end_of_list
-    // Four bits per half-edge of the section: which of its cell's faces has its mate, modulo `escape`; or `escape`, and
-    // then mate_escapes tells the mate: also where a search would be longer than `longest_search` corners, as in a cell
-    // of thousands of faces or with a face of thousands of corners. (Half-edges may be more than Local counts: two of
-    // them share a corner.)
+    Index half_edge_begin = 0, entry_begin = 0; // first local half-edge, first entry
+    Index inner_corners = 0;                    // corners below this are of inner faces (between two cells here)
+    Index far_corner = 0;                       // corners from here on: tail faces whose owner is not in the section
+    Index inner_faces = 0;                      // faces below this are inner; the others are tail faces
+    Index twin_begin = 0;                       // index into Block::twin of the first tail face
+    std::vector<Local> cell;                    // local cells, ascending; empty means all cells of the block
+    // By corner of a stored loop:
+    std::vector<Local> vertex;     // origin of the half-edge on side 0, target on side 1
+    std::vector<Local> edge;       // local edge from this corner to the next
+    std::vector<Local> next_entry; // in the list of the corners with the same vertex: next entry, or end_of_list
+    // Four bits per half-edge: index of the face with its mate, among the faces of the cell, modulo `escape`. The value
+    // `escape` means that the mate is in mate_escapes. It is used where `mate` would search more than longest_search
+    // corners or find another half-edge.
     std::vector<std::uint8_t> mate_face;
-    std::vector<std::pair<Index, Index>> mate_escapes; // sorted
-    // Per face.
-    std::vector<Local> face_begin;               // first corner; one more at the end
-    std::vector<std::array<Local, 2>> face_cell; // by side; tail faces have the same one twice
-    std::vector<std::uint64_t> face_start;       // a bit per corner
-    std::vector<Local> face_rank;                // faces that start before each of the words above
-    // Per cell of the section, numbered from 0 here.
-    std::vector<Local> cell_face_begin; // one more at the end
+    std::vector<std::pair<Index, Index>> mate_escapes; // (half-edge, mate), sorted; half-edge ids may exceed Local
+    // By face:
+    std::vector<Local> face_begin;               // first corner of the face; one more at the end
+    std::vector<std::array<Local, 2>> face_cell; // cell of the section by side; twice the same for a tail face
+    std::vector<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
+    std::vector<Local> face_rank;                // number of faces that start before each word of face_start
+    // By cell of the section:
+    std::vector<Local> cell_face_begin; // first index in cell_face; one more at the end
     std::vector<Local> cell_face;       // 2 * face + side, in the order of the mesh's faces
 
     [[nodiscard]] Index count() const {
@@ -91,7 +91,7 @@ struct PolyhedralSection {
     [[nodiscard]] Index side(Index half_edge) const {
         return half_edge < 2 * inner_corners ? half_edge % 2 : Index{half_edge - inner_corners >= far_corner};
     }
-    // `side` matters for inner faces only.
+    // `side_id` is ignored for tail faces, which have one half-edge per corner.
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
@@ -116,16 +116,17 @@ struct PolyhedralSection {
     [[nodiscard]] Index mate_bits(Index half_edge_id) const {
         return Index{mate_face[half_edge_id / 2]} >> 4 * (half_edge_id % 2) & 15U;
     }
-    // The half-edge of the same edge and cell, in another face but where a face collapsed to a line.
+    // Returns the half-edge of the same edge in the adjacent face of the cell. In a face that collapsed to a line, the
+    // mate may be in the face itself.
     [[nodiscard]] Index mate(Index half_edge_id) const;
 };
 
 template <class Local>
 struct BlockArrays {
-    std::vector<Local> first_entry; // per local vertex
-    // The vertices that other blocks share, ascending, and for each the next block that has it: around the ring of
-    // those blocks, ascending and then round again. As an index into Block::neighbour, and the place in that block's
-    // border.
+    std::vector<Local> first_entry; // by local vertex: its first entry, or end_of_list
+    // border_vertex: local vertices that other blocks have too, ascending. The blocks of such a vertex form a ring:
+    // each leads to the next higher block, the last to the first. border_block: the next block in the ring, as an index
+    // into Block::neighbour. border_place: index of the vertex in border_vertex of that block.
     std::vector<Local> border_vertex, border_block, border_place;
     PolyhedralSection<Local> polyhedra;
 };
@@ -135,20 +136,20 @@ struct BlockVertex {
 };
 
 struct BorderVertex {
-    Index block, place; // in its border_vertex
+    Index block, place; // place: index in border_vertex of the block
 };
 
 struct Block {
     Index cell_begin = 0, cell_count = 0;
-    Index half_edge_begin = 0, half_edge_count = 0; // prefix of half-edge ids
-    Index standard_half_edges = 0;                  // the first of them
-    Index edge_begin = 0, edge_count = 0;           // id of the first edge the block owns; all its local edges
-    Index vertex_begin = 0, vertex_count = 0;       // prefix of local vertices: + local vertex is a "slot"
-    Index own_vertex_begin = 0;                     // first mesh vertex that the block owns: is the first to have
-    std::vector<Index> ghost_vertex; // mesh ids of the first local vertices, ascending; its own come after them
-    std::vector<Index> ghost_edge;   // mesh-wide ids of the first local edges, ascending; its own come after them
-    std::vector<HalfEdge> twin;      // half-edges in other blocks or sections, or none
-    std::vector<Index> neighbour;    // blocks that share vertices, ascending
+    Index half_edge_begin = 0, half_edge_count = 0; // id of the first half-edge; number of half-edges
+    Index standard_half_edges = 0;                  // number of half-edges of standard cells, which come first
+    Index edge_begin = 0, edge_count = 0;           // id of the first owned edge; number of local edges
+    Index vertex_begin = 0, vertex_count = 0;       // vertex_begin + local vertex is a "slot", unique in the mesh
+    Index own_vertex_begin = 0;                     // first mesh vertex that this block is the first to have
+    std::vector<Index> ghost_vertex;                // mesh ids of the ghosts, which are the first local vertices
+    std::vector<Index> ghost_edge;                  // mesh-wide ids of the ghosts, which are the first local edges
+    std::vector<HalfEdge> twin;                     // mates that are in other blocks or sections, or none
+    std::vector<Index> neighbour;                   // blocks that come next in the ring of a border vertex, ascending
     std::vector<StandardSection> standard;
     std::variant<BlockArrays<std::uint16_t>, BlockArrays<std::uint32_t>> arrays;
 
@@ -156,19 +157,19 @@ struct Block {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
         return local < ghosts ? ghost_vertex[local] : own_vertex_begin + local - ghosts;
     }
-    // So many consecutive local vertices are a part, of which there are at most 64.
+    // Returns the number of consecutive local vertices that are one part. A block has at most 64 parts.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
         return local < ghosts ? ghost_edge[local] : edge_begin + local - ghosts;
     }
-    // The standard section that a local half-edge or an entry is in; null for the polyhedra's.
+    // Return the standard section with a local half-edge or an entry; null if the PolyhedralSection has it.
     [[nodiscard]] const StandardSection* section_of_half_edge(Index h) const;
     [[nodiscard]] const StandardSection* section_of_entry(Index entry) const;
-    [[nodiscard]] Index border_place_of(Index local_vertex) const; // none inside the block
-    // The first of a vertex's entries that is not below `begin`, or the end of the list, which is above all entries.
+    [[nodiscard]] Index border_place_of(Index local_vertex) const; // index in border_vertex; none if not shared
+    // Returns the first entry of the vertex that is at least `begin`, or end_of_list, which is above all entries.
     [[nodiscard]] Index first_entry_from(Index local_vertex, Index begin) const;
-    // Calls f with the arrays at their width.
+    // Calls f with the BlockArrays, whose ids have 16 or 32 bits.
     template <class F>
     decltype(auto) with(F&& f) const {
         return std::visit(std::forward<F>(f), arrays);
@@ -177,8 +178,8 @@ struct Block {
 
 struct Topology::Blocks {
     std::vector<Block> block;
-    std::vector<Index> block_at;   // half-edge id / 4096 -> block of the first half-edge there
-    std::vector<Index> edge_begin; // block -> its first edge id; one more at the end
+    std::vector<Index> block_at;   // half-edge id / 4096 -> block of the first such half-edge
+    std::vector<Index> edge_begin; // block -> id of its first owned edge; one more at the end
     TopologyCounts counts;
 
     [[nodiscard]] Index block_of(HalfEdge h) const {
@@ -187,7 +188,8 @@ struct Topology::Blocks {
         return b;
     }
     [[nodiscard]] Index block_of_cell(Index cell) const;
-    [[nodiscard]] BlockVertex first_with(Index vertex) const; // {none, none} for a vertex of no cell
+    // Returns the vertex in the block that owns it, or {none, none} if no cell has it.
+    [[nodiscard]] BlockVertex first_with(Index vertex) const;
     [[nodiscard]] BorderVertex next_in_ring(BorderVertex at) const {
         const Block& here = block[at.block];
         return here.with([&](const auto& all) {
@@ -197,17 +199,19 @@ struct Topology::Blocks {
     [[nodiscard]] Index vertex_at(BorderVertex at) const {
         return block[at.block].with([&](const auto& all) { return Index{all.border_vertex[at.place]}; });
     }
-    // A half-edge that leaves a vertex: the first in a block, none where only collapsed faces have the vertex;
+    // Returns the first half-edge in the block that leaves the vertex; none if only collapsed faces have the vertex.
     [[nodiscard]] HalfEdge first_at(BlockVertex at) const;
-    // the first at an entry, or in the next block of the ring where `entry` is the end of the list;
+    // Returns the first half-edge that leaves the vertex at `entry`. If `entry` is end_of_list, continues in the next
+    // block of the ring of the vertex.
     [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // the first in the blocks that follow around the ring, up to the same one.
+    // Returns the first half-edge that leaves the vertex in the blocks after at.block around its ring, at.block itself
+    // last.
     [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
-    // `steps` back around the face, which has `face_size` half-edges.
+    // Returns the half-edge that is `steps` before h in its face. `face_size`: number of half-edges of the face.
     [[nodiscard]] HalfEdge turn_back(HalfEdge h, Index steps, Index face_size) const;
 };
 
-// The half-edge `steps` further around its face.
+// Returns the local half-edge that is `steps` after the given one in its face.
 [[nodiscard]] Index turn(const Block& block, Index local_half_edge, Index steps);
 
 template <class Local>
@@ -223,7 +227,7 @@ Index PolyhedralSection<Local>::mate(Index h) const {
     }
     const Index k = corner(h), own = face(k);
     const std::span<const Local> faces = faces_of(face_cell[own][side(h)]);
-    Index left = longest_search; // for the one who builds: a mate that is stored is found before
+    Index left = longest_search; // corners; when none are left, fill_polyhedra stores an escape
     for (Index i = bits; i < faces.size() && left > 0; i += escape) {
         const Index other = faces[i] / 2;
         if (other == own) continue;

@@ -27,7 +27,8 @@ void LocalNumbers::add_hashed(Index id) {
     if (2 * added_.size() > hashed_.size()) grow();
 }
 
-// No id outside of the window is above one inside, and the window is in order as it is.
+// Hashed ids are less than all ids in the window, so they get the first numbers. The window is in ascending order
+// already.
 void LocalNumbers::number(std::vector<Index>& ids) {
     std::ranges::sort(added_);
     ids = added_;
@@ -39,7 +40,7 @@ void LocalNumbers::number(std::vector<Index>& ids) {
     }
 }
 
-// Fibonacci hashing (Knuth, The Art of Computer Programming 6.4): spreads the runs that ids come in.
+// Fibonacci hashing (Knuth, The Art of Computer Programming 6.4) spreads runs of consecutive ids.
 std::size_t LocalNumbers::slot_of(Index id) const {
     const int shift = 32 - std::countr_zero(hashed_.size());
     std::size_t at = static_cast<Index>(id * 2654435769U) >> shift;

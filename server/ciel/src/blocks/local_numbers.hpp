@@ -1,6 +1,6 @@
-// Mesh ids of one block -> local numbers, in memory that grows with the block and not with the mesh. A block's own
-// vertices are consecutive and the highest that it has, so most ids lie in a window that is an array; the others are
-// hashed. Not in the paper, whose half-edges are not in blocks.
+// Maps the mesh ids of the vertices of one block to local numbers. Its memory grows with the block, not with the mesh.
+// The vertices that a block owns are consecutive and its highest, so most ids are found in an array over a window of
+// ids. The other ids are hashed. Not in the paper, which has no blocks.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -9,11 +9,10 @@
 
 namespace ciel {
 
-// One thread at a time; used again for many blocks.
+// Not thread-safe. Reused for many blocks.
 class LocalNumbers {
 public:
-    // Forgets all. `highest`: that will be added; `most`: so many will be added at most, each counted as often as add
-    // is called.
+    // Removes all ids. `highest`: highest id that will be added. `most`: the most calls of `add` that will follow.
     void begin(Index highest, std::size_t most);
     void add(Index id) {
         if (id < window_begin_)
@@ -21,7 +20,7 @@ public:
         else
             window_[id - window_begin_] = 0;
     }
-    // Numbers what was added, from 0 on, by ascending ids, and lists these.
+    // Numbers the added ids from 0 in ascending order, and sets `ids` to the added ids in that order.
     void number(std::vector<Index>& ids);
     // REQUIRES: id was added
     [[nodiscard]] Index operator[](Index id) const {
@@ -32,14 +31,14 @@ private:
     struct Slot {
         Index id = none, number = 0;
     };
-    [[nodiscard]] std::size_t slot_of(Index id) const; // where it is, or would be
+    [[nodiscard]] std::size_t slot_of(Index id) const; // index of `id` in hashed_, or of the free slot for it
     void add_hashed(Index id);
     void grow();
 
     Index window_begin_ = 0;
-    std::vector<Index> window_; // none where it was not added
-    std::vector<Slot> hashed_;  // a power of two; at least half of them are free
-    std::vector<Index> added_;  // of those hashed
+    std::vector<Index> window_; // number of id window_begin_ + i; none if not added
+    std::vector<Slot> hashed_;  // hash table with open addressing; size is a power of two
+    std::vector<Index> added_;  // ids in hashed_
 };
 
 } // namespace ciel

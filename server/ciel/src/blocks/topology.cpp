@@ -10,12 +10,13 @@ namespace ciel {
 
 namespace {
 
-// Block boundaries (cells), so that each block but a giant cell's has local ids of 16 bits: a standard cell's
-// half-edges have such ids, a polyhedron's corners, which most often serve two cells.
+// Returns the first cell of each block, then the number of cells. Local ids of each block fit 16 bits, except for a
+// block of one giant cell. Standard cells need ids for their half-edges. Polyhedra need ids only for corners of faces,
+// which two cells usually share.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};
-    std::uint64_t used = 0, corners = 0; // corners: of each face once
+    std::uint64_t used = 0, corners = 0; // corners: each face counted once
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         std::uint64_t of_cell = 0, new_corners = 0;
         std::size_t largest = 0;
@@ -39,7 +40,7 @@ std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Inde
     return begin;
 }
 
-// Cells that hang together by faces.
+// Returns the number of sets of cells that are connected by faces.
 std::uint64_t count_components(const FaceMeshView& mesh) {
     std::vector<Index> parent(mesh.cell_count());
     for (Index c = 0; c < parent.size(); ++c) parent[c] = c;
@@ -48,7 +49,7 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
         return c;
     };
     std::uint64_t components = parent.size();
-    const Ids owners = mesh.owner; // copies: their limits stay in registers while `parent` is written
+    const Ids owners = mesh.owner; // copies, so that index limits stay in registers
     const OptionalIds neighbours = mesh.neighbour;
     for (std::size_t f = 0; f < owners.size(); ++f) {
         const Index neighbour = neighbours[f];
@@ -96,7 +97,7 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
     const CellFaces faces = cell_faces(mesh);
     const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
     std::vector<BuiltBlock> built(begin.size() - 1);
-    // Few tasks: each has scratch that grows to the largest of its blocks.
+    // Few tasks, because each BlockBuilder has buffers that grow to its largest block.
     parallel_for(built.size(), built.size() / (std::size_t{4} * thread_count()) + 1,
                  [&](std::size_t first, std::size_t last) {
                      BlockBuilder builder(mesh, faces);

@@ -7,12 +7,12 @@ namespace ciel {
 
 namespace {
 
-// Of a standard section: which cell, and which of its half-edges.
+// A half-edge of a standard section: index of its cell in the section, and its number in the shape.
 struct Place {
     Index cell, half_edge;
 };
 
-// A division by a number that the compiler knows: the operators are little else.
+// Divides by a compile-time constant, chosen by shape. The operators do little besides this division.
 Place place_of(const StandardSection& section, Index local_half_edge) {
     Place place{};
     const Index at = local_half_edge - section.half_edge_begin;
@@ -22,8 +22,9 @@ Place place_of(const StandardSection& section, Index local_half_edge) {
     return place;
 }
 
-// The first half-edge that leaves the vertex of an entry, in the entry's cell or, of a face that two cells share,
-// along the loop or else, in a tail, whichever there is.
+// Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, it is the first in
+// the list of the shape. At a corner of a stored loop, it runs along the loop, or against the loop if only side 1 of
+// the face is in the section.
 HalfEdge first_at_entry(const Block& block, Index entry) {
     if (const StandardSection* section = block.section_of_entry(entry)) {
         const StandardShape& shape = *section->shape;
@@ -88,7 +89,8 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
     });
 }
 
-// The mate of a face's first half-edge is stored; around the other side the order is reversed.
+// Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
+// the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Block& block = blocks_->block[blocks_->block_of(h)];
     const Index local = h - block.half_edge_begin;
@@ -110,13 +112,13 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
         const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
         const HalfEdge first = block.twin[polyhedra.twin_begin + face - polyhedra.inner_faces];
         const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
-        const Index along = corner - polyhedra.face_begin[face]; // against the way of side 1
+        const Index along = corner - polyhedra.face_begin[face]; // position along the stored loop
         return first == none ? none : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
     });
 }
 
-// In a standard cell, its half-edges that leave the corner. At each corner of a stored loop: the half-edge that leaves
-// along the loop, then the one that leaves against it.
+// Goes through the entries of the vertex. At a corner of a standard cell: the half-edges of the cell that leave the
+// corner. At a corner of a stored loop: the half-edge that leaves along the loop, then the one that leaves against it.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Index b = blocks_->block_of(h);
     const Block& block = blocks_->block[b];
@@ -256,7 +258,7 @@ Index Block::border_place_of(Index local_vertex) const {
 Index Block::first_entry_from(Index local_vertex, Index begin) const {
     return with([&](const auto& all) {
         Index entry = all.first_entry[local_vertex];
-        while (entry < begin) { // of a standard section: the polyhedra's are the last
+        while (entry < begin) { // in a standard section, because polyhedra have the last entries
             const StandardSection& section = *section_of_entry(entry);
             entry = section.next_entry[entry - section.entry_begin];
         }

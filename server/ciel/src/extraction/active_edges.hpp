@@ -1,5 +1,5 @@
-// How a cut records its active edges, and the ids that polygons store for them. The bits replace the is_marked of the
-// paper's half-edge (section 2.2, figure 3).
+// Two ways to record the active edges of a cut: SharedEdges and MetEdges. They differ in the ids that polygons store.
+// The records replace the is_marked of the paper's half-edge (section 2.2, figure 3).
 #pragma once
 
 #include "extraction/cut_block.hpp"
@@ -8,12 +8,12 @@
 
 namespace ciel {
 
-// For surfaces: one bit per edge. Points are in the order of edges and shared between blocks.
+// For surfaces whose points are shared between blocks. Sets one bit per active edge; polygons store local edges.
 class SharedEdges {
 public:
     SharedEdges(CutScratch& scratch, ActiveBlock& cut) : active_(cut.active.data()), ends_(scratch.ends.data()) {}
 
-    // Returns the id that a polygon stores.
+    // Marks the edge between local vertices a and b as active. Returns the id that polygons store for the edge.
     Index activate(Index edge, Index a, Index b) {
         active_[edge / 64] |= std::uint64_t{1} << edge % 64;
         ends_[edge] = {std::min(a, b), std::max(a, b)};
@@ -27,14 +27,16 @@ private:
     std::array<Index, 2>* ends_;
 };
 
-// For points of one block: numbered in the order of first use, so that inactive edges cost nothing.
+// For cuts of one block alone. Numbers points in the order of first use, so that inactive edges cost nothing; polygons
+// store these point numbers.
 class MetEdges {
 public:
     MetEdges(CutScratch& scratch, ActiveBlock&)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 
-    // Branch-free: whether the edge is new is unpredictable. Ends of a known edge are written past the last entry.
+    // Branch-free, because it is unpredictable whether the edge already has a point. If it has one, the ends are
+    // written past the last entry, where the next new point overwrites them.
     Index activate(Index edge, Index a, Index b) {
         const Index known = met_[edge], is_new = known < before_ ? 1 : 0;
         const Index number = known ^ ((known ^ next_) & (0 - is_new));
@@ -51,7 +53,7 @@ private:
     std::array<Index, 2>* ends_;
     Index before_;
     Index* count_;
-    Index next_; // number of the next point, plus before_
+    Index next_; // before_ + number of the next new point
 };
 
 } // namespace ciel

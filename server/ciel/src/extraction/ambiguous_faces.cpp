@@ -1,4 +1,4 @@
-// Section 4 of the paper: faces on which the surface could be joined in more than one way.
+// Counts the ambiguous faces, on which the points of a surface could be joined in more than one way (paper, section 4).
 #include "ciel/field.hpp"
 #include "ciel/parallel.hpp"
 #include "mesh/loop.hpp"

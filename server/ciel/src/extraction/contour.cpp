@@ -10,7 +10,7 @@
 namespace ciel {
 namespace {
 
-// Replaces ids of the stored mesh by the caller's.
+// Replaces vertex and cell ids of the stored mesh by the caller's ids.
 void name_as_given(const Mesh& mesh, Surface& surface) {
     const std::span<const Index> vertex = mesh.original_vertex(), cell = mesh.original_cell();
     if (!vertex.empty())
@@ -50,7 +50,7 @@ Contour& Contour::operator=(Contour&&) noexcept = default;
 
 void Contour::set(const Field& field) {
     if (&mesh_of(field).topology() != &mesh_of(state_->field).topology())
-        fail("a Contour goes from field to field of one mesh; make another Contour for another mesh");
+        fail("a Contour takes only fields of the mesh that it was made with; make another Contour for another mesh");
     state_->query.set_mesh(mesh_of(field).stored());
     state_->query.set_field(field);
     state_->field = field;

@@ -19,7 +19,7 @@ CutScratch& scratch_of_this_thread() {
     return scratch;
 }
 
-// Writes one byte per value. This loop visits every vertex of a block.
+// Vectorized, because this loop visits every vertex of a block.
 CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
     for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
 }
@@ -40,7 +40,7 @@ const std::uint8_t* mark(std::span<const float> values, float threshold, CutScra
     return high;
 }
 
-// Packs eight bytes of 0 or 1 into eight bits. The multiplication moves one byte to each bit of the top byte.
+// Packs eight bytes of 0 or 1 into eight bits. The multiplication moves byte i to bit i of the top byte.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
     std::uint64_t word;
     std::memcpy(&word, bytes, sizeof word);
@@ -74,7 +74,8 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Appends the active cells to scratch.cell. Branch-free, because it is unpredictable which cells are active.
+// Appends the active cells in [begin, end) to scratch.cell. Branch-free, because it is unpredictable which cells are
+// active.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -89,8 +90,9 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// Finds the parts of the block's vertices that have low or high ones. The vertices of a group of cells lie in few
-// parts, and most parts are all low or all high. The padding counts as low, which may cost a needless visit of a group.
+// Sets the bits of the parts (Block::vertices_per_part) with low vertices in scratch.low_parts and those with high
+// vertices in scratch.high_parts. A group of cells touches few parts, and most parts are all low or all high, so most
+// groups are skipped. The padding counts as low, which at worst causes a needless visit of a group.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -108,7 +110,6 @@ void find_parts(const Block& block, CutScratch& scratch) {
     }
 }
 
-// Prefetches memory that is about to be read.
 template <class T>
 void fetch(const T* from, std::size_t count) {
     for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(from + i);
@@ -135,7 +136,8 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
 
 enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
 
-// Classifies each face once for both of its cells. Raw pointers: byte stores may alias the members and force reloads.
+// Sets scratch.face_kinds: classifies each face once for both of its cells. Uses raw pointers, because byte stores may
+// alias the members and force reloads.
 template <class Local>
 void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     scratch.face_kinds.resize(section.face_count());
@@ -170,7 +172,8 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
             scratch.cell[scratch.cells++] = {cell, 0};
 }
 
-// One extra entry: branch-free loops write inactive entries past the last active one.
+// Clears `cut` and grows the buffers of `scratch`. `ends` and `cell` get one extra entry, because branch-free loops
+// write inactive entries past the last active one.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, block.edge_count + std::size_t{1});
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -181,7 +184,7 @@ void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.decided = false;
 }
 
-// Sorts the polygons of all sections by cell.
+// Sorts the polygons of the cut by cell. Before, they are ordered by section.
 void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());
@@ -245,7 +248,7 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-// The same for known candidates.
+// Like cut_sections, but tests only the cells in `cells`.
 template <class Edges>
 void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                 ActiveBlock& cut) {
@@ -278,7 +281,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     begin_cut(block, scratch, cut);
     grow(scratch.met, block.edge_count);
     (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_most; // the last cut may have failed: skips all its numbers
+    scratch.met_before += scratch.met_most; // skips all numbers of the last cut, which may have thrown
     scratch.met_most = block.edge_count;
     scratch.met_count = 0;
     if (scratch.met_before > none - block.edge_count) {

@@ -1,4 +1,4 @@
-// How a block is cut: finds its active cells and runs Algorithm 4 in them.
+// Cuts one block at one nu: finds its active cells and runs Algorithm 4 of the paper in them.
 #pragma once
 
 #include "blocks/active_block.hpp"
@@ -8,47 +8,50 @@
 
 namespace ciel {
 
-// Returns the smallest float >= nu: value >= nu and value >= threshold are the same for every float value. Returns
-// infinity for NaN; no finite value reaches it.
+// Returns the smallest float >= nu, so that value >= nu and value >= threshold are the same for every float value.
+// Returns infinity for NaN, which makes every finite value low.
 [[nodiscard]] float threshold_of(double nu);
 
-// Scratch for many blocks, one per thread.
+// Buffers for cutting many blocks; one object per thread.
 struct CutScratch {
     struct ActiveCell {
-        Index index; // in its section
-        Index high;  // of a standard cell: one bit per corner
+        Index index; // index of the cell in its section
+        Index high;  // one bit per corner of a standard cell, set if high; 0 for polyhedra
     };
-    std::vector<std::uint8_t> high;              // per local vertex; zero-padded to a multiple of 64
-    std::uint64_t low_parts = 0, high_parts = 0; // one bit per part of the vertices: has low or high ones
-    std::vector<ActiveCell> cell;                // room for all cells of a block
-    Index cells = 0;                             // number of active cells of one section; they ascend
-    std::vector<std::array<Index, 2>> ends;      // per local edge, valid if active; by point in cut_block_alone
-    // For cut_block_alone, per local edge: its point + met_before; less if the edge is new to this cut.
+    std::vector<std::uint8_t> high;              // by local vertex: 1 if high; zero-padded to a multiple of 64
+    std::uint64_t low_parts = 0, high_parts = 0; // one bit per part of the vertices: has low, has high vertices
+    std::vector<ActiveCell> cell;                // active cells of one section, ascending, then unused entries
+    Index cells = 0;                             // number of active cells in `cell`
+    std::vector<std::array<Index, 2>> ends;      // end vertices by local edge, if active; by point for MetEdges
+    // For MetEdges, by local edge: met_before + the point of the edge; less than met_before if the edge has no point in
+    // this cut.
     std::vector<Index> met;
     Index met_before = 1, met_count = 0, met_most = 0;
-    std::vector<std::uint8_t> face_kinds; // per face of the polyhedra: 1 has low corners, 2 has high ones
-    // Faces of one polyhedron that nu crosses. One bit per corner of the stored loop: the edge that begins there climbs
-    // or descends. A face with more than 64 corners is always listed, with all bits of `climbs` set.
+    std::vector<std::uint8_t> face_kinds; // by face of the polyhedra: 1 has low corners, 2 has high corners, 3 has both
+    // A face of a polyhedron that nu crosses. Bit i of `climbs` is set if the edge that begins at corner i of the
+    // stored loop goes from low to high; bit i of `descends`, if it goes from high to low. A face with more than 64
+    // corners is always listed, with all bits of `climbs` set.
     struct CrossedFace {
         Index face, side;
         std::uint64_t climbs, descends;
     };
     std::vector<CrossedFace> crossed;
-    // For one polyhedron: the exit edge of the face that is entered over an edge.
+    // For the face of a polyhedron that a polygon enters over one edge: the edge over which the polygon leaves the
+    // face.
     struct Way {
-        Index stamp = 0; // of the cell for which it is valid
+        Index stamp = 0; // cell_stamp of the cell for which `exit` is valid
         Index exit = 0;
     };
-    std::vector<Way> way; // per local edge
+    std::vector<Way> way; // by local edge over which a face is entered
     Index cell_stamp = 0;
     std::vector<Index> entry;
-    std::vector<Index> returning; // edges by which one face is both entered and left
+    std::vector<Index> returning; // edges over which the same face is entered and left
     std::vector<std::array<Index, 2>> crossing;
-    std::vector<std::uint8_t> walked; // per half-edge of the polyhedra
+    std::vector<std::uint8_t> walked; // by half-edge of the polyhedra: 1 if a polygon has passed it
     struct Sorted {
         std::vector<Index> order, cell, end, edge;
     };
-    Sorted sorted; // for polygons of several sections
+    Sorted sorted; // buffers for sorting the polygons of several sections by cell
 
     [[nodiscard]] std::span<const ActiveCell> active_cells() const { return std::span(cell).first(cells); }
 };
@@ -62,27 +65,28 @@ void mark_high(const float* values, std::size_t count, float threshold, std::uin
 bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut);
 
 struct BlockValues {
-    std::span<const float> values; // NaN where there is none
-    bool gaps = false;             // some vertex has none: cells that touch it are skipped
+    std::span<const float> values; // by local vertex; NaN where a vertex has no value
+    bool gaps = false;             // some vertex has no value; cells that touch such a vertex are skipped
     float threshold = 0;
     double nu = 0;
     Decider decider = Decider::isolate_high;
-    std::span<const CellRanges::Range> ranges; // may be empty
-    bool naive = false;                        // visits each cell
+    std::span<const CellRanges::Range> ranges; // [min, max] by group of cells (CellRanges::of), or empty
+    bool naive = false;                        // tests every cell of the block
 };
 
-// Cuts the block. Call `classify` with the same scratch before.
+// Cuts the block into `cut`. Call `classify` with the same scratch and cut before.
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// For cuts that are neither kept nor joined with other blocks. Classifies the vertices itself. Sets only the polygons
-// of `cut`; their edges are point numbers. scratch.ends has the edge ends of the scratch.met_count points.
+// Cuts the block for output that is not kept and shares no points with other blocks. Classifies the vertices itself. Of
+// `cut`, sets only the polygons; polygon_edge then holds point numbers. Sets scratch.met_count to the number of points,
+// and scratch.ends to the end vertices of the edge of each point.
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// The same two for known candidates. `cells`: local ids, ascending, of all cells that may be active.
+// Like cut_block and cut_block_alone, but test only `cells`: local ids, ascending, of all cells that may be active.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                ActiveBlock& cut);
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                      ActiveBlock& cut);
 
-// Cut one section, for the functions above. The active cells are in scratch.cell. Edges: see active_edges.hpp.
+// Cut the active cells of one section, which are in scratch.cell. Edges: SharedEdges or MetEdges (active_edges.hpp).
 template <class Edges>
 void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 template <class Edges, class Local>

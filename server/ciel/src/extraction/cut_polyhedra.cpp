@@ -1,11 +1,13 @@
 // Algorithm 4 of the paper: intersection polygons by turning around the faces of a polyhedron.
 //
-// Seen from outside, a face is entered where its loop climbs from low to high. It is left at the next active edge,
-// where the loop descends. Each high run of a face is cut off by itself, so two cells agree on the face between them.
-// The polygon goes on over the exit edge in another face of the cell.
-// If every active edge of the cell is entered once, one exit per entry edge is enough (`follow`). Where the cell
-// touches itself, mate_face tells the paths apart (`walk_all`).
-// If a decider joins the high runs of a face, the face is left at the previous active edge.
+// A polygon is a walk over faces of the cell. Seen from outside the cell, the walk enters a face at an active edge
+// where the loop of the face climbs from low to high. It leaves the face at the next active edge of the loop, which
+// descends, and enters the adjacent face across that edge. So each run of high corners of a face is cut off by itself,
+// and both cells of the face join its points in the same way.
+// If no two faces of the cell are entered over the same edge, a table from entry edge to exit edge is enough
+// (`follow`). Otherwise the cell touches itself along an edge, and the walk finds the adjacent face by mate_face
+// (`walk_all`).
+// If a decider joins the high runs of a face, the walk leaves the face at the previous active edge instead.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -16,7 +18,8 @@ namespace ciel {
 
 namespace {
 
-// A stamp marks entries of earlier cells as stale; 0 is never used.
+// Returns a new stamp. An entry of `marks` with another stamp is stale: it belongs to an earlier cell. 0 is never used
+// as a stamp.
 template <class Marks>
 Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
     if (++stamp == 0) { // after 2^32 stamps, old ones would match again
@@ -81,7 +84,8 @@ private:
     Edges edges_;
 };
 
-// Prefetches the faces of the next cell. They are scattered in memory, and waiting for them took half of the time.
+// Prefetches the faces of a cell, which are scattered in memory. Without prefetching, half of the time was spent
+// waiting for them.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
     for (const Index ref : section_.faces_of(cell)) {
@@ -99,7 +103,8 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
     return false;
 }
 
-// Reads eight corners without a branch, because the sizes of faces are unpredictable. Corners past the face are masked.
+// Returns one bit per corner of a face, set if the corner is high. Reads eight corners and masks those beyond the face,
+// because a loop over the unpredictable number of corners mispredicts branches.
 template <class Edges, class Local>
 std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
     const Local* vertex = vertex_ + begin;
@@ -112,7 +117,8 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
     return bits;
 }
 
-// Lists the faces that nu crosses, branch-free. Testing a face for both of its cells costs less than a cache.
+// Returns the faces of the cell that nu crosses. Branch-free. Tests each face again for its second cell, because a
+// cache of the results was slower.
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
@@ -130,8 +136,9 @@ std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_cr
     return {scratch_.crossed.data(), to};
 }
 
-// Links an entry to its exit, both corners of the stored loop. Returns false when the edge is entered a second time in
-// this cell. Each active edge of the cell is the entry of one of its faces.
+// Stores that a polygon which enters a face over the edge at corner `entry` leaves the face over the edge at corner
+// `exit`. `after`: the next corner after `entry` in the stored loop. Activates the entry edge; each active edge of the
+// cell is the entry of some face. Returns false when the edge already is an entry in this cell.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
     activate(entry, after);
@@ -142,7 +149,8 @@ bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) 
     return true;
 }
 
-// Side 1 runs against the stored loop, where a descending edge climbs.
+// Links a face with one run of high corners. On side 1 the cell sees the stored loop reversed, so the descending edge
+// is the entry.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
     const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
@@ -151,7 +159,7 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
     const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
     const Index after = entry + 1 == end ? begin : entry + 1;
     if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
-    // A face that collapsed to a line is entered and left over one edge, which may have no other face.
+    // A face that collapsed to a line is entered and left over the same edge. The edge may belong to no other face.
     activate(entry, after);
     scratch_.returning.push_back(edge_[entry]);
     return true;
@@ -172,8 +180,8 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
     return simple;
 }
 
-// Lists the active edges of a face along its stored loop. Climbing and descending edges alternate; a climbing one is
-// first.
+// Sets scratch_.crossing to the active edges of a face along its stored loop. Climbing and descending edges alternate,
+// beginning with a climbing edge.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
     scratch_.crossing.clear();
@@ -238,7 +246,7 @@ template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
     if (scratch_.walked.size() < 2 * section_.mate_face.size())
         scratch_.walked.resize(2 * section_.mate_face.size(), 0);
-    std::vector<Index>& entries = scratch_.entry; // holds half-edges here; the links are unused
+    std::vector<Index>& entries = scratch_.entry; // holds half-edges here, not edges; `way` is unused
     entries.clear();
     for (const Index ref : section_.faces_of(cell)) {
         const Index face = ref / 2, side = ref % 2;
@@ -273,7 +281,8 @@ void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
     finish_walk(cell, begin);
 }
 
-// Where the cell touches itself or has collapsed, a walk may pass an edge more than once.
+// Ends the polygon that begins at `begin`. Where the cell touches itself or has collapsed, a walk may pass an edge more
+// than once; a polygon of fewer than three distinct edges is dropped.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
@@ -287,7 +296,8 @@ void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) 
     finish(cell, begin);
 }
 
-// Seen from outside, the walk has the high side on its left. Reversed, the right-hand normal points to the high side.
+// Reverses the polygon. Seen from outside the cell, the walk has the high side on its left, but the right-hand normal
+// of the polygon must point to the high side.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;

@@ -1,4 +1,5 @@
-// Algorithm 4 in standard cells: the polygons of each case are tabulated; only the edge ids differ between cells.
+// Algorithm 4 in standard cells. The polygons of each combination of high corners are tabulated (standard_cases.hpp),
+// as edges of the shape. Here they are mapped to the edges of each cell.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 #include "extraction/standard_cases.hpp"
@@ -19,7 +20,8 @@ public:
 
     void run() {
         if (in_.gaps) pass_over();
-        // However faces are joined, each active edge of a cell is in one polygon. There are at most four polygons.
+        // Reserves room: each active edge of a cell is in exactly one polygon, and a cell has at most four polygons,
+        // whichever faces a decider joins.
         std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
         const std::size_t first_polygon = polygons, first_corner = corners;
         for (const auto& cell : scratch_.active_cells()) {
@@ -92,8 +94,8 @@ private:
         scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
-    // Returns true for a cell with a missing value. Its edges with values at both ends stay active: a neighbour in
-    // another block may cut them.
+    // Returns true for a cell with a missing value, which is not cut. Activates those of its crossed edges that have
+    // values at both ends, because a cell of another block may use them.
     bool passed_over(const CutScratch::ActiveCell& cell) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };

@@ -20,8 +20,8 @@ public:
     // Updates the active blocks and their cuts to nu. Returns false when stopped; the Cutter stays usable.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
-    [[nodiscard]] std::span<const Index> active() const { return active_; } // crossed blocks, ascending
-    [[nodiscard]] std::span<ActiveBlock> cut() { return cut_; }             // by block
+    [[nodiscard]] std::span<const Index> active() const { return active_; } // blocks at the surface, ascending
+    [[nodiscard]] std::span<ActiveBlock> cut() { return cut_; }             // cuts, indexed by block
     [[nodiscard]] virtual std::size_t memory_bytes() const;
 
 protected:
@@ -37,7 +37,7 @@ protected:
 // The paper's Algorithm 2: propagates the active edges from one nu to the next, starting at sorted extrema. Propagation
 // is serial; the blocks of the cells that it reaches are cut in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
-// The paper's baseline: keeps nothing and visits every cell each time. Blocks run in parallel.
+// The paper's baseline: keeps nothing between values and visits every cell for each value. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// Where nu cuts an edge: linear between its ends (paper, section 2.2: "compute intersection").
+// Points at which nu cuts edges, by linear interpolation between the ends (paper, section 2.2: "compute intersection").
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -8,13 +8,13 @@
 
 namespace ciel {
 
-// Returns the position of nu between two values: 0 at `from`, 1 at `to`. All points use this function, so a point that
-// is made in different places has the same bits.
+// Returns the position of nu between two values, clamped to [0, 1]: 0 at `from`, 1 at `to`. All points are made with
+// this function, so the point of an edge has the same bits wherever it is made.
 [[nodiscard]] inline float share_at(double nu, double from, double to) {
     return static_cast<float>(std::clamp((nu - from) / (to - from), 0.0, 1.0));
 }
 
-// `ends`: local vertices of the block. `values`: by local vertex.
+// Returns the point at nu on an edge. `ends`: local vertices of the block. `values`: by local vertex.
 [[nodiscard]] inline EdgePoint edge_point(const Block& block, std::span<const float> values,
                                           const std::array<Index, 2>& ends, double nu) {
     return {block.vertex(ends[0]), block.vertex(ends[1]), share_at(nu, values[ends[0]], values[ends[1]])};

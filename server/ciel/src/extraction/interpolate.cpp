@@ -6,10 +6,10 @@ namespace ciel {
 
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out) {
-    if (components < 1) fail("an array has at least one component");
+    if (components < 1) fail("an array must have at least one component");
     const auto width = static_cast<std::size_t>(components);
     if (out.size() != points.size() * width)
-        fail("interpolation needs room for " + std::to_string(points.size() * width) + " values, not " +
+        fail("the output of the interpolation must hold " + std::to_string(points.size() * width) + " values, not " +
              std::to_string(out.size()));
     parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

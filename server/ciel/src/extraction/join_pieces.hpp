@@ -24,7 +24,8 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
     }
 }
 
-// Concatenates the triangles as indices into the joined points. points(piece): the points of a piece.
+// Concatenates the triangles of all pieces and offsets their indices into the joined points. points(piece): the points
+// of a piece.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;

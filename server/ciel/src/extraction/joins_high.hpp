@@ -6,15 +6,15 @@
 namespace ciel {
 
 // Returns true when the high corners are joined. `value(i)`: value of the i-th of n corners around the face. The face
-// must be ambiguous at nu: at least four changes between high and low around it. Both cells of a quadrangle get the
-// same result, although they may start at another corner or run the other way.
+// must be ambiguous at nu: at least four changes between high and low around it. For a quadrangle, the result does not
+// depend on the first corner and the direction, so both cells of the face get the same result.
 template <class Value>
 [[nodiscard]] bool joins_high(std::size_t n, double nu, Value&& value) {
     if (n == 4) {
         const bool first_is_high = value(0) >= nu;
         const double a = value(first_is_high ? 0 : 1), c = value(first_is_high ? 2 : 3);
         const double b = value(first_is_high ? 1 : 0), d = value(first_is_high ? 3 : 2);
-        return a * c - b * d >= nu * ((a + c) - (b + d)); // the last factor is positive: a and c are the high ones
+        return a * c - b * d >= nu * ((a + c) - (b + d)); // a and c are high, so the last factor is positive
     }
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) sum += value(i);

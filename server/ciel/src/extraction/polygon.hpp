@@ -1,4 +1,5 @@
-// Corners and area of the polygons that Algorithm 4 of the paper makes. Borrowed from the surface; any thread.
+// Corners and area vectors of a surface's polygons, which Algorithm 4 of the paper makes. The corners are borrowed from
+// the surface. Any thread.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -1,4 +1,4 @@
-// Fills the polyhedra of a block: each loop is stored once for both of its cells.
+// Fills the PolyhedralSection of a block. A face between two of its cells is stored once for both.
 #include "blocks/block_builder.hpp"
 
 #include <algorithm>
@@ -46,15 +46,15 @@ private:
     std::span<const Index> cells_;
     BuiltBlock& built_;
     PolyhedralSection<Local>& out_;
-    std::vector<Index> section_cell_; // local cell -> cell of the section, or none
-    std::vector<Index> face_of_;      // loop -> face of the section, or none
-    std::vector<Index> loop_of_;      // face of the section -> loop
+    std::vector<Index> section_cell_; // local cell -> its index in the section, or none
+    std::vector<Index> face_of_;      // loop of the block -> face of the section, or none
+    std::vector<Index> loop_of_;      // face of the section -> loop of the block
     struct Waiting {
         Index half_edge, face_of_cell, next;
     };
-    std::vector<Index> open_; // local edge -> list of the cell's unpaired half-edges, in waiting_
+    std::vector<Index> open_; // local edge -> list of the current cell's unpaired half-edges, in waiting_
     std::vector<Waiting> waiting_;
-    std::vector<Index> touched_; // edges of the cell
+    std::vector<Index> touched_; // local edges of the current cell
 };
 
 template <class Local>
@@ -68,8 +68,8 @@ void Filler<Local>::append_face(Index loop) {
     out_.face_begin.push_back(static_cast<Local>(out_.vertex.size()));
 }
 
-// Order: faces between two polyhedra of the block, then faces with only their owner in the section, then faces with
-// only their neighbour.
+// Stores the faces in three groups: faces between two cells of the section, faces with only their owner in the section,
+// faces with only their neighbor in the section.
 template <class Local>
 void Filler<Local>::place_faces() {
     section_cell_.assign(built_.block.cell_count, none);
@@ -135,8 +135,9 @@ bool Filler<Local>::runs_upward(Index h) const {
     return (out_.vertex[corner] == loops_.edge_ends[out_.edge[corner]][0]) == (out_.side(h) == 0);
 }
 
-// Pairs the two half-edges of each edge in a cell. Where a cell touches itself along an edge there are more. Any
-// pairing of opposite directions is valid; pairs in different faces are preferred.
+// Pairs the two half-edges of each edge in each cell. If a cell touches itself along an edge, the edge has more than
+// two half-edges in the cell. Then any pairing of opposite directions is valid, and pairs in different faces are
+// preferred.
 template <class Local>
 void Filler<Local>::pair() {
     out_.mate_face.resize((out_.vertex.size() + out_.inner_corners + 1) / 2);
@@ -173,7 +174,8 @@ void Filler<Local>::pair_half_edge(Index h, Index face_of_cell) {
     set_mate(mate.half_edge, h, face_of_cell);
 }
 
-// Pairs the rest. In a face that collapsed to a line, both mates may be in the face itself.
+// Pairs the half-edges of the cell that pair_half_edge left unpaired. In a face that collapsed to a line, both
+// half-edges of a pair may be in that face.
 template <class Local>
 void Filler<Local>::pair_inside_faces(Index cell) {
     for (const Index edge : touched_) {
@@ -194,7 +196,8 @@ void Filler<Local>::pair_inside_faces(Index cell) {
     }
 }
 
-// Stores the short form if a search with it finds this mate, else an escape.
+// Stores the mate of half-edge h. `mate_face`: index of the face of the mate among the faces of the cell. Uses four
+// bits of mate_face when PolyhedralSection::mate finds the mate with them, else an entry of mate_escapes.
 template <class Local>
 void Filler<Local>::set_mate(Index h, Index mate, Index mate_face) {
     const auto put = [&](Index bits) {

@@ -52,8 +52,8 @@ float Propagation::value(Index vertex) const { return field_->values[vertex]; }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
-// nu passes a vertex: the edges beyond it become active. Rotating by mate_face and mate_polyhedron would miss cells
-// where an edge has several fans (non-manifold) or a fan starts at the boundary; next_around_vertex visits them all.
+// Moves nu past a vertex: its edges to vertices that nu passes later become active. Uses next_around_vertex, because
+// rotating by mate_face and mate_polyhedron misses cells at non-manifold edges and at the boundary.
 template <Propagation::Way way>
 void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;
@@ -71,8 +71,8 @@ void Propagation::pass(Index vertex) {
     } while (h != start);
 }
 
-// Updates the cell of a half-edge whose origin is passed. The paper turns around each active edge for each surface.
-// Here the cells are kept, so a step costs only what it passes.
+// Updates low_half_edges_ and cells_ for the cell of a half-edge whose origin nu passes. The paper instead turns around
+// each active edge for each surface. Keeping the cells avoids this work for cells without a passed vertex.
 template <Propagation::Way way>
 void Propagation::turn(HalfEdge h) {
     const Index b = topology_->blocks().block_of(h), cell = topology_->cell(h);
@@ -83,7 +83,8 @@ void Propagation::turn(HalfEdge h) {
     cells_[b].push_back(cell - topology_->blocks().block[b].cell_begin);
 }
 
-// Step 2. Appended edges are visited in the same traversal, so that nu can skip several small cells at once.
+// Step 2 of Algorithm 2: calls pass(h) for each active edge that fails keep(h), and removes the edge. Edges that `pass`
+// appends are visited in the same traversal, so that nu can skip several small cells at once.
 template <class Keep, class Pass>
 bool Propagation::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     std::size_t kept = 0;

@@ -1,9 +1,9 @@
-// Algorithm 2 of the paper: the active-edge list and the cells around it, kept from one nu to the next.
+// Algorithm 2 of the paper: keeps the active edges and the cells around them from one nu to the next.
 //
-// Errata corrected here: step 2 as printed removes `succ` instead of `h`, and turns around h's origin instead of its
-// head. Testing only "is not active already" is exponential: an edge that a jump skipped is appended once for each path
-// to it. So each vertex is passed once and passes all its edges on. Going down is the same sweep with (value, id)
-// reversed.
+// Corrects errata. Step 2 as printed removes `succ` instead of `h`, and turns around the origin of h instead of its
+// head. The printed test "is not active already" takes exponential time: an edge that a jump skips is appended once for
+// each path to it. Here a sweep passes each vertex once and then appends its edges once. A sweep down is the same as a
+// sweep up with the order (value, id) reversed.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -11,23 +11,24 @@
 
 namespace ciel {
 
-// Serial, except `settle`.
+// Not thread-safe, except `settle`.
 class Propagation {
 public:
-    // The next `reach` starts below all values. Borrows both arguments until the next `begin`.
+    // Sets the field. The next `reach` starts below all values. Borrows both arguments until the next `begin`.
     void begin(const Topology& topology, const Field& field);
 
-    // Moves the list to nu, up or down. Returns false when stopped; throws when out of memory. The next call then
-    // starts below all values, because an incomplete list is useless. Allocates nothing if an earlier field got as far.
+    // Moves the active edges to nu, up or down. Returns false when stopped; throws when out of memory. The next call
+    // then starts below all values, because an incomplete list of active edges is useless. Reuses the buffers of
+    // earlier fields.
     bool reach(double nu, const StopToken& stop);
     [[nodiscard]] float threshold() const { return threshold_; }
 
-    // Blocks that may have active cells, ascending.
+    // Sets `out` to the blocks that may have active cells, ascending.
     void list_blocks(std::vector<Index>& out) const;
-    // Updates `cells` of a block. Returns true when some cells may have changed sides since the last call. Different
-    // blocks may be settled on different threads.
+    // Updates `cells(block)`. Returns true when nu has passed a vertex of the block's cells since the last call.
+    // Different blocks may be settled on different threads.
     bool settle(Index block);
-    // Local cells that are active, ascending.
+    // Returns the local ids of the active cells of the block, ascending. Call settle(block) before.
     [[nodiscard]] std::span<const Index> cells(Index block) const { return cells_[block]; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -51,14 +52,14 @@ private:
     const Field::Data* field_ = nullptr;
     bool arrived_ = false; // the members below are valid for threshold_
     float threshold_ = 0;
-    std::vector<HalfEdge> active_edges_;    // each from its low end to its high end
-    std::vector<std::uint8_t> is_active_;   // by edge
-    std::vector<std::uint8_t> is_low_;      // by vertex
-    std::vector<Index> half_edges_;         // by cell
-    std::vector<Index> low_half_edges_;     // by cell: number that leave a low vertex
-    std::vector<std::uint8_t> is_listed_;   // by cell: is in cells_
-    std::vector<std::vector<Index>> cells_; // by block: local cells, all active ones and perhaps others
-    std::vector<std::uint8_t> is_stale_;    // by block: nu has passed a corner of some cell
+    std::vector<HalfEdge> active_edges_;    // half-edges, each from the low end to the high end of its edge
+    std::vector<std::uint8_t> is_active_;   // by edge: 1 if in active_edges_
+    std::vector<std::uint8_t> is_low_;      // by vertex: 1 if its value is below nu
+    std::vector<Index> half_edges_;         // by cell: number of half-edges
+    std::vector<Index> low_half_edges_;     // by cell: number of half-edges that leave a low vertex
+    std::vector<std::uint8_t> is_listed_;   // by cell: 1 if in cells_
+    std::vector<std::vector<Index>> cells_; // by block: local ids of the active cells; before settle, also others
+    std::vector<std::uint8_t> is_stale_;    // by block: 1 if nu has passed a vertex since the last settle
 };
 
 } // namespace ciel

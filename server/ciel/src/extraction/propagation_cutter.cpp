@@ -1,4 +1,4 @@
-// Algorithm 2 of the paper (Levy et al., 2001). Query calls it to cut the cells that propagation.hpp has reached.
+// The Cutter of Algorithm 2 (paper): cuts the cells that Propagation (propagation.hpp) finds to be active at nu.
 #include "ciel/parallel.hpp"
 #include "extraction/cutter.hpp"
 #include "extraction/propagation.hpp"

@@ -37,7 +37,7 @@ Query::Query(const Topology& topology, const FaceMeshView& mesh, Extraction extr
 void Query::set_mesh(const FaceMeshView& mesh) {
     const TopologyCounts& counts = state_->topology->counts();
     if (mesh.vertex_count() != counts.vertices || mesh.cell_count() != counts.cells)
-        fail("the mesh is not the one that the topology was built from");
+        fail("the mesh and the topology differ; pass the mesh from which the topology was built");
     state_->mesh = mesh;
 }
 
@@ -50,7 +50,8 @@ Query::Query(Query&&) noexcept = default;
 Query& Query::operator=(Query&&) noexcept = default;
 
 void Query::set_field(const Field& field) {
-    if (field.data().topology != state_->topology) fail("the field belongs to another topology");
+    if (field.data().topology != state_->topology)
+        fail("the field belongs to another topology; make the field from the topology of the query");
     state_->field = &field.data();
     state_->cutter->set_field(field);
 }
@@ -73,7 +74,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;
         sink(nu, std::move(surface));
-        // extract replaces whatever the sink left.
+        // The sink may have moved from `surface`; the next extract replaces its contents.
     }
     return true;
 }

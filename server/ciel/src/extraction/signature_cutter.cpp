@@ -1,4 +1,5 @@
-// A block's cut depends only on which of its vertices are high, unless a decider uses nu. So cuts are reused.
+// The Cutter that reuses the cut of a block while the same vertices are high. A cut depends on nothing else, unless a
+// decider uses nu.
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"
@@ -37,7 +38,7 @@ void SignatureCutter::update_block(Index b, float threshold, double nu) {
     const std::span<const float> values = field_->of_block(b);
     const bool gaps = field_->gaps[b] != 0;
     if (classify(values, threshold, scratch, cut) && !gaps) return;
-    cut.known = false; // in case cut_block throws
+    cut.known = false; // remains false if cut_block throws
     cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
     cut.known = !gaps && !cut.decided;
 }

@@ -8,15 +8,16 @@ namespace {
 
 struct Corners {
     const StandardShape& shape;
-    std::size_t high, joined; // a bit per corner, a bit per face
+    std::size_t high, joined; // one bit per high corner; one bit per face whose high corners are joined
 
     [[nodiscard]] bool is_high(std::size_t corner) const { return (high >> corner & 1) != 0; }
     [[nodiscard]] bool climbs(std::size_t h) const { return !is_high(shape.origin[h]) && is_high(shape.target(h)); }
     [[nodiscard]] bool descends(std::size_t h) const { return is_high(shape.origin[h]) && !is_high(shape.target(h)); }
 };
 
-// A face is entered where its loop climbs and left at the next active edge, where it descends; the mate of that
-// half-edge climbs, in the face on the other side of the edge.
+// Appends the polygon that starts at half-edge `start`. The walk enters a face where its loop climbs from low to high.
+// It leaves the face at the next active half-edge, which descends, and goes on at the mate of that half-edge, which
+// climbs in the adjacent face.
 void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walked, StandardCase& out) {
     const std::size_t begin = out.edges;
     std::size_t h = start;
@@ -28,7 +29,8 @@ void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walke
         while (!corners.descends(h));
         h = corners.shape.mate[h];
     } while (h != start);
-    // Reversed, because the walk has the high side on its left.
+    // Reverses the polygon: seen from outside the cell, the walk has the high side on its left, but polygons run
+    // counter-clockwise seen from the high side.
     for (std::size_t first = begin, end = out.edges; first + 1 < end; ++first)
         std::swap(out.edge[first], out.edge[--end]);
     out.end[out.polygons++] = out.edges;

@@ -1,4 +1,4 @@
-// Normals from a surface's own polygons, also as a replacement for unusable gradients.
+// Point normals from the polygons of a surface. Also replaces unusable gradient normals by them.
 #include "extraction/polygon.hpp"
 #include "extraction/surface_writer.hpp"
 #include "parallel/grain.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-// Marks points whose gradient is zero or points against a polygon around them. In flat cells at a wall the
-// least-squares gradient of a cell and the surface in it may disagree.
+// Marks points whose gradient normal is zero or points against a polygon around the point. In flat cells at a wall, the
+// least-squares gradient of a cell and the surface in the cell may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
     doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -36,8 +36,8 @@ std::size_t SurfaceScratch::memory_bytes() const {
     return bytes;
 }
 
-// A point's sum is made in the order of its polygons, whatever the ranges: first its own range, then the shares that
-// other ranges recorded.
+// Sums at each point in the order of its polygons, so that the bits do not depend on the ranges. First adds the
+// polygons of the range that owns the point, then the shares that later ranges have recorded.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const std::span<const PointRange> ranges = scratch.ranges;
     std::vector<Vec3d>& sum = scratch.sum;
@@ -60,7 +60,7 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
                         elsewhere[c].push_back({p, area});
             }
     });
-    // Each task reads all recorded shares.
+    // Large tasks, because each task reads all recorded shares.
     const std::size_t points_per_task = std::clamp<std::size_t>(sum.size() / (2 * thread_count()), 1024, 65536);
     parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
         for (const std::vector<SurfaceScratch::Share>& shares : elsewhere)

@@ -72,7 +72,7 @@ void Writer::number() {
         points += cut.owned();
         polygons += cut.polygon_cell.size();
         corners += cut.polygon_edge.size();
-        if (corners >= none) fail("the surface has more than 4,294,967,294 corners: choose another value");
+        if (corners >= none) fail("the surface has more than 4,294,967,294 corners; choose another value");
         if (!cut.polygon_cell.empty()) out_.chunks.push_back({b, cut.first_polygon, static_cast<Index>(polygons)});
     }
     out_.positions.resize(points);
@@ -112,7 +112,8 @@ void Writer::write_normals(Index b) {
     }
 }
 
-// Ghosts are sorted by mesh-wide id. Their owners ascend too, so `owner` only increases.
+// Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
+// updated. Ghosts ascend by mesh-wide id, so `owner` only increases.
 Index Writer::point_of_ghost(Index edge, Index& owner) const {
     if (blocks_.edge_begin[owner + 1] <= edge)
         owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
@@ -121,7 +122,7 @@ Index Writer::point_of_ghost(Index edge, Index& owner) const {
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
-// `point`: by local edge, scratch.
+// `point`: scratch; surface point by local edge.
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const ActiveBlock& cut = cut_[b];
     point.resize(64 * cut.active.size());
@@ -149,7 +150,8 @@ void Writer::list_ranges() {
     }
 }
 
-// Where cells were skipped or have collapsed, an active edge may have no polygon.
+// Removes points that are in no polygon. Active edges without a polygon exist where cells were skipped or have
+// collapsed.
 void Writer::drop_unused_points() {
     std::vector<Index>& renumbered = scratch_.renumbered;
     renumbered.assign(out_.points.size(), none);

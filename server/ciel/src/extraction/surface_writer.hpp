@@ -1,5 +1,6 @@
-// Writes the cut blocks as one indexed surface (paper, algorithm 3: intersections, then polygons). Ids are prefix sums;
-// points are in the mesh-wide order of their edges. Uses all threads of the parallel loop.
+// Writes the cuts of all blocks as one indexed surface (paper, algorithm 3: intersections, then polygons). Prefix sums
+// over the blocks give the first ids of each block; points are in the order of mesh-wide edge ids. Uses all threads of
+// the parallel loop.
 #pragma once
 
 #include "extraction/cutter.hpp"
@@ -9,7 +10,7 @@
 
 namespace ciel {
 
-// The polygons and points of one block: both consecutive.
+// Ids of the polygons and points of one block in a surface. Both are consecutive.
 struct PointRange {
     Index polygon_begin, polygon_end, point_begin, point_end;
 };
@@ -21,10 +22,10 @@ struct SurfaceScratch {
         Vec3d area;
     };
     std::vector<PointRange> ranges;
-    std::vector<Vec3d> sum;                    // by point: sum of the areas of the polygons around it
-    std::vector<std::vector<Share>> elsewhere; // by range: shares for points of other ranges
-    std::vector<std::uint8_t> doubtful;        // by point
-    std::vector<Index> renumbered;             // by point
+    std::vector<Vec3d> sum;                    // by point: sum of the area vectors of the polygons around it
+    std::vector<std::vector<Share>> elsewhere; // by range: area vectors of its polygons at points of other ranges
+    std::vector<std::uint8_t> doubtful;        // by point: 1 if the gradient normal may be unusable
+    std::vector<Index> renumbered;             // by point: new index, or none if in no polygon
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
@@ -32,8 +33,8 @@ struct SurfaceScratch {
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter,
                    double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out);
 
-// Sets each normal to the area-weighted normal of the polygons around the point. Works per range of the scratch. The
-// range that owns a point precedes the other ranges that use it.
+// Sets each normal to the area-weighted normal of the polygons around the point. Requires scratch.ranges, in which the
+// range that owns a point comes before the other ranges that use the point.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface);
 
 // Replaces zero or reversed gradient normals by the area-weighted polygon normal.

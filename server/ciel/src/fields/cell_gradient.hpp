@@ -1,7 +1,8 @@
 // The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departure from
-// the paper: centred 3 x 3 normal equations in double. The paper's 4 x 4 system in float loses all precision far from
-// the origin. Everything is inline: the arithmetic of a tetrahedron costs less than a call with its samples. Normal
-// equations square a cell's aspect ratio, so strongly stretched cells (boundary layers) use stretched_cells.cpp.
+// the paper: centered 3 x 3 normal equations in double. The paper's 4 x 4 system in float loses all precision far from
+// the origin. Normal equations square a cell's aspect ratio, so strongly stretched cells (boundary layers) use
+// stretched_cells.cpp. Functions are inline, because a call that passes the samples of a tetrahedron costs more than
+// its arithmetic.
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
@@ -16,16 +17,16 @@ namespace ciel {
 
 struct CellGradient {
     Vec3f gradient{}; // value per length
-    // Length cubed. 0 when the cell spans no volume or lacks a value; it then has no weight. In double: the cube of a
-    // float length may not fit a float.
+    // Length cubed. 0 when the cell spans no volume or a vertex has no value; the cell then has no weight. In double,
+    // because the cube of a float length may not fit a float.
     double volume = 0;
 };
 
 struct Sample {
-    double x, y, z, value; // NaN: no value
+    double x, y, z, value; // position and value; a value of NaN means no value
 };
 
-// Four doubles in one vector type: two operations on any x86-64 or arm64.
+// Four doubles in one vector type. An operation takes at most two instructions on any x86-64 or arm64.
 using Four = double __attribute__((vector_size(32)));
 
 [[nodiscard]] inline Four load(const Sample& sample) {
@@ -44,12 +45,14 @@ struct LeastSquares {
     bool good = false; // the samples span a volume and all have values
 };
 
-// `samples` are relative to their mean. They are sheared in place, which keeps volumes. Returns false when they are
-// flat, a line or a point up to rounding. Accurate to about 1e-16 times the aspect ratio, which may be 1e10.
+// Fits the gradient in a stretched cell. `samples` are relative to their mean; they are sheared in place, which keeps
+// volumes. Returns false when the samples are flat, a line or a point up to rounding. The error is about 1e-16 times
+// the aspect ratio, which may be up to 1e10.
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
-// `samples`: an array or a vector. Leaves them relative to their mean, and possibly sheared.
+// `samples`: a std::array or std::vector. On return the samples are relative to their mean, and possibly sheared by
+// fit_stretched.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
@@ -85,8 +88,8 @@ template <class Samples>
     return out;
 }
 
-// Sums cones from the mean, the origin of the samples, to each face. Twice a quadrangle's area vector is the cross
-// product of its diagonals.
+// Returns the volume: the sum of the cones from the origin to each face. The origin is the mean of the samples. Twice
+// the area vector of a quadrangle is the cross product of its diagonals.
 template <const StandardShape& shape>
 [[nodiscard]] inline double standard_volume(const std::array<Sample, shape.corners>& samples) {
     double six_volumes = 0;
@@ -101,7 +104,7 @@ template <const StandardShape& shape>
     return std::abs(six_volumes) / 6;
 }
 
-// The gradient of the linear interpolation.
+// Returns the gradient of the linear interpolation of the four values.
 [[nodiscard]] inline CellGradient tetrahedron_gradient(const std::array<Sample, 4>& samples) {
     const Vec3d a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]), c = arm(samples[0], samples[3]);
     const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);

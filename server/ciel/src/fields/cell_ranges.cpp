@@ -9,7 +9,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr CellRanges::Range nothing{infinity, -infinity};
 
-// Skips NaN: comparisons with it are false.
+// Extends the range to `value`. Ignores NaN, because comparisons with NaN are false.
 void widen(CellRanges::Range& range, float value) {
     range[0] = value < range[0] ? value : range[0];
     range[1] = value > range[1] ? value : range[1];
@@ -44,7 +44,8 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
 
 } // namespace
 
-// Publishes the state at scope exit: asked_once after a failed allocation, so that the next call retries.
+// Publishes the state of a block at scope exit: `made`, or asked_once when an allocation threw, so that the next call
+// retries.
 class CellRanges::Making {
 public:
     explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}

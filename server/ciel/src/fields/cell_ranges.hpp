@@ -12,14 +12,15 @@ namespace ciel {
 // Thread-safe. A block's ranges are built when it is cut a second time: a field that is shown once does not need them.
 class CellRanges {
 public:
-    // Of a group of cells of a standard section, or of one polyhedron. Finite values only; low > high when there are
-    // none.
+    // [min, max] of the finite values in a group of cells of a standard section, or in one polyhedron. low > high when
+    // there are no finite values.
     using Range = std::array<float, 2>;
 
     // Makes room for this many blocks; builds no ranges.
     void resize(std::size_t blocks);
-    // Ranges of the groups of the standard sections in order, then of the polyhedra. Empty at the first call for a
-    // block, and while another thread builds them. `values`: the block's, NaN where a vertex has no value.
+    // Returns the ranges of the groups of the standard sections in order, then of the polyhedra. Returns an empty span
+    // at the first call for a block, and while another thread builds the ranges. `values`: by local vertex of the
+    // block; NaN where a vertex has no value.
     [[nodiscard]] std::span<const Range> of(const Block& block, Index b, std::span<const float> values);
 
 private:

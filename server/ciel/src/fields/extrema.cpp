@@ -1,5 +1,6 @@
-// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. The order (value, id) has no ties, so a
-// plateau has exactly the extrema that its rim needs. For plane distances, only possible extrema are tested.
+// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. Vertices are compared by (value, id),
+// which has no ties, so a plateau has extrema too. For plane distances, only the vertices of GeometricVertices are
+// tested.
 #include "blocks/blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/parallel.hpp"
@@ -38,7 +39,8 @@ public:
     }
 
 private:
-    // The upper end of an edge is no minimum, the lower end no maximum. Local ids have the same order as mesh ids.
+    // Rules out the upper end of the edge as a minimum and the lower end as a maximum. Local ids can be compared,
+    // because they have the same order as mesh ids.
     void edge(Index a, Index b) {
         if (std::isnan(values_[a]) || std::isnan(values_[b])) return;
         const bool upward = values_[a] != values_[b] ? values_[a] < values_[b] : a < b;
@@ -53,7 +55,7 @@ private:
 
 } // namespace
 
-// Tests all vertices by visiting all edges.
+// Sets minima and maxima. Tests all vertices by visiting all edges.
 void Field::Data::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
     std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
@@ -68,15 +70,15 @@ void Field::Data::find_extrema() const {
     }
 }
 
-// Tests boundary vertices and reflex corners only, each against its neighbours. Returns false when the values are no
-// plane distances, or are so large that two may round to the same float. Ties are broken by id, so any vertex may then
-// be an extremum.
+// Tests only boundary vertices and vertices with a reflex corner, each against its adjacent vertices. Returns false
+// when the values are no plane distances, or are so large that two distances may round to the same float. Ties are
+// broken by id, so with ties any vertex may be an extremum.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);
     const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
     if (!(largest <= direction_length * where.largest_distance)) return false;
-    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // 1: has a neighbour below, 2: above
+    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // flags: 1 has a lower adjacent vertex, 2 a higher one
     parallel_for(sides.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = where.vertices[i];

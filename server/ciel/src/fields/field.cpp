@@ -19,20 +19,20 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// [min, max] as integers that sort like the floats; non-finite values lie outside all finite ones. The result does not
-// depend on the order of the values, so the compiler can vectorize the loop.
+// [min, max] as integers that sort like the floats. The integers of non-finite values lie outside those of all finite
+// values. Integer min and max do not depend on the order of the values, so the compiler can vectorize the loop.
 struct Range {
     std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = std::numeric_limits<std::int32_t>::min();
 };
 
-// Maps float bits to integers that sort like the floats. Its own inverse.
+// Maps float bits to integers that sort like the floats. The function is its own inverse.
 constexpr std::int32_t in_order(std::int32_t bits) {
     return bits ^ (bits >> 31 & std::numeric_limits<std::int32_t>::max());
 }
 constexpr std::int32_t above_all = std::bit_cast<std::int32_t>(infinity),
                        below_all = in_order(above_all ^ std::numeric_limits<std::int32_t>::min());
 
-// Runs over every value of a new field.
+// Extends `out` by `count` values. Vectorized, because it runs over every value of a new field.
 CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range& out) {
     std::int32_t low = out.low, high = out.high;
     for (std::size_t i = 0; i < count; ++i) {
@@ -43,7 +43,8 @@ CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range
     out = {low, high};
 }
 
-// Calls f(values, count) over all of a block's values: ghosts gathered in batches, then the own ones, contiguous.
+// Calls f(values, count) over all of a block's values. The values of ghosts are copied into batches; the values of
+// owned vertices are contiguous and come last, in one call.
 template <class F>
 void for_values(const Block& block, std::span<const float> values, F&& f) {
     std::array<float, 256> some;
@@ -116,7 +117,7 @@ void Field::Data::take_in(Index b) const {
 Field::Field(const Mesh& mesh, const ArrayView& values)
     : Field(mesh, std::make_shared<const std::vector<float>>(stored_values(mesh, values, PerItem::point))) {}
 
-// The vector owns the span that the field reads; the mesh owns the topology.
+// The vector owns the values and is kept alive by the field. data_->mesh keeps the topology alive.
 Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<float>>& stored)
     : Field(mesh.topology(), *stored, stored) {
     data_->mesh = mesh;

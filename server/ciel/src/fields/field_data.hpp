@@ -1,5 +1,6 @@
-// The layout behind Field, for the kernel's own files. Mutable members are made on demand, under the lock beside them
-// or one of their own. Sorted minima are from the paper's section 2.2, gradients from its section 3.
+// The layout behind Field, for the kernel's own files. Mutable members are made on demand, each under the mutex
+// declared before it or under its own lock. Sorted minima are from the paper's section 2.2, gradients from its section
+// 3.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -11,19 +12,19 @@
 namespace ciel {
 
 struct Field::Data {
-    std::optional<Mesh> mesh; // keeps the topology alive; none if built from a topology
+    std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
     const Topology* topology = nullptr;
     std::span<const float> values;
     std::shared_ptr<const void> keep_alive;
-    std::vector<float> low, high;   // per block, finite values only; low > high where there are none
-    std::vector<std::uint8_t> gaps; // per block: some vertex has no value
+    std::vector<float> low, high;   // by block: [min, max] of finite values; low > high if none
+    std::vector<std::uint8_t> gaps; // by block: 1 if a vertex has no value
     std::array<float, 2> range{};
 
     // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
     std::unique_ptr<float[]> local;
-    std::unique_ptr<std::atomic<bool>[]> taken; // by block
+    std::unique_ptr<std::atomic<bool>[]> taken; // by block: its part of `local` is filled
     mutable std::array<Mutex, 16> take_in_mutex;
-    std::shared_ptr<const GeometricVertices> where_extrema; // null: extrema may be anywhere
+    std::shared_ptr<const GeometricVertices> where_extrema; // vertices that may be extrema; null means all
     double direction_length = 0;                            // length of the normal when the values are plane distances
 
     mutable Mutex extrema_mutex;
@@ -37,7 +38,7 @@ struct Field::Data {
         const Block& b = topology->blocks().block[block];
         return {local.get() + b.vertex_begin, b.vertex_count};
     }
-    void make_extrema() const; // once
+    void make_extrema() const; // sets minima and maxima at the first call
 
 private:
     void take_in(Index block) const;

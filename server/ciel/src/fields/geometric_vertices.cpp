@@ -17,8 +17,9 @@ Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
 double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Flags vertices with a cell corner not convex by `margin`: the vertex's distance from the triangles between the far
-// ends of the corner's edges. From other vertices, some neighbour lies this much further in any direction.
+// Flags each vertex with a cell corner that is not convex by `margin`. A corner is convex by `margin` if the vertex is
+// at least this far from each triangle between the other ends of the corner's edges. An unflagged vertex has, in any
+// direction, an adjacent vertex that lies at least `margin` further.
 class ReflexCorners {
 public:
     ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)
@@ -36,7 +37,7 @@ private:
         return {p[0], p[1], p[2]};
     }
 
-    // `around`: the other ends of the corner's edges, in the order of next_around_face(mate_face(h)).
+    // `around`: local vertices at the other ends of the corner's edges, in the order of next_around_face(mate_face(h)).
     void corner(Index vertex, std::span<const Index> around) {
         bool convex = around.size() >= 3;
         const Vec3d apex = position(vertex);

@@ -12,7 +12,8 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t blocks_per_task = 2;
-// Up to this many vertices of a block, the cells around each are solved one by one, without a pass over the block.
+// If a block wants at most this many gradients, the cells around each vertex are solved separately, without a pass over
+// the block.
 constexpr std::size_t few = 12;
 
 enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
@@ -31,7 +32,7 @@ Scratch& scratch_of_this_thread() {
     return scratch;
 }
 
-// Visitor for for_cells_around that solves each cell anew.
+// Visitor for for_cells_around that solves each visited cell and adds its gradient to `sum`.
 struct AddSolved {
     const FaceMeshView& mesh;
     const Field::Data& field;
@@ -53,8 +54,9 @@ struct AddSolved {
     }
 };
 
-// One call of make_at. Blocks with few wanted vertices solve the cells around them one by one. Otherwise the blocks
-// around them solve each needed cell once; then the vertices that blocks share are summed.
+// One call of make_at. In a block with few wanted vertices, the cells around each vertex are solved separately.
+// Otherwise the block, and the blocks that share its wanted vertices, solve each needed cell once. Then the gradients
+// at vertices shared by blocks are summed.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
@@ -102,9 +104,9 @@ private:
     const Field::Data& field_;
     const Topology::Blocks& blocks_;
     std::span<std::uint8_t> state_;
-    std::span<std::uint8_t> busy_; // by block
+    std::span<std::uint8_t> busy_; // by block: 1 if it has cells to solve
     std::span<std::unique_ptr<Vec3f[]>> gradient_;
-    std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block; sections one after another
+    std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block: gradients of its cells, section by section
 };
 
 void Pass::want(Index b, const ActiveBlock& cut) {
@@ -115,7 +117,7 @@ void Pass::want(Index b, const ActiveBlock& cut) {
     found.clear();
     for (const auto& ends : std::span(cut.ends).subspan(cut.ghosts))
         for (const Index v : ends) {
-            // A neighbour block may set flags at the same time.
+            // Atomic, because the task of another block may set asked_by_neighbour at the same time.
             std::atomic_ref here(state[v]);
             if ((here.load(std::memory_order_relaxed) & (known | wanted)) != 0) continue;
             here.fetch_or(wanted, std::memory_order_relaxed);
@@ -202,7 +204,7 @@ template <class Local>
 void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
                          CellGradient* cell) {
     Scratch& scratch = scratch_of_this_thread();
-    // Flags per face, since two cells read each face.
+    // Computes one flag per face first, because two cells read each face.
     scratch.face_asked.resize(section.face_count());
     for (Index face = 0; face < section.face_count(); ++face) {
         unsigned states = 0;

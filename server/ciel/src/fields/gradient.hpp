@@ -1,8 +1,8 @@
 // Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients.
 // Computed only where requested.
 //
-// A vertex's sum is added up in the order of (kind of cell, cell), never block by block, so its bits do not depend on
-// the block size.
+// The cells around a vertex are summed in the order of (cell type, cell), not block by block. So the bits of the sum do
+// not depend on the block size.
 #pragma once
 
 #include "blocks/active_block.hpp"
@@ -15,25 +15,26 @@ namespace ciel {
 // Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the edges that the cut blocks own. `cut` is indexed by block. May throw
+    // Makes the gradients at both ends of the active edges that `blocks` own. `cut` is indexed by block. May throw
     // std::bad_alloc; the next call then makes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  std::span<const ActiveBlock> cut);
-    // Indexed by local vertex; only requested entries are set. Valid until forget or the end of the cache.
+    // Returns the gradients by local vertex; only requested entries are set. Valid until forget or the end of the
+    // cache.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
-    // Call when the positions have changed. No thread may be using the gradients.
+    // Drops all gradients. Call when the positions have changed. No thread may be using the gradients.
     void forget();
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
     mutable Mutex mutex_;
-    std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): see gradient.cpp
+    std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): State flags (gradient.cpp)
     std::vector<std::uint8_t> busy_;               // by block: has cells to solve in the current call
-    std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block
-    bool settled_ = true;                          // the last call completed: no vertex is left as wanted
+    std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block: gradients by local vertex, or null
+    bool settled_ = true;                          // the last make_at completed: no State is `wanted`
 };
 
-// Gradients at all vertices, by mesh vertex.
+// Returns the gradients at all vertices, indexed by mesh vertex.
 [[nodiscard]] std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::Data& field);
 
 } // namespace ciel

@@ -1,5 +1,5 @@
-// Shared by the on-demand and the full gradients: iteration over the cells around a vertex, and the sum at a vertex.
-// They make the averages of the paper's section 3.
+// Volume-weighted sums of cell gradients at a vertex (paper, section 3), and iteration over the cells around a vertex.
+// For both GradientCache and gradients_everywhere.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -10,7 +10,7 @@
 namespace ciel {
 
 struct GradientSum {
-    Four weighted{}; // the gradient times the volume, and the volume
+    Four weighted{}; // sum of gradient * volume; sum of volume
 
     void add(const CellGradient& cell) {
         const double volume = cell.volume;
@@ -25,7 +25,7 @@ struct GradientSum {
     }
 };
 
-// Samples of a block's vertices by local id; `values` is the block's.
+// Returns the sample of a local vertex of a block. `values`: by local vertex.
 class BlockSampler {
 public:
     BlockSampler(const FaceMeshView& mesh, const Block& block, std::span<const float> values)
@@ -62,9 +62,10 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
     std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(lowest), out.end());
 }
 
-// Visits the cells around a vertex. Calls visit.template standard<shape>(block, section, i, place) for standard cells,
-// kind by kind and ascending. Then calls visit.polyhedron(block, i, place) for polyhedra, ascending and once each. `i`
-// is the cell's index in its section, `place` its index in the block's sections concatenated.
+// Visits the cells around a vertex. `ring`: the vertex in each block that has it (list_ring). Calls visit.template
+// standard<shape>(block, section, i, place) for standard cells, type by type and ascending. Then calls
+// visit.polyhedron(block, i, place) for polyhedra, ascending and once each. `i`: index of the cell in its section.
+// `place`: index of the cell in the concatenated sections of its block.
 template <class Visit>
 void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
                       Visit&& visit) {
@@ -107,7 +108,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     }
 }
 
-// Visitor for for_cells_around with solved cells: `stored(block)` is the block's first, in the order of `place`.
+// Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block)`: pointer to
+// the cell gradients of the block, indexed by `place`.
 template <class Stored>
 class AddStored {
 public:

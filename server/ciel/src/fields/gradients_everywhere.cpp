@@ -1,4 +1,5 @@
-// All gradients at once, for volumes. Keeps the cells' gradients to sum them at vertices that blocks share.
+// Computes the gradients at all vertices, for volumes. Keeps the gradients of all cells until those at vertices shared
+// by blocks are summed.
 #include "ciel/parallel.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient.hpp"
@@ -36,7 +37,7 @@ private:
     const FaceMeshView& mesh_;
     const Field::Data& field_;
     const Topology::Blocks& blocks_;
-    std::unique_ptr<CellGradient[]> cell_; // block by block, sections one after another
+    std::unique_ptr<CellGradient[]> cell_; // gradients of all cells, block by block, section by section
     std::vector<Vec3f> out_;
 };
 

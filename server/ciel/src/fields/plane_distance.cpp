@@ -6,7 +6,7 @@ namespace ciel {
 
 std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal) {
     std::vector<float> out(mesh.vertex_count());
-    double shift = 0; // distance of the mesh's origin, in double: both origins may be far away
+    double shift = 0; // distance from the plane to mesh.origin; double, because both origins may be large
     for (std::size_t i = 0; i < 3; ++i) shift += normal[i] * (mesh.origin[i] - origin[i]);
     parallel_for(out.size(), 65536, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {

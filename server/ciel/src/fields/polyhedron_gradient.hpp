@@ -1,5 +1,5 @@
-// The gradient in polyhedra (paper, section 3). Collects their distinct vertices on the way. Scratch for many blocks,
-// one per thread.
+// The gradient in a polyhedron (paper, section 3), and its distinct vertices. One solver per thread is reused for many
+// blocks.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -9,8 +9,8 @@ namespace ciel {
 
 class PolyhedronSolver {
 public:
-    // Call before the cells of another block or with other values. After it, solve calls `sample(local vertex)` once
-    // per vertex.
+    // Call before solving cells of another block or with other values. Until the next `begin`, solve calls
+    // `sample(local vertex)` at most once per vertex.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -39,7 +39,7 @@ public:
 private:
     struct Vertex {
         Sample sample;
-        Index stamp = 0; // of the last cell that used it; below first_stamp_ the sample is stale
+        Index stamp = 0; // stamp of the last cell with this vertex; below first_stamp_, `sample` is stale
     };
 
     template <class Sampler>
@@ -52,7 +52,8 @@ private:
         samples_.push_back(vertex.sample);
     }
 
-    // Sums cones from the mean to each face. A face's area vector is computed once for both of its cells.
+    // Returns the volume: the sum of the cones from `mean` to each face. A face's area vector is computed once for both
+    // of its cells.
     template <class Local>
     [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Sample& mean) {
         double six_volumes = 0;

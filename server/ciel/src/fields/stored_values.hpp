@@ -9,7 +9,8 @@ namespace ciel {
 
 enum class PerItem { point, cell };
 
-// values: one number per point or cell of the caller's. Throws Error on another number of rows or columns.
+// Returns the values in stored order, as floats. values: one number per point or cell of the caller's mesh. Throws
+// Error on another number of rows or columns.
 [[nodiscard]] std::vector<float> stored_values(const Mesh& mesh, const ArrayView& values, PerItem item);
 
 } // namespace ciel

@@ -1,5 +1,6 @@
-// The gradient in stretched cells: modified Gram-Schmidt on the arms, since normal equations would square the aspect
-// ratio. The values are a fourth column, so no product uses numbers that have lost their digits.
+// Least-squares gradient in stretched cells by modified Gram-Schmidt, because normal equations would square the aspect
+// ratio. The columns are x, y, z and the value. The value column is orthogonalized too, so that no product uses numbers
+// that cancellation has made inaccurate.
 // Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt orthogonalization, BIT 7 (1967).
 #include "fields/cell_gradient.hpp"
 
@@ -22,7 +23,7 @@ Row products(std::span<const Sample> samples, std::size_t column) {
     return sum;
 }
 
-// Subtracts the column's share from the later columns.
+// Subtracts share[k] times the column from each later column k.
 void shear(std::span<Sample> samples, std::size_t column, const Row& share) {
     for (Sample& sample : samples) {
         Row row = row_of(sample);
@@ -34,7 +35,7 @@ void shear(std::span<Sample> samples, std::size_t column, const Row& share) {
 } // namespace
 
 bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient) {
-    double squares = 0; // of the arms and of the mean: rounding grows with both
+    double squares = 0; // sum of the squares of the samples and of their mean; rounding grows with both
     for (const Sample& s : samples) squares += s.x * s.x + s.y * s.y + s.z * s.z;
     squares += static_cast<double>(samples.size()) * (mean.x * mean.x + mean.y * mean.y + mean.z * mean.z);
     const double rounding = 1e-28 * squares;

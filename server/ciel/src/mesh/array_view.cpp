@@ -10,7 +10,7 @@ T ArrayView::at(std::size_t row, std::size_t column) const {
     std::memcpy(&value,
                 begin_ + static_cast<std::ptrdiff_t>(row) * row_stride_ +
                     static_cast<std::ptrdiff_t>(column) * column_stride_,
-                sizeof(T)); // may be unaligned
+                sizeof(T)); // memcpy, because the element may be unaligned
     return value;
 }
 

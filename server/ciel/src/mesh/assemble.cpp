@@ -16,13 +16,13 @@ constexpr std::size_t cells_per_task = 4096;
 
 void check_offsets(std::span<const std::uint64_t> offsets, std::uint64_t end, const std::string& name) {
     if (offsets.empty() || offsets.front() != 0 || !std::ranges::is_sorted(offsets) || offsets.back() != end)
-        fail(name + " must rise from 0 to " + std::to_string(end) + ", the length of what it divides");
+        fail(name + " must rise from 0 to " + std::to_string(end) + ", the length of the array that it indexes");
 }
 
 void check_sizes(const PolyhedraView& input) {
     if (input.positions.size() % 3 != 0) fail("positions must hold three numbers per vertex");
     if (input.positions.size() / 3 >= none || input.cell_types.size() >= none || input.face_offset.size() > none)
-        fail("a mesh holds fewer than 4,294,967,295 vertices, cells and faces: split the dataset");
+        fail("the mesh has more than 4,294,967,294 vertices, cells or faces; split the dataset");
     if (input.cell_offset.size() != input.cell_types.size() + 1)
         fail("cell_offset must hold one number more than there are cells (" + std::to_string(input.cell_types.size()) +
              ")");
@@ -31,19 +31,18 @@ void check_sizes(const PolyhedraView& input) {
     for (const std::uint8_t type : input.cell_types)
         if (type != 10 && type != 12 && type != 13 && type != 14 && type != 42)
             fail("cell type " + std::to_string(type) +
-                 " is not known: use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 "
-                 "(polyhedron)");
+                 " is not known; use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 (polyhedron)");
 }
 
 struct Judged {
     std::vector<CellWinding::Verdict> verdict; // per input cell
-    std::vector<std::uint8_t> turn;            // per input face
+    std::vector<std::uint8_t> turn;            // per input face: 1 if its loop must be reversed
 };
 
 Judged judge_cells(const PolyhedraView& input) {
     const std::size_t cells = input.cell_types.size();
     Judged judged{std::vector<CellWinding::Verdict>(cells), std::vector<std::uint8_t>(input.face_offset.size() - 1)};
-    // Few tasks: each CellWinding has a table with one entry per vertex.
+    // Few tasks, because each CellWinding allocates a table with one entry per mesh vertex.
     const std::size_t grain = std::max(cells_per_task, cells / (std::size_t{4} * thread_count()) + 1);
     parallel_for(cells, grain, [&](std::size_t begin, std::size_t end) {
         CellWinding winding(input);
@@ -106,7 +105,8 @@ std::vector<Index> curve_order(const Judged& judged) {
     return order;
 }
 
-// The given type, or polyhedron when the numbers of faces and corners do not fit it: later code relies on them.
+// Returns the input type of the cell, or polyhedron when its numbers of faces and corners do not match the type. Later
+// code relies on these numbers.
 CellType checked_type(const PolyhedraView& input, Index cell) {
     const auto type = static_cast<CellType>(input.cell_types[cell]);
     const std::uint64_t faces = input.cell_offset[cell + 1] - input.cell_offset[cell];
@@ -119,7 +119,8 @@ CellType checked_type(const PolyhedraView& input, Index cell) {
     return fits ? type : CellType::polyhedron;
 }
 
-// Writes the faces in stored order. Their vertices keep the input's ids until number_vertices.
+// Writes the faces of the assembled mesh in stored order. Their loops hold input vertex ids until number_vertices
+// renumbers them.
 class FaceWriter {
 public:
     FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> cell_of_face,
@@ -150,7 +151,7 @@ private:
     }
 
     void list_faces(Assembled& out) const {
-        std::vector<std::pair<Index, std::uint64_t>> faces; // (neighbour, input face) of one cell
+        std::vector<std::pair<Index, std::uint64_t>> faces; // of one cell: (stored cell behind the face, input face)
         for (Index cell = 0; cell < order_.size(); ++cell) {
             faces.clear();
             const Index source = order_[cell];
@@ -180,7 +181,7 @@ private:
     std::span<const Index> order_, cell_of_face_;
     const MatchedFaces& matched_;
     std::span<const std::uint8_t> turn_;
-    std::vector<Index> rank_; // input cell -> stored cell
+    std::vector<Index> rank_; // input cell -> stored cell; none for a cell that is left out
 };
 
 void number_vertices(const PolyhedraView& input, Assembled& out) {

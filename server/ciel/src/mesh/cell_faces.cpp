@@ -7,7 +7,7 @@ namespace ciel {
 CellFaces cell_faces(const FaceMeshView& mesh) {
     CellFaces out;
     out.begin.assign(std::size_t{mesh.cell_count()} + 1, 0);
-    // Copies: their limits stay in registers while the tables are written.
+    // Captures copies of both arrays, so that their index limits stay in registers while `out` is written.
     const auto for_cells_of = [owner = mesh.owner, neighbours = mesh.neighbour](Index f, auto&& visit) {
         visit(owner[f]);
         if (const Index neighbour = neighbours[f]; neighbour != none) visit(neighbour);
@@ -19,7 +19,7 @@ CellFaces cell_faces(const FaceMeshView& mesh) {
     std::vector<std::uint64_t> cursor(out.begin.begin(), out.begin.end() - 1);
     for (Index f = 0; f < mesh.face_count(); ++f)
         for_cells_of(f, [&](Index cell) {
-            if (cursor[cell] == out.begin[std::size_t{cell} + 1]) mesh.owner.refuse(); // changed since it was counted
+            if (cursor[cell] == out.begin[std::size_t{cell} + 1]) mesh.owner.refuse(); // the mapped file changed
             out.face[cursor[cell]++] = f;
         });
     return out;
@@ -40,10 +40,10 @@ void check_face_mesh(const FaceMeshView& mesh) {
             "a vertex id is out of range");
     const auto owners = mesh.owner.unchecked(), neighbours = mesh.neighbour.unchecked();
     require(std::ranges::is_sorted(owners) && (owners.empty() || owners.back() < cells),
-            "owner does not rise to less than the number of cells");
+            "owner is not sorted, or names a cell that does not exist");
     for (Index f = 0; f < mesh.face_count(); ++f)
         require(neighbours[f] == none || (neighbours[f] > owners[f] && neighbours[f] < cells),
-                "a neighbour is not between its owner and the number of cells");
+                "a neighbour is not larger than its owner, or names a cell that does not exist");
 }
 
 } // namespace ciel

@@ -52,7 +52,7 @@ Index CellWinding::target(Index half_edge) const {
 bool CellWinding::balanced() {
     constexpr Index most_listed = 1024;
     const auto count = static_cast<Index>(from_.size());
-    if (count > most_listed) return balanced_when_sorted(); // the list of a fan's apex would be as long as the cell
+    if (count > most_listed) return balanced_when_sorted(); // avoids quadratic time at a vertex of many half-edges
     head_.assign(vertices_.size(), none);
     next_.resize(count);
     paired_.assign(count, 0);
@@ -82,7 +82,7 @@ bool CellWinding::balanced_when_sorted() {
         uses_.push_back({std::min(a, b), std::max(a, b), face_of_[h], (a < b) != faces_[face_of_[h]].turned});
     }
     std::ranges::sort(uses_, {}, [](const Use& use) { return std::pair(use.low, use.high); });
-    std::int64_t balance = 0; // of one edge
+    std::int64_t balance = 0; // of one edge (low, high): half-edges low -> high minus half-edges high -> low
     for (std::size_t i = 0; i < uses_.size(); ++i) {
         balance += uses_[i].upward ? 1 : -1;
         const bool last =
@@ -92,8 +92,8 @@ bool CellWinding::balanced_when_sorted() {
     return true;
 }
 
-// Fills neighbours_ with the faces that meet at an edge no third face touches. Returns false when an edge is used an
-// odd number of times: the cell is open there.
+// Sets neighbours_ to the pairs of faces that share an edge with no third face. Returns false when an edge has an odd
+// number of half-edges, which means that the cell is open.
 bool CellWinding::collect_edges() {
     uses_.clear();
     for (Index h = 0; h < from_.size(); ++h) {
@@ -105,7 +105,7 @@ bool CellWinding::collect_edges() {
     });
     neighbours_.assign(faces_.size(), {});
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
-        std::vector<Use> edge; // without pairs that cancel within one collapsed face
+        std::vector<Use> edge; // of one edge, without opposite half-edges in one collapsed face
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end) {
             if (!edge.empty() && edge.back().face == uses_[end].face && edge.back().upward != uses_[end].upward)
@@ -122,7 +122,7 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-// Turns the faces of each lobe to agree with its first face. Returns the number of lobes.
+// Sets `turned` so that all faces of a lobe are wound like its first face. Returns the number of lobes.
 Index CellWinding::spread_winding() {
     lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
@@ -160,12 +160,12 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// Joins each lobe that is open by itself with the lobes that close it. Goes edge by edge: lobes joined earlier may
-// already balance the next edge.
+// Lobes that meet along an edge may be open there one by one, but are closed together. Joins all lobes at such an edge.
+// Visits the edges one by one, because lobes that were joined earlier may already be closed at a later edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});
-    std::vector<std::int64_t> balance(count, 0); // of one edge, by lobe
+    std::vector<std::int64_t> balance(count, 0); // by lobe, of one edge: half-edges low -> high minus high -> low
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end)
@@ -179,7 +179,7 @@ void CellWinding::join_open_lobes(Index count) {
     }
 }
 
-// Root of the lobe's union. Union-find with path halving.
+// Returns the root of the lobe in joined_to_. Union-find with path halving.
 Index CellWinding::joined(Index lobe) {
     for (; joined_to_[lobe] != lobe; lobe = joined_to_[lobe]) joined_to_[lobe] = joined_to_[joined_to_[lobe]];
     return lobe;

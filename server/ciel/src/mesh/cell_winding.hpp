@@ -1,5 +1,5 @@
-// Winding of one polyhedron: whether it is closed, whether its faces agree, whether it points outward (paper, appendix
-// A: half-edges find their mates through the incident lists of their end points).
+// Winding of one polyhedron: checks that the cell is closed, and finds the faces to reverse so that all normals point
+// outwards. As in the paper (appendix A), half-edges find their mates through the lists of their end vertices.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -8,8 +8,8 @@
 
 namespace ciel {
 
-// Scratch for many cells, one per thread. Borrows the input, whose arrays must have the right sizes. Bad cells never
-// throw; they get a Verdict.
+// Use one object per thread for many cells; it keeps its buffers. Borrows the input, whose array sizes must have been
+// checked. Does not throw for a bad cell, but reports it in the Verdict.
 class CellWinding {
 public:
     explicit CellWinding(const PolyhedraView& input);
@@ -17,27 +17,27 @@ public:
     struct Verdict {
         std::optional<BadCells::Reason> bad;
         double volume = 0; // absolute value
-        Vec3d centre{};    // mean of the corners
+        Vec3d centre{};    // mean of the cell's vertices
     };
-    // Sets `turn[f]` to 1 for each input face of the cell that must be reversed, else to 0.
+    // Sets `turn[f]` to 1 for each input face of the cell that must be reversed to point outwards, else to 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
-    // The parts of a closed cell that can be reversed one by one without opening it. A cell has several where it
-    // touches itself along an edge or surrounds a cavity. Returns one part number per face of the cell, each below the
-    // number of faces.
+    // Divides the faces of a closed cell into lobes. A lobe is closed by itself, so it can be reversed alone. A cell
+    // has several lobes where it touches itself along an edge or surrounds a cavity. Returns one lobe number per face
+    // of the cell, each below the number of faces.
     [[nodiscard]] std::vector<Index> lobes(Index cell);
 
 private:
     struct Face {
         std::uint64_t id;
-        Index begin, end; // in from_
+        Index begin, end; // range of the half-edges of the face in from_
         bool turned = false;
     };
 
-    bool gather(Index cell); // false when an index is out of range
+    bool gather(Index cell); // returns false when a vertex id is out of range
     void forget();
     bool balanced();
-    bool balanced_when_sorted(); // the same; overwrites uses_
+    bool balanced_when_sorted(); // like balanced, in O(n log n); overwrites uses_
     std::optional<BadCells::Reason> make_agree();
     bool collect_edges();
     Index spread_winding();
@@ -49,17 +49,17 @@ private:
     [[nodiscard]] double signed_volume(const Vec3d& centre) const;
 
     const PolyhedraView& input_;
-    std::vector<Index> local_of_; // input vertex -> local; none for vertices of other cells
-    std::vector<Index> vertices_; // local -> input vertex
-    std::vector<Face> faces_;     // loops as they are in from_
-    std::vector<Index> from_;     // local origin of each half-edge; the target is the next one's origin
-    std::vector<Index> face_of_;  // half-edge -> face
-    std::vector<Index> loop_;     // one face, input vertices
-    std::vector<Index> head_;     // local vertex -> first half-edge of its list
-    std::vector<Index> next_;     // half-edge -> next of the same list
+    std::vector<Index> local_of_; // input vertex -> local vertex; none if not in this cell
+    std::vector<Index> vertices_; // local vertex -> input vertex
+    std::vector<Face> faces_;     // faces of at least three vertices
+    std::vector<Index> from_;     // half-edge -> local vertex that it leaves
+    std::vector<Index> face_of_;  // half-edge -> index in faces_
+    std::vector<Index> loop_;     // scratch: input vertices of one face
+    std::vector<Index> head_;     // local vertex -> first half-edge in the list of those that leave it
+    std::vector<Index> next_;     // half-edge -> next half-edge in the same list
     std::vector<std::uint8_t> paired_;
-    std::vector<Index> lobe_;      // face -> lobe: faces connected by edges that exactly two faces share
-    std::vector<Index> joined_to_; // lobe -> parent in the union; a root is its own parent
+    std::vector<Index> lobe_;      // face -> lobe: faces connected through edges of exactly two faces
+    std::vector<Index> joined_to_; // lobe -> its parent in the union-find tree; a root is its own parent
     struct Use {
         Index low, high, face;
         bool upward;
@@ -70,7 +70,7 @@ private:
         Index face;
         bool same_direction;
     };
-    std::vector<std::vector<Neighbour>> neighbours_; // face -> faces across an edge that no third face shares
+    std::vector<std::vector<Neighbour>> neighbours_; // face -> adjacent faces across edges of exactly two faces
 };
 
 } // namespace ciel

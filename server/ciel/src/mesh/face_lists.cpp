@@ -30,7 +30,7 @@ CellType type_of_cell(std::span<const std::uint64_t> face_offset, std::span<cons
     const CellType type = type_of_faces(face_offset.size() - 1, loops.size(), largest);
     std::size_t corners = 0;
     if (!with_shape(type, [&corners]<const StandardShape & shape>() { corners = shape.corners; })) return type;
-    std::array<Index, 24> ids{}; // as many as a hexahedron's half-edges
+    std::array<Index, 24> ids{}; // a hexahedron, the largest standard cell, has 24 half-edges
     const auto last = std::ranges::copy(loops, ids.begin()).out;
     std::sort(ids.begin(), last);
     const auto distinct = static_cast<std::size_t>(std::unique(ids.begin(), last) - ids.begin());

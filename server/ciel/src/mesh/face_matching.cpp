@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t faces_per_task = 16384;
 
 struct Claim {
-    Index smallest = none; // vertex; none for faces that cannot match
+    Index smallest = none; // smallest vertex of the face; none if the face cannot match
     std::uint32_t fingerprint = 0;
     Index face = none;
 };
@@ -26,7 +26,8 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Faces that collapsed to a line or a point separate no cells: they get no claim and stay on the boundary.
+// Returns one claim per face, with which equal faces are found. Faces that collapsed to a line or a point separate no
+// cells, so they get an empty claim and stay on the boundary.
 std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
     std::vector<Claim> claims(cell_of_face.size());
     parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
@@ -39,13 +40,13 @@ std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index
             Claim& claim = claims[f];
             claim.face = static_cast<Index>(f);
             claim.smallest = *std::ranges::min_element(loop);
-            for (const Index v : loop) claim.fingerprint += mix(v); // a sum: independent of order
+            for (const Index v : loop) claim.fingerprint += mix(v); // a sum does not depend on the vertex order
         }
     });
     return claims;
 }
 
-// Groups claims by smallest vertex. Within a group, claims of equal faces are adjacent.
+// Returns the claims sorted by (smallest vertex, fingerprint, face), so that claims of equal faces are adjacent.
 std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t vertices) {
     std::vector<std::uint64_t> begin(vertices + 1, 0);
     for (const Claim& claim : claims)
@@ -80,7 +81,7 @@ private:
     void settle_equal(std::span<const Claim> claims);
     void settle_group(std::span<const Index> group);
     Relation compare(Index a, Index b);
-    bool wound_alike(Index a, Index b); // with the current `turn`
+    bool wound_alike(Index a, Index b); // whether both loops, after `turn`, run in the same direction
     void match(Index a, Index b);
     void agree_across_faces();
     void divide_into_units(const std::vector<Index>& conflicts);
@@ -90,13 +91,14 @@ private:
     const PolyhedraView& input_;
     CellOfFace faces_;
     MatchedFaces result_;
-    std::vector<std::vector<Index>> crowds_; // faces with more than two claims
+    std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
     std::vector<Index> loop_a_, loop_b_;
-    // A unit is turned as a whole: a cell, or a lobe of one. Units below the number of cells are cells or first lobes.
+    // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
+    // is cell c, or its first lobe when the cell is divided; units of further lobes are numbered after all cells.
     std::vector<Index> unit_of_face_;
     std::vector<Index> cell_of_unit_;
-    std::vector<std::uint8_t> divided_; // cell
-    std::vector<std::uint8_t> parity_;  // unit: 0 not visited, 1 keep, 2 turn
+    std::vector<std::uint8_t> divided_; // by cell: 1 if it is divided into several units
+    std::vector<std::uint8_t> parity_;  // by unit: 0 not visited, 1 keep the winding, 2 reverse it
 };
 
 Matcher::Relation Matcher::compare(Index a, Index b) {
@@ -136,7 +138,8 @@ void Matcher::settle_group(std::span<const Index> group) {
     }
 }
 
-// Equal fingerprints nearly always mean equal faces. This separates the exceptions.
+// Settles faces with the same smallest vertex and fingerprint. They are nearly always equal; comparing the whole loops
+// separates the exceptions.
 void Matcher::settle_equal(std::span<const Claim> claims) {
     if (claims.size() < 2) return;
     std::vector<Index> left, group, rest;
@@ -151,8 +154,9 @@ void Matcher::settle_equal(std::span<const Claim> claims) {
     }
 }
 
-// Each cell was wound outwards on its own. Two neighbours may then disagree: one is folded, has no volume, or touches
-// itself. The topology needs agreement more than positive volumes, so the part with less volume is turned.
+// Winds matched faces in opposite directions. Each cell was wound outwards by itself, so two adjacent cells may
+// disagree when one is folded, has no volume or touches itself. The topology needs agreement more than positive
+// volumes. So of two sets of units that disagree, the one with less volume is reversed.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -167,7 +171,7 @@ void Matcher::agree_across_faces() {
     for (std::size_t f = 0; f < faces_.cell.size(); ++f)
         if (faces_.cell[f] != none && parity_[unit_of_face_[f]] == 2) faces_.turn[f] ^= 1;
     for (const Index f : conflicts)
-        if (disagree(f)) { // a one-sided ring of cells: it must be cut somewhere
+        if (disagree(f)) { // a one-sided (Moebius) ring of cells is cut at this face
             result_.partner[result_.partner[f]] = none;
             result_.partner[f] = none;
             ++result_.internal_boundaries;
@@ -198,8 +202,8 @@ void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
     parity_.assign(cell_of_unit_.size(), 0);
 }
 
-// Gives each unit connected to `start` the parity that makes all faces between them agree. If no such parities exist,
-// all units keep their winding.
+// Sets the parity of each unit connected to `start`, so that all matched faces between these units agree. If no such
+// parities exist, all these units keep their winding.
 void Matcher::spread_from(Index start) {
     std::vector<Index> component{start};
     bool consistent = true;
@@ -231,12 +235,13 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// Settles a face with more than two claims. A cell that collapsed to the face claims it twice, once per side. Such
-// cells are chained between the one or two cells that claim it once. Any other case stays unmatched.
+// Matches the faces of a group of more than two equal faces. A cell that collapsed to this face has it twice, once per
+// side. Such collapsed cells are chained between the one or two cells that have the face once. Faces of any other group
+// stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
-    for (std::size_t i = 0; i < group.size(); ++i) { // a cell's faces are consecutive
+    for (std::size_t i = 0; i < group.size(); ++i) { // the faces of one cell are consecutive in `group`
         const bool twice = i + 1 < group.size() && faces_.cell[group[i]] == faces_.cell[group[i + 1]];
         if (!twice) {
             single.push_back(group[i]);
@@ -261,7 +266,8 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-// Cells that may repeat another: those with a face in a crowd, or whose first two matched faces lead to one cell.
+// Returns the cells that may have the same faces as another cell, ascending: cells with a face in crowds_, and cells
+// whose first two matched faces lead to the same cell.
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)
@@ -272,7 +278,7 @@ std::vector<Index> Matcher::suspects() const {
             if (result_.partner[f] == none) continue;
             const Index behind = faces_.cell[result_.partner[f]];
             if (behind == other) out.push_back(cell);
-            if (other != none) break; // two faces are enough
+            if (other != none) break; // only the first two matched faces are compared
             other = behind;
         }
     }

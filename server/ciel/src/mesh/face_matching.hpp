@@ -1,4 +1,5 @@
-// Pairs faces that are the two sides of one face (paper, appendix A: the counterpart in the adjacent polyhedron).
+// Matches each face of a cell with the equal face of the adjacent cell (paper, appendix A: the counterpart in the
+// adjacent polyhedron).
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -6,21 +7,21 @@
 namespace ciel {
 
 struct CellOfFace {
-    std::span<Index> cell;          // input face -> input cell, none for faces of cells that are left out, as matching
-                                    // leaves cells out that have the same faces as an earlier one
-    std::span<const double> volume; // input cell -> volume, not negative
-    std::span<std::uint8_t> turn;   // input face -> reversed when stored; matching may turn whole cells
+    std::span<Index> cell;          // input face -> input cell; none if the cell is left out. match_faces also sets
+                                    // none for the faces of repeated cells.
+    std::span<const double> volume; // input cell -> its volume, >= 0
+    std::span<std::uint8_t> turn;   // input face -> 1 if reversed when stored; match_faces may change it
 };
 
 struct MatchedFaces {
-    std::vector<Index> partner;        // input face -> input face on the other side, none on the boundary
-    std::vector<Index> repeated_cells; // ascending: left out, they have the faces of an earlier cell
-    std::vector<Index> inverted_cells; // cells that were turned inside out to agree with their neighbours
+    std::vector<Index> partner;        // input face -> equal face of the adjacent cell; none on the boundary
+    std::vector<Index> repeated_cells; // ascending; left out, because an earlier cell has the same faces
+    std::vector<Index> inverted_cells; // ascending; reversed to point inwards, to agree with adjacent cells
     std::uint64_t internal_boundaries = 0;
 };
 
-// Linear in the input: faces meet in the list of their smallest vertex. On return the two sides of every match are
-// wound against each other.
+// Takes linear time: equal faces meet in the list of their smallest vertex. On return, the loops of two matched faces
+// run in opposite directions after `turn`.
 [[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
 
 } // namespace ciel

@@ -19,7 +19,7 @@ void fail(const std::string& sentence) {
 
 void refuse_array(const ArrayKeeper* keeper) {
     if (keeper != nullptr) keeper->refuse();
-    fail("the mesh is damaged: an index leads out of what it numbers, or two contradict each other; import it again");
+    fail("the mesh is damaged: an index is out of range, or two indices contradict each other; import it again");
 }
 
 } // namespace ciel

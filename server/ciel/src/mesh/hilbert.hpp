@@ -1,13 +1,13 @@
-// Position on the three-dimensional Hilbert curve: neighbours in space become neighbours in memory.
+// Position on the three-dimensional Hilbert curve. Cells sorted by it are close in memory when they are close in space.
 // Not in the paper.
-// Source: J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707 (2004).
+// The method is from J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707 (2004).
 #pragma once
 
 #include "ciel/types.hpp"
 
 namespace ciel {
 
-// `unit` is clamped to [0, 1]^3, NaN counts as 0. 21 bits per axis.
+// Returns the position of a point on the curve, with 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN counts as 0.
 [[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
 
 } // namespace ciel

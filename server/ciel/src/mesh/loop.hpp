@@ -1,5 +1,5 @@
-// A face's loop without the repeated vertices of collapsed cells: no half-edge joins a vertex to itself. The paper's
-// appendix A has no rule for them.
+// Removes repeated consecutive vertices from the loop of a face, so that no half-edge joins a vertex to itself.
+// Collapsed cells have such repeats, for which the paper's appendix A has no rule.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -8,9 +8,9 @@
 
 namespace ciel {
 
-// Appends `loop` to `out` without each vertex that equals its successor around the loop. A loop that collapsed to a
-// point appends nothing; one that collapsed to a line appends both ends. Returns the number of ids appended. Reads each
-// id once, so the result has no repeats even if the loop changes meanwhile.
+// Appends `loop` to `out`, without each vertex that equals the next vertex around the loop. A loop that collapsed to a
+// point appends nothing. Returns the number of ids appended. Reads each id once, so the result has no such repeats even
+// if `loop` is in a mapped file that changes during the call.
 template <class Loop>
 std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     const std::size_t before = out.size(), size = loop.size();

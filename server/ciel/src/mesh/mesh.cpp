@@ -6,10 +6,10 @@
 
 namespace ciel {
 
-// Members that point into other members are set after those are in their final place.
+// `faces` points into `assembled`, into `moved_positions` or into the arrays of `keep_alive`. So `faces` is set last.
 struct Mesh::State {
     std::shared_ptr<const void> keep_alive;
-    std::shared_ptr<const Assembled> assembled; // null for from_stored
+    std::shared_ptr<const Assembled> assembled; // null for a mesh made by from_stored
     std::shared_ptr<const Topology> topology;
     std::vector<float> moved_positions;
     std::vector<Index> original_cell;
@@ -20,7 +20,8 @@ struct Mesh::State {
 
 namespace {
 
-// Replaces cell ids of the lists in the report by the caller's: the caller may have more cells than the lists.
+// Replaces cell ids of the polyhedra lists in the report by the caller's cell ids. The lists leave out the caller's
+// cells without volume.
 void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
     const auto name = [&source](std::vector<Index>& ids) {
         for (Index& id : ids) id = source[id];
@@ -88,7 +89,7 @@ Mesh Mesh::from_stored(const FaceMeshView& faces, std::shared_ptr<const void> ke
 Mesh Mesh::moved(const ArrayView& points) const {
     if (points.columns() != 3 || points.rows() != state_->points)
         fail("moved points must be " + std::to_string(state_->points) +
-             " rows of three numbers, as the mesh was made from");
+             " rows of three numbers, one row per point of the mesh");
     auto state = std::make_shared<State>(*state_);
     const std::span<const Index> source = original_vertex();
     state->moved_positions.resize(state->faces.positions.size());

@@ -10,7 +10,8 @@
 namespace ciel {
 namespace {
 
-// Middle of the bounding box of the finite points. Float offsets from it lose the least precision.
+// Returns the middle of the bounding box of the finite points. As an origin of float offsets it loses the least
+// precision.
 Vec3d middle_of(const ArrayView& points) {
     Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -26,7 +27,7 @@ Vec3d middle_of(const ArrayView& points) {
     return middle;
 }
 
-// An id that does not fit becomes `none`, which assemble() reports as out of range.
+// Returns id i, or `none` when the id does not fit 32 bits. assemble() reports `none` as out of range.
 Index id_of(const ArrayView& ids, std::size_t i) {
     const std::int64_t id = ids.integer(i);
     return id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id);
@@ -37,12 +38,12 @@ void check_ids(const ArrayView& ids, const char* name) {
     if (!ids.empty() && !ids.has_integers()) fail(std::string(name) + " must hold integers");
 }
 
-// Entry i of offsets. Throws Error when it is below entry i - 1 or outside [0, end].
+// Returns entry i of offsets. Throws Error when the entry is below entry i - 1 or outside [0, end].
 std::size_t offset(const ArrayView& offsets, std::size_t i, std::size_t end, const char* name) {
     const std::int64_t at = offsets.integer(i);
     if (at < 0 || static_cast<std::uint64_t>(at) > end || (i > 0 && at < offsets.integer(i - 1)))
         fail(std::string(name) + " must rise from 0 to " + std::to_string(end) +
-             ", the length of what it divides; entry " + std::to_string(i) + " is " + std::to_string(at));
+             ", the length of the array that it indexes; entry " + std::to_string(i) + " is " + std::to_string(at));
     return static_cast<std::size_t>(at);
 }
 
@@ -56,10 +57,11 @@ void close_cell(PolyhedraLists& lists, std::size_t source) {
         static_cast<std::uint8_t>(type_of_cell(std::span(lists.face_offset).last(faces + 1), lists.face_vertex)));
 }
 
-// How a VTK type is read: from its first `corners` points. VTK lists corners first (VTK User's Guide, "Cell types").
+// How to read a VTK cell type. Only its first `corners` points are used: VTK lists the corners of a cell before its
+// other points (VTK User's Guide, "Cell types").
 struct VtkShape {
     int vtk_type;
-    CellType type; // polyhedron: a prism over a polygon of corners / 2 points
+    CellType type; // polyhedron means a prism over a polygon of corners / 2 points
     std::uint8_t corners;
     bool is_reduced;
 };
@@ -100,11 +102,11 @@ void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, P
     close_cell(lists, cell);
 }
 
-// Face stream of VTK up to 9.3.
+// Appends a polyhedron from the face stream of VTK up to 9.3 (VtkCells::faces).
 void add_face_stream(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     auto next = [&, at = cells.face_locations.integer(cell)]() mutable {
         if (at < 0 || static_cast<std::uint64_t>(at) >= cells.faces.rows())
-            fail("the faces of polyhedron " + std::to_string(cell) + " lead out of the array of faces");
+            fail("the faces of polyhedron " + std::to_string(cell) + " lie outside the array of faces");
         return cells.faces.integer(static_cast<std::size_t>(at++));
     };
     const std::int64_t faces = next();
@@ -119,7 +121,7 @@ void add_face_stream(const VtkCells& cells, std::size_t cell, PolyhedraLists& li
     close_cell(lists, cell);
 }
 
-// Face lists of VTK from 9.4 on.
+// Appends a polyhedron from the face lists of VTK from 9.4 on (VtkCells::cell_faces).
 void add_listed_faces(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     const std::size_t listed = cells.cell_faces.rows(), size = cells.face_connectivity.rows();
     const std::size_t begin = offset(cells.cell_face_offsets, cell, listed, "cell_face_offsets");
@@ -162,7 +164,7 @@ std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin) 
 
 void put_points(const ArrayView& points, PolyhedraLists& lists) {
     if (points.columns() != 3) fail("points must have three numbers per row");
-    if (points.rows() >= none) fail("a mesh holds fewer than 4,294,967,295 points: split it");
+    if (points.rows() >= none) fail("the mesh has more than 4,294,967,294 points; split it");
     lists.origin = middle_of(points);
     lists.positions = positions_from(points, lists.origin);
 }
@@ -194,19 +196,20 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     check_ids(neighbour, "neighbour");
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
-    // Lists the faces of each cell by a counting sort.
-    // A cell has a side of some face. Larger ids are damage and must not decide how much memory is taken.
+    // Lists the faces of each cell by a counting sort. Each cell has a side of some face, so a valid cell id is less
+    // than twice the number of faces. Larger ids are rejected before they determine the size of an allocation.
     const auto sides_at_most = static_cast<std::int64_t>(2 * owner.rows());
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {
         for (std::size_t face = 0; face < owner.rows(); ++face) {
             const std::int64_t of = owner.integer(face);
             if (of < 0 || of >= sides_at_most)
-                fail("owner of face " + std::to_string(face) + " is " + std::to_string(of) + ": not a cell");
+                fail("owner of face " + std::to_string(face) + " is " + std::to_string(of) + ", which is not a cell");
             visit(static_cast<std::size_t>(of), face);
             const std::int64_t other = face < neighbour.rows() ? neighbour.integer(face) : -1;
             if (other >= sides_at_most)
-                fail("neighbour of face " + std::to_string(face) + " is " + std::to_string(other) + ": not a cell");
+                fail("neighbour of face " + std::to_string(face) + " is " + std::to_string(other) +
+                     ", which is not a cell");
             if (other >= 0) visit(static_cast<std::size_t>(other), face);
         }
     };

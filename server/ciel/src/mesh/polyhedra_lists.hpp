@@ -13,7 +13,7 @@ struct PolyhedraLists {
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0}, face_offset{0};
     std::vector<Index> face_vertex;
-    std::vector<Index> source_cell; // cell in the lists -> caller's cell
+    std::vector<Index> source_cell; // cell of these lists -> caller's cell
     std::uint64_t skipped = 0, reduced = 0;
 
     [[nodiscard]] PolyhedraView view() const {
@@ -22,13 +22,15 @@ struct PolyhedraLists {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-// points: V x 3. Throws Error for other columns, and when there are too many points for 32-bit ids.
+// Sets origin and positions from `points` (V x 3). Throws Error for another number of columns, or when there are too
+// many points for 32-bit ids.
 void put_points(const ArrayView& points, PolyhedraLists& lists);
-// V x 3 offsets from `origin`.
+// Returns `points` (V x 3) as offsets from `origin`.
 [[nodiscard]] std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin);
 
-// Call after put_points. Throw Error when sizes or offsets do not fit, or a face or cell id is out of range. A vertex
-// id that does not fit becomes `none`, which assemble() reports. Cells without volume are counted in `skipped`.
+// These three functions append cells; call put_points before. Throw Error when array sizes or offsets do not fit, or a
+// face or cell id is out of range. A vertex id that does not fit 32 bits becomes `none`, which assemble() reports. VTK
+// cells without volume are left out and counted in `skipped`.
 void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,
                    PolyhedraLists& lists);
 void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex, const ArrayView& owner,

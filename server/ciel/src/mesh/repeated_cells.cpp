@@ -11,7 +11,7 @@ namespace {
 
 using Loop = std::vector<Index>;
 
-// Canonical form of a loop: the least of the loops that start at its smallest vertex, in either direction.
+// Returns the lexicographically least rotation of the loop or of the reversed loop. Equal faces have the same result.
 Loop canonical(const Loop& loop) {
     const std::size_t n = loop.size();
     const Index smallest = *std::ranges::min_element(loop);
@@ -26,7 +26,8 @@ Loop canonical(const Loop& loop) {
     return least;
 }
 
-// The cell's faces in canonical form, sorted. Empty when the cell has no face to compare, or one of them twice.
+// Returns the cell's faces in canonical form, sorted. Returns an empty list when all faces collapsed or one face occurs
+// twice.
 std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
     std::vector<Loop> faces;
     for (std::uint64_t f = input.cell_offset[cell]; f < input.cell_offset[cell + 1]; ++f) {

@@ -18,7 +18,7 @@ void append_standard_faces(CellType type, std::span<const Index> corners, std::v
     });
     if (!known)
         fail("cell type " + std::to_string(static_cast<int>(type)) +
-             " is not a standard cell: give its faces one by one");
+             " is not a standard cell; give the faces of the cell");
 }
 
 } // namespace ciel

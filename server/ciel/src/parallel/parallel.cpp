@@ -91,7 +91,7 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (first_error) std::rethrow_exception(first_error);
 }
 
-#else // serial: WebAssembly, and the reference for the other two
+#else // a serial loop, for WebAssembly and as the reference for TBB and std::thread
 
 void set_thread_count(unsigned) {}
 

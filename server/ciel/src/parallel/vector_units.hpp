@@ -2,7 +2,7 @@
 // tests/unit/ciel/uses_vector_units checks the compiled code. Not in the paper.
 #pragma once
 
-// Not with sanitizers: they are not initialized yet when the choice is made.
+// Not with sanitizers, which are not initialized yet when the loader chooses between the copies.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__) &&                \
     !defined(__SANITIZE_ADDRESS__)
 #define CIEL_FOR_ALL_VECTOR_UNITS __attribute__((target_clones("avx2", "default")))

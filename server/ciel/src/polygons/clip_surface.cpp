@@ -51,7 +51,8 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // Interpolates from the kept end, so both polygons of a side get the same bits.
+    // Returns the new vertex where a polygon side crosses the plane. Interpolates from the kept end, so that both
+    // polygons of the side get the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =
@@ -76,7 +77,7 @@ private:
     double slack_;
     std::vector<double> distance_;
     std::vector<Index> place_, loop_;
-    std::map<std::pair<Index, Index>, Index> crossings_; // (kept, cut away) -> new vertex
+    std::map<std::pair<Index, Index>, Index> crossings_; // (kept vertex, removed vertex) -> new vertex
 };
 
 } // namespace

@@ -15,7 +15,8 @@ class PolygonContours {
 public:
     PolygonContours(const Surface& surface, std::span<const float> values) : surface_(surface), values_(values) {}
 
-    // Appends one segment per run of high corners: from the edge that enters the run to the edge that leaves it.
+    // Appends one segment per run of high corners: from the side on which the loop enters the run to the side on which
+    // it leaves the run.
     void append(std::span<const Index> loop, double nu, std::vector<Vec3f>& out) const {
         const auto high = [&](std::size_t i) { return values_[loop[i % loop.size()]] >= nu; };
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -38,7 +39,8 @@ public:
     }
 
 private:
-    // Interpolates from the lower index to the upper, in both directions of the polygon.
+    // Returns the point at nu on a polygon side. Always interpolates from the lower index to the upper, so that both
+    // polygons of the side get the same bits.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
         const float t = share_at(nu, values_[a], values_[b]);
@@ -57,7 +59,7 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
     if (at.empty()) return {};
     constexpr std::size_t chunk = 4096;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const double nu : at) { // NaN changes neither
+    for (const double nu : at) { // a NaN changes neither lowest nor highest
         lowest = std::min(lowest, nu);
         highest = std::max(highest, nu);
     }

@@ -13,7 +13,7 @@ double twice_area(const Point& a, const Point& b, const Point& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Grid of corners by position, about one corner per grid cell.
+// Finds polygon corners by position in a regular grid, with about one corner per grid cell.
 class Grid {
 public:
     Grid(std::span<const Point> corners, std::span<const Index> members) {
@@ -33,7 +33,7 @@ public:
     }
 
     // Returns whether `wanted` holds for a corner in a grid cell that the rectangle from `low` to `high` touches.
-    // Subtracts its steps from `steps`; returns false when they run out.
+    // Subtracts the visited grid cells and corners from `steps`. Returns false when `steps` becomes negative.
     template <class Wanted>
     [[nodiscard]] bool any(const Point& low, const Point& high, std::int64_t& steps, Wanted&& wanted) const {
         for (std::size_t row = index(low, 1); row <= index(high, 1); ++row)
@@ -50,7 +50,7 @@ public:
 private:
     [[nodiscard]] std::size_t index(const Point& p, std::size_t axis) const {
         const double share = (p[axis] - low_[axis]) / (high_[axis] - low_[axis]);
-        if (!(share > 0)) return 0; // also when the polygon has no width
+        if (!(share > 0)) return 0; // also NaN: the polygon has no extent along the axis
         return std::min(side_ - 1, static_cast<std::size_t>(std::min(share, 1.0) * static_cast<double>(side_)));
     }
     [[nodiscard]] std::size_t place(const Point& p) const { return index(p, 1) * side_ + index(p, 0); }
@@ -75,13 +75,13 @@ public:
         for (Index i = 0; i < n; ++i) convex_[i] = area_at(i) > 0 ? 1 : 0;
     }
 
-    // Works in rounds to keep triangles compact: the neighbours of a corner that was cut off wait for the next round.
-    // Only those can have become ears.
+    // Cuts off ears in rounds, to keep the triangles compact. The two corners adjacent to a corner that was cut off are
+    // tested in the next round. Only such corners can have become ears.
     void run() {
         const Grid grid = grid_of_the_rest();
         for (Index i = 0; i < corners_.size(); ++i) next_.push_back(i);
         while (left_ > 3) {
-            if (next_.empty()) cut_off(some_left_); // the polygon crosses itself
+            if (next_.empty()) cut_off(some_left_); // no ear is left: the polygon crosses itself
             ++round_;
             now_.swap(next_);
             next_.clear();
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    // Only corners that are not convex can lie in an ear.
+    // Returns a grid of the corners that are not convex: only these can lie in the triangle of an ear.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)
@@ -122,7 +122,7 @@ private:
         after_[a] = c;
         before_[c] = a;
         is_left_[i] = 0;
-        convex_[i] = 1; // no longer blocks ears
+        convex_[i] = 1; // a corner that is cut off blocks no ears
         --left_;
         some_left_ = a;
         for (const Index k : {a, c}) {
@@ -134,12 +134,12 @@ private:
 
     std::span<const Point> corners_;
     std::vector<Index>& out_;
-    std::int64_t steps_; // remaining
+    std::int64_t steps_; // remaining steps (clip_ears)
     std::vector<Index> before_, after_;
     std::vector<std::uint8_t> convex_, is_left_;
     std::size_t left_;
     Index some_left_ = 0;
-    std::vector<Index> now_, next_; // corners to look at
+    std::vector<Index> now_, next_; // corners to test in this round, in the next
     std::vector<Index> waits_;      // corner -> round in which it is skipped
     Index round_ = 0;
 };

@@ -11,9 +11,9 @@
 namespace ciel {
 
 // `corners`: counter-clockwise, at least three. Appends corners.size() - 2 triangles with the polygon's winding, as
-// indices into `corners`. A polygon that does not cross itself is covered once. One that crosses itself gets as many
-// triangles, some of them reversed or without area. The work is at most 512 steps per corner: blocking corners are
-// found in a grid. When the steps run out, the remaining corners are cut off without a test.
+// indices into `corners`. They cover a polygon that does not cross itself exactly once. If the polygon crosses itself,
+// some triangles are reversed or have no area. Takes at most 512 steps per corner, because the corners inside an ear
+// are found in a grid. When the steps run out, the remaining corners are cut off without a test.
 void clip_ears(std::span<const std::array<double, 2>> corners, std::vector<Index>& out);
 
 } // namespace ciel

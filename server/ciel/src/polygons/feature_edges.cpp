@@ -8,7 +8,7 @@ namespace ciel {
 
 namespace {
 
-struct Side { // of an edge
+struct Side { // side of a polygon, listed by its lower point
     Index upper, polygon;
     friend bool operator<(const Side& a, const Side& b) {
         return a.upper != b.upper ? a.upper < b.upper : a.polygon < b.polygon;

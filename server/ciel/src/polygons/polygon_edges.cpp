@@ -7,7 +7,7 @@ namespace ciel {
 std::vector<Index> polygon_edges(const Surface& surface) {
     auto sides = polygon_sides(surface, [](Index upper, Index) { return upper; });
     std::vector<Index> edges;
-    // Most edges have two sides, and each edge appends two ids.
+    // Estimates the size of the result: most edges are a side of two polygons, and each edge appends two ids.
     edges.reserve(sides.side.size() + sides.side.size() / 8);
     for (Index lower = 0; lower < surface.positions.size(); ++lower) {
         const std::span<Index> upper = sides.of(lower);

@@ -1,4 +1,5 @@
-// Sides of a surface's polygons in one sorted bucket per lower point, without a hash or a global sort.
+// Lists the sides of the polygons of a surface by the lower of their two points. Each list is sorted. Needs no hash and
+// no global sort.
 // Not in the paper.
 #pragma once
 
@@ -11,7 +12,7 @@ namespace ciel {
 
 template <class Side>
 struct PolygonSides {
-    std::vector<Index> begin; // per point, plus one
+    std::vector<Index> begin; // by lower point: first index in `side`; one more at the end
     std::vector<Side> side;
 
     [[nodiscard]] std::span<Side> of(Index lower) {
@@ -33,7 +34,7 @@ void for_sides(const Surface& surface, F&& f) {
     }
 }
 
-// Stores `make(upper, polygon)` for each side.
+// Returns `make(upper, polygon)` of each side, grouped by lower point. Each group is sorted.
 template <class Make>
 [[nodiscard]] auto polygon_sides(const Surface& surface, Make make) {
     PolygonSides<std::decay_t<decltype(make(Index{}, Index{}))>> out;

@@ -98,12 +98,12 @@ Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) 
 
 Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept) {
     if (surface.points.size() != surface.positions.size())
-        fail("only the polygons of a whole cut can be chosen by cell: this one has " +
+        fail("a clipped surface cannot be filtered by cell: clipping made " +
              std::to_string(surface.positions.size() - surface.points.size()) +
-             " vertices that clipping made, which lie on no edge of the mesh; choose first and clip then");
+             " of its vertices, which lie on no edge of the mesh; filter the surface before it is clipped");
     if (std::ranges::any_of(surface.polygon_cell, [&](Index cell) { return cell >= kept.size(); }))
-        fail("a polygon is of a cell beyond the " + std::to_string(kept.size()) +
-             " that are told as kept or not: pass a flag for each cell of the mesh that was cut");
+        fail("a polygon belongs to a cell without a flag, beyond the " + std::to_string(kept.size()) +
+             " flags; pass one flag for each cell of the mesh");
     Surface out;
     std::vector<Index> place(surface.positions.size(), none);
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {

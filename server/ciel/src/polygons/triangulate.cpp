@@ -12,7 +12,8 @@ namespace ciel {
 
 namespace {
 
-// Writes the triangles of one chunk, contiguously. The buffer has room for all triangles that its polygons may have.
+// Writes the triangles of one chunk of polygons into a buffer without gaps. The buffer has room for corners - 2
+// triangles of each polygon.
 class Triangles {
 public:
     explicit Triangles(Index* to) : to_(to) {}
@@ -45,10 +46,10 @@ double worst_area(const Surface& surface, std::span<const Index> loop, const Vec
 
 struct Fan {
     std::size_t corner = 0;
-    bool folds = false; // by more than rounding
+    bool folds = false; // a triangle of the fan is clearly reversed, not only by rounding
 };
 
-// Larger polygons try evenly spaced corners, this many to twice as many: linear, not quadratic.
+// Of a larger polygon, 64 to 127 evenly spaced corners are tried, so that the time is linear in the corners.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
@@ -73,7 +74,7 @@ void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
     out.add(a, b, c);
 }
 
-// Clips ears in the projection along the axis nearest to the normal.
+// Clips ears in the projection along the coordinate axis nearest to the normal.
 void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, Triangles& out) {
     std::size_t axis = 0;
     for (const std::size_t other : {1U, 2U})
@@ -99,7 +100,8 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
-// Offset of a polygon's triangles: each polygon before it has room for (corners - 2) triangles.
+// Returns the offset of the first triangle of a polygon in the buffer. Each polygon before it has room for (corners -
+// 2) triangles.
 std::size_t place_of(const Surface& surface, std::size_t polygon) {
     return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
 }
@@ -118,7 +120,7 @@ void triangulate(const Surface& surface, std::vector<Index>& out) {
             to.fill(out.data() + place_of(surface, last));
         }
     });
-    std::erase(out, none); // room left by triangles without area
+    std::erase(out, none); // entries of triangles that were left out
 }
 
 std::vector<Index> triangulate(const Surface& surface) {

@@ -15,7 +15,7 @@ public:
     FieldParser(std::string_view bytes, const std::string& file, std::size_t most) : reader_(bytes, file), most_(most) {
         field_.components = foam_field_components(reader_.format().class_name);
         if (field_.components == 0)
-            reader_.fail("is of the class " + reader_.format().class_name + ", no field of cells,");
+            reader_.fail("is of the class " + reader_.format().class_name + ", which is not a field of cells,");
         field_.is_single_precision = reader_.format().is_binary && reader_.format().scalar_bytes == 4;
     }
 
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    // nullopt where something else stands there.
+    // Returns nullopt if the entry is neither uniform nor nonuniform.
     std::optional<FoamValues> read_values() {
         const char next = reader_.peek();
         if (next != 'u' && next != 'n') return std::nullopt;
@@ -68,7 +68,7 @@ private:
         while (!reader_.accept('}')) {
             FoamCondition condition;
             condition.name = reader_.name(condition.is_pattern);
-            if (reader_.peek() != '{') { // an entry of the dictionary itself
+            if (reader_.peek() != '{') { // an entry of boundaryField itself, not a patch
                 reader_.skip_entry();
                 continue;
             }
@@ -94,7 +94,7 @@ private:
     FoamField field_;
 };
 
-// The library's matcher goes one call deeper for each character.
+// Limits the depth of the stack: std::regex_match recurses once per character.
 constexpr std::size_t longest_name = 256;
 
 bool matches(const std::string& pattern, const std::string& name) {

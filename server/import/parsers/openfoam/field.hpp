@@ -1,4 +1,4 @@
-// A field file of an OpenFOAM case, as text or binary: its values in the cells and on the patches (OpenFOAM User Guide,
+// Parses a field file of an OpenFOAM case, text or binary: values in the cells and on the patches (OpenFOAM User Guide,
 // "Boundary conditions").
 #pragma once
 
@@ -11,31 +11,33 @@ namespace ciel::importer {
 
 struct FoamValues {
     bool is_uniform = false;
-    std::vector<double> numbers; // one tuple where it is uniform
+    std::vector<double> numbers; // one tuple if uniform, else one per cell or face
 };
 
-struct FoamCondition { // on one patch, on a group of patches, or on all whose names match
+struct FoamCondition { // of one patch, of a group of patches, or of all patches whose names match
     std::string name;
     bool is_pattern = false; // `name` is a regular expression
-    std::string type;        // "fixedValue"; empty where the file does not say
+    std::string type;        // such as "fixedValue"; empty if the file gives none
     std::optional<FoamValues> value;
 };
 
 struct FoamField {
     int components = 1;
-    bool is_single_precision = false; // binary, with scalars of 32 bits
+    bool is_single_precision = false; // the file is binary with 32-bit scalars
     FoamValues cells;
     std::vector<FoamCondition> conditions;
 
-    // By the patch's name, else by one of its groups, else by the last pattern that matches.
+    // Returns the condition with the patch's name, else that of one of its groups, else the last one whose pattern
+    // matches the patch's name; null if there is none.
     [[nodiscard]] const FoamCondition* condition(const std::string& patch,
                                                  const std::vector<std::string>& groups) const;
 };
 
-// Numbers per cell of a class such as volVectorField or volScalarField::Internal; 0 for other classes.
+// Returns the number of components of a class such as volVectorField or volScalarField::Internal; 0 for other classes.
 [[nodiscard]] int foam_field_components(std::string_view class_name);
 
-// `most`: how many cells there are. Throws Error naming `file`. A condition's value that is not written out is nullopt.
+// `most`: the number of cells; longer lists are refused. The value of a condition is nullopt unless the file lists it.
+// Throws Error naming `file`.
 [[nodiscard]] FoamField parse_foam_field(std::string_view bytes, const std::string& file, std::size_t most);
 
 } // namespace ciel::importer

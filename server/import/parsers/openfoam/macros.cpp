@@ -12,8 +12,8 @@ namespace ciel::importer {
 namespace {
 
 constexpr int deepest = 16;
-constexpr std::size_t longest_value = 4096;      // of an entry that a macro repeats
-constexpr std::size_t longest_text = 256U << 20; // of what comes of it
+constexpr std::size_t longest_value = 4096;      // bytes; macros for longer entries expand to nothing
+constexpr std::size_t longest_text = 256U << 20; // bytes of the expanded text
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -30,9 +30,9 @@ private:
     [[noreturn]] void fail(const std::string& what) const { throw Error(file_ + ": " + what); }
 
     void add(std::string_view text, int depth) {
-        if (depth > deepest) fail("includes are nested too deep");
+        if (depth > deepest) fail("its #include directives are nested too deep");
         for (std::size_t at = 0; at < text.size();) {
-            if (out_.size() > longest_text) fail("its macros make more text than can be read");
+            if (out_.size() > longest_text) fail("its macros expand to more text than can be read");
             if (text.substr(at).starts_with("//")) {
                 at = std::min(text.find('\n', at), text.size());
             } else if (text.substr(at).starts_with("/*")) {
@@ -53,7 +53,7 @@ private:
         }
     }
 
-    // Follows entries of the file itself: "NAME value;".
+    // Appends c to the output. When c ends a top-level entry "NAME value;", remembers the entry for macros.
     void put(char c) {
         out_ += c;
         if (c == '{') ++braces_;
@@ -67,7 +67,7 @@ private:
     void remember(std::string_view entry) {
         const auto begin = std::find_if(entry.begin(), entry.end(), is_name);
         if (begin == entry.end()) return;
-        const auto end = std::find_if_not(begin, entry.end(), is_name); // at the latest where the semicolon is
+        const auto end = std::find_if_not(begin, entry.end(), is_name); // not entry.end(): the entry ends with ';'
         std::string name(begin, end), value(end, entry.end() - 1);      // without the semicolon
         values_[std::move(name)] = value.size() <= longest_value ? std::move(value) : std::string();
     }
@@ -78,7 +78,7 @@ private:
         const auto name_end = std::find_if_not(line.begin() + 1, line.end(), is_name);
         const std::string_view what(line.begin() + 1, name_end);
         if (what == "includeEtc" || what == "inputMode" || what == "remove") return end;
-        if (!what.starts_with("include")) fail("#" + std::string(what) + " is for OpenFOAM alone to evaluate");
+        if (!what.starts_with("include")) fail("#" + std::string(what) + " cannot be evaluated outside OpenFOAM");
         const std::size_t open = line.find('"');
         const std::size_t close = open == std::string_view::npos ? open : line.find('"', open + 1);
         if (close == std::string_view::npos) fail("#" + std::string(what) + " names no file");
@@ -98,7 +98,7 @@ private:
         while (end < text.size() && is_name(text[end])) ++end;
         const std::string name(text.substr(begin, end - begin));
         const auto known = values_.find(name);
-        if (known == values_.end()) fail("$" + name + " is not known where it is used");
+        if (known == values_.end()) fail("$" + name + " is used before it is defined");
         out_ += known->second;
         return in_braces && end < text.size() && text[end] == '}' ? end + 1 : end;
     }

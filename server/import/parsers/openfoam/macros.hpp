@@ -1,5 +1,5 @@
-// Macros of OpenFOAM's text files: $NAME for what an entry before it holds, and #include (OpenFOAM User Guide,
-// "Directives and macro substitutions"). Solvers write none; files that people write are full of them.
+// Expands macros in OpenFOAM's text files: $NAME, the value of an earlier entry, and #include (OpenFOAM User Guide,
+// "Directives and macro substitutions"). Files written by hand use macros; files written by solvers do not.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace ciel::importer {
 
-// The text of an included file; nullopt where there is none.
+// Returns the text of the included file `name`; nullopt if there is no such file.
 using LoadIncluded = std::function<std::optional<std::string>(std::string_view name)>;
 
-// `text` with its macros replaced; the text itself where it has none or is binary. #includeEtc, which only sets what
-// the mesh says itself, is passed over. Throws Error naming `file` where a name is not known, where includes are nested
-// more than 16 deep, and for what OpenFOAM alone can evaluate (#calc, #codeStream).
+// Returns `text` with macros expanded; unchanged if it has none or is binary. Ignores #includeEtc, #inputMode and
+// #remove. Throws Error naming `file` for an unknown macro, a missing #include file, includes nested more than 16 deep,
+// and directives that only OpenFOAM can evaluate (#calc, #codeStream).
 [[nodiscard]] std::string expand_foam_macros(std::string text, const std::string& file, const LoadIncluded& load);
 
 } // namespace ciel::importer

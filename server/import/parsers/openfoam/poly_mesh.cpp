@@ -23,12 +23,12 @@ FoamFaces compact_faces(FoamReader& reader) {
     faces.offset.clear();
     std::int64_t previous = 0;
     for (const std::int64_t offset : offsets) {
-        if (offset < previous) reader.fail("has faces that begin before the one before");
+        if (offset < previous) reader.fail("has face offsets that decrease");
         faces.offset.push_back(static_cast<std::size_t>(offset));
         previous = offset;
     }
     if (faces.offset.empty() || faces.offset.front() != 0 || faces.offset.back() != faces.points.size())
-        reader.fail("has faces whose offsets do not fit their points");
+        reader.fail("has face offsets that do not match its number of points");
     return faces;
 }
 
@@ -51,7 +51,7 @@ void read_patch_entry(FoamReader& reader, std::string_view key, FoamPatch& patch
     reader.skip_entry();
 }
 
-// "N ( NAME { entries } ... )"; how many there are is not needed, and some files leave it out.
+// Reads "N ( NAME { entries } ... )". Ignores the count N, which some files leave out.
 template <typename Item, typename ReadEntry>
 std::vector<Item> read_dictionaries(FoamReader& reader, const ReadEntry& read_entry) {
     std::vector<Item> items;

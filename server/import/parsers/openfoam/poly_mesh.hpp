@@ -1,6 +1,6 @@
-// The files of an OpenFOAM mesh, constant/polyMesh (OpenFOAM User Guide, "Mesh description"). Each function takes the
-// bytes of one file and throws Error naming `file` where they are not what the format asks for. Labels come as they are
-// written: whether they name what is there is the caller's to check.
+// Parses the files of an OpenFOAM mesh, constant/polyMesh (OpenFOAM User Guide, "Mesh description"). Each function
+// takes the bytes of one file and throws Error naming `file` if they violate the format. The caller must check that
+// labels are within range.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace ciel::importer {
 
-// `points`: x, y, z of each point, in the digits that the file has.
+// Parses the file `points`. Returns x, y, z of each point.
 [[nodiscard]] std::vector<double> parse_foam_points(std::string_view bytes, const std::string& file);
 
-// `faces`, as faceList or faceCompactList.
+// The content of the file `faces`, a faceList or a faceCompactList.
 struct FoamFaces {
-    std::vector<std::size_t> offset{0}; // face -> where its points begin; one more than there are faces
+    std::vector<std::size_t> offset{0}; // face -> index of its first entry in `points`; one extra at the end
     std::vector<std::int64_t> points;
 };
 [[nodiscard]] FoamFaces parse_foam_faces(std::string_view bytes, const std::string& file);
 
-// `owner`, `neighbour`, `cellProcAddressing`: one list, of at most `most` labels.
+// Parses the file `owner`, `neighbour` or `cellProcAddressing`: one list of at most `most` labels.
 [[nodiscard]] std::vector<std::int64_t> parse_foam_labels(std::string_view bytes, const std::string& file,
                                                           std::size_t most);
 
-// `boundary`: patches in order. On a processor patch, `neighbour` is the other processor.
+// One patch of the file `boundary`. `neighbour`: number of the other processor of a processor patch, else -1.
 struct FoamPatch {
     std::string name, type;
     std::vector<std::string> groups;
@@ -34,7 +34,7 @@ struct FoamPatch {
 };
 [[nodiscard]] std::vector<FoamPatch> parse_foam_boundary(std::string_view bytes, const std::string& file);
 
-// `cellZones`, `faceZones`: labels of cells or faces under a name.
+// One zone of the file `cellZones` or `faceZones`: the labels of its cells or faces.
 struct FoamZone {
     std::string name;
     std::vector<std::int64_t> labels;

@@ -63,7 +63,7 @@ void FoamReader::read_header() {
 // `text`: the entry `arch` of a file header, such as "LSB;label=32;scalar=64".
 void FoamReader::set_architecture(std::string_view text) {
     if (text.find("MSB") != std::string_view::npos)
-        fail("is written for a big-endian machine; foamFormatConvert writes it anew");
+        fail("is written for a big-endian machine (convert the file with foamFormatConvert)");
     if (text.find("label=64") != std::string_view::npos) format_.label_bytes = 8;
     if (text.find("scalar=32") != std::string_view::npos) format_.scalar_bytes = 4;
 }
@@ -108,11 +108,11 @@ std::string_view FoamReader::word() {
     for (; at_ < bytes_.size(); ++at_) {
         const char c = bytes_[at_];
         if (is_space(c) || c == ';' || c == '{' || c == '}' || c == '"' || c == '[' || c == ']') break;
-        if (c == '(' && at_ > begin) ++open; // div(phi,U)
+        if (c == '(' && at_ > begin) ++open; // as in div(phi,U)
         if (c == '(' && at_ == begin) break;
         if (c == ')' && --open < 0) break;
     }
-    if (at_ == begin) fail(at_ == bytes_.size() ? "ends too early" : "has no word where one is needed");
+    if (at_ == begin) fail(at_ == bytes_.size() ? "ends too early" : "has no word where a word is needed");
     return bytes_.substr(begin, at_ - begin);
 }
 
@@ -142,8 +142,8 @@ double FoamReader::number() {
     double value = 0;
     const auto [stop, error] = std::from_chars(digits, end, value);
     if (error == std::errc::invalid_argument)
-        fail(begin == end ? "ends too early" : "has no number where one is needed");
-    // Too large or too small for a double: strtod gives infinity or what is next to zero.
+        fail(begin == end ? "ends too early" : "has no number where a number is needed");
+    // Outside the range of a double, strtod returns infinity, zero or the nearest denormal number.
     if (error == std::errc::result_out_of_range) value = std::strtod(std::string(digits, stop).c_str(), nullptr);
     at_ = static_cast<std::size_t>(stop - bytes_.data());
     return value;
@@ -153,7 +153,8 @@ std::int64_t FoamReader::label() {
     skip_space();
     std::int64_t value = 0;
     const auto [stop, error] = std::from_chars(bytes_.data() + at_, bytes_.data() + bytes_.size(), value);
-    if (error != std::errc{}) fail(at_ == bytes_.size() ? "ends too early" : "has no whole number where one is needed");
+    if (error != std::errc{})
+        fail(at_ == bytes_.size() ? "ends too early" : "has no whole number where a whole number is needed");
     at_ = static_cast<std::size_t>(stop - bytes_.data());
     return value;
 }
@@ -179,7 +180,7 @@ std::string_view FoamReader::raw(std::size_t bytes) {
 
 void FoamReader::read_item(int components, std::vector<double>& values) {
     if (components == 1) {
-        const bool in_brackets = accept('('); // a spherical tensor
+        const bool in_brackets = accept('('); // spherical tensors have one component in brackets
         values.push_back(number());
         if (in_brackets) expect(')');
         return;
@@ -243,7 +244,7 @@ std::vector<std::int64_t> FoamReader::labels(std::size_t most) {
     return values;
 }
 
-// Behind "List<TYPE>": in a binary file its bytes may hold brackets and semicolons.
+// Skips a binary list after "List<TYPE>", because its raw bytes may look like brackets and semicolons. `type`: TYPE.
 void FoamReader::skip_list(std::string_view type) {
     if (!format_.is_binary) return;
     std::size_t item = static_cast<std::size_t>(foam_components(type)) * static_cast<std::size_t>(format_.scalar_bytes);
@@ -267,7 +268,7 @@ void FoamReader::skip_entry() {
             ++depth;
             ++at_;
         } else if (c == '}' || c == ')' || c == ']') {
-            if (depth == 0) return; // an entry without its semicolon
+            if (depth == 0) return; // the enclosing dictionary ends; the semicolon is missing
             ++at_;
             if (--depth == 0 && is_dictionary) return static_cast<void>(accept(';'));
         } else if (c == ';') {

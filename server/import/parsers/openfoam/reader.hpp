@@ -1,5 +1,5 @@
-// OpenFOAM's file format, as text or binary (OpenFOAM User Guide, "Basic input/output file format"): the header, words,
-// numbers and lists. The parsers of this folder are made of it.
+// Reads the tokens of OpenFOAM's file format, text or binary (OpenFOAM User Guide, "Basic input/output file format"):
+// the header, words, numbers and lists. All parsers of this folder use it.
 #pragma once
 
 #include <cstddef>
@@ -14,39 +14,39 @@ struct FoamFormat {
     bool is_binary = false;
     int label_bytes = 4;
     int scalar_bytes = 8;
-    std::string class_name; // "volScalarField"; empty without a header
+    std::string class_name; // such as "volScalarField"; empty without a header
 };
 
-// Reads forward through the bytes of one file, which outlive it. All functions throw Error naming the file and the byte
-// where they find something else.
+// Reads forward through the bytes of one file, which must outlive the reader. Functions that do not find the expected
+// token throw Error with the file's name and the byte offset.
 class FoamReader {
 public:
-    // Reads the header (FoamFile), where there is one. Big-endian binary files are refused.
+    // Reads the header (FoamFile), if there is one. Throws Error if the header says big-endian.
     FoamReader(std::string_view bytes, std::string name);
 
     [[nodiscard]] const FoamFormat& format() const { return format_; }
     [[noreturn]] void fail(const std::string& what) const;
 
-    // Before each of these, white space and comments are passed over.
+    // The following functions first skip white space and comments.
     [[nodiscard]] bool at_end();
     [[nodiscard]] char peek(); // 0 at the end
     [[nodiscard]] bool accept(char c);
     void expect(char c);
-    [[nodiscard]] std::string_view word(); // up to white space or one of ;{}()[]"; brackets within a word are kept
+    [[nodiscard]] std::string_view word(); // ends at white space or ;{}()[]", but may contain (): div(phi,U)
     [[nodiscard]] std::string_view name(bool& is_quoted);
-    [[nodiscard]] double number(); // "nan" and "inf" too
+    [[nodiscard]] double number(); // also accepts "nan" and "inf"
     [[nodiscard]] std::int64_t label();
 
-    // What follows a keyword: up to its semicolon, or a dictionary.
+    // Skips the value of an entry: a dictionary, or everything up to the semicolon.
     void skip_entry();
 
-    // "List<TYPE>" where it stands, then "N(...)", "N{value}", or "(...)" without a count. Of more than `most` items
-    // they throw.
+    // labels() and numbers() read a list: an optional "List<TYPE>", then "N(...)", "N{value}", or "(...)" without a
+    // count. They throw Error if N exceeds `most`.
     [[nodiscard]] std::vector<std::int64_t> labels(std::size_t most);
-    [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // `components` of them an item
-    // How many items a list says it has; not more than `most`.
+    [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // `components` per item
+    // Reads the item count of a list. Throws Error if it exceeds `most`.
     [[nodiscard]] std::size_t items(std::size_t most);
-    // `bytes` raw bytes behind an opening bracket and before the closing one.
+    // Reads '(', then `bytes` raw bytes, then ')'. Returns the raw bytes.
     [[nodiscard]] std::string_view raw(std::size_t bytes);
     [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - at_; }
 
@@ -65,7 +65,7 @@ private:
     FoamFormat format_;
 };
 
-// Numbers of a type's value: "vector" 3, "symmTensor" 6. 0 for types that are not of numbers.
+// Returns the components of a type: 3 for "vector", 6 for "symmTensor"; 0 for types that do not consist of scalars.
 [[nodiscard]] int foam_components(std::string_view type);
 
 } // namespace ciel::importer

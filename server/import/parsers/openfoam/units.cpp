@@ -19,7 +19,7 @@ std::optional<Exponents> read_exponents(const std::string& text) {
     for (std::size_t i = 0; i < exponents.size(); ++i) {
         char* end = nullptr;
         const double value = std::strtod(at, &end);
-        if (end == at) return i >= 5 ? std::optional(exponents) : std::nullopt; // older files give five
+        if (end == at) return i >= 5 ? std::optional(exponents) : std::nullopt; // older files list only five exponents
         if (!(std::abs(value) <= 99) || value != std::round(value)) return std::nullopt;
         exponents[i] = static_cast<int>(value);
         at = end;
@@ -27,7 +27,7 @@ std::optional<Exponents> read_exponents(const std::string& text) {
     return exponents;
 }
 
-// What stands between the brackets; empty when there is no such entry.
+// Returns the text between the brackets of the `dimensions` entry; empty if the entry is missing.
 std::string dimensions_entry(std::string_view head) {
     constexpr std::string_view keyword = "dimensions";
     for (std::size_t at = head.find(keyword); at != std::string_view::npos; at = head.find(keyword, at + 1)) {

@@ -1,4 +1,4 @@
-// The `dimensions` entry of an OpenFOAM field as units a reader knows: VTK's reader does not pass it on.
+// Converts the `dimensions` entry of an OpenFOAM field to a unit such as "m/s".
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace ciel::importer {
 
-// `head`: the first few thousand bytes of a field file. "m/s", "Pa", "m^2/s^2"; empty when the field is dimensionless
-// or the entry is not there.
+// Returns a unit such as "m/s", "Pa" or "m^2/s^2"; empty if the field is dimensionless or the entry is missing. `head`:
+// the first few thousand bytes of a field file.
 [[nodiscard]] std::string openfoam_units(std::string_view head);
 
 } // namespace ciel::importer

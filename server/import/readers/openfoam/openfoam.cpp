@@ -1,5 +1,5 @@
-// OpenFOAM cases: a directory, its controlDict, or the empty .foam file beside them. Cells are polyhedra whose points
-// have all digits of the file, every patch has its own values, zones have names, and processors are joined again.
+// OpenFOAM cases, named by their directory, controlDict or .foam file. Cells are polyhedra with points in double
+// precision. Patches have their own values. The parts of a decomposed case are joined.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/openfoam/openfoam_fields.hpp"
@@ -68,7 +68,7 @@ public:
     void add_known(DataSets& data_sets, const RunningCounts& first) const override {
         for (DataSet& surface : data_sets.surfaces)
             if (const auto known = facts_.find(surface.data); known != facts_.end()) surface.facts = known->second;
-        Index first_point = first.points, first_cell = first.cells; // region after region
+        Index first_point = first.points, first_cell = first.cells; // each region continues the ids
         for (const std::string& region : foam_.regions) {
             const FoamMesh& mesh = meshes_.at(region).mesh;
             for (const auto& [a, b] : mesh.same_points)
@@ -84,7 +84,7 @@ public:
         }
     }
 
-    // "0.5/p", "processor*/0.5/p", "0.5/*/p" of several regions.
+    // Returns "0.5/p"; "processor*/0.5/p" for a decomposed case; "0.5/*/p" for several regions.
     [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
         const FoamPart& part = foam_.parts.front();
         const auto at = part.times.find(foam_.times[step]);
@@ -111,7 +111,7 @@ public:
 
     [[nodiscard]] std::vector<std::string> notes() const override { return foam_.notes; }
     [[nodiscard]] std::vector<std::string> lost() const override { return {lost_.begin(), lost_.end()}; }
-    [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM is SI throughout
+    [[nodiscard]] std::string length_units() const override { return "m"; } // OpenFOAM uses SI units
 
 private:
     struct Known {
@@ -123,7 +123,7 @@ private:
         std::vector<std::filesystem::path> files = foam_mesh_files(foam_, region, time);
         Known& known = meshes_[region];
         if (known.files != files) {
-            known = {}; // one mesh in memory, not two
+            known = {}; // frees the old mesh before the new one is read
             known.mesh = read_foam_mesh(foam_, region, time);
             known.files = std::move(files);
         }
@@ -131,7 +131,7 @@ private:
         return known.mesh;
     }
 
-    // With its region's where two regions have zones of that name.
+    // Returns "REGION/ZONE" if several regions have a zone of this name, else the name itself.
     [[nodiscard]] std::string zone_name(const std::string& region, const std::string& name) const {
         const auto regions_with_it = std::count_if(meshes_.begin(), meshes_.end(), [&](const auto& known) {
             return known.second.mesh.cell_zones.contains(name);
@@ -140,7 +140,7 @@ private:
     }
     static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
 
-    // internalMesh, boundary/PATCH, zones/faceZones/ZONE: blocks.cpp knows these names.
+    // Returns the blocks internalMesh, boundary/PATCH and faceZones/ZONE, whose names source/data_sets.cpp knows.
     vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
         const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
         vtkNew<vtkUnstructuredGrid> cells;
@@ -171,7 +171,7 @@ private:
     FoamFieldInfos infos_;
     std::map<std::string, Known> meshes_; // by region
     std::vector<std::string> lost_;
-    std::map<vtkDataSet*, store::PatchFacts> facts_; // of the patches read last, which their reader keeps
+    std::map<vtkDataSet*, store::PatchFacts> facts_; // by surface of the step read last, which the caller keeps alive
 };
 
 } // namespace

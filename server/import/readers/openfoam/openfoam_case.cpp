@@ -16,7 +16,7 @@ namespace ciel::importer {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int most_missing_told = 100; // of one gap in the numbers
+constexpr int most_missing_told = 100; // missing processors reported per gap in the numbering
 
 std::optional<double> as_time(const std::string& name) {
     double time = 0;
@@ -47,7 +47,8 @@ fs::path case_directory(const fs::path& input, bool is_directory) {
     return fs::absolute(input).parent_path();
 }
 
-// "processors4": all pieces in one file.
+// Returns the name of a collated directory such as "processors4", with the pieces of all processors in one file; empty
+// if there is none.
 std::string collated_directory(const fs::path& directory) {
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(directory, missing)) {
@@ -95,7 +96,7 @@ public:
         if (file_ != nullptr) gzclose(file_);
     }
     [[nodiscard]] bool is_open() const { return file_ != nullptr; }
-    // -1 where the data is damaged.
+    // Returns the number of bytes read, 0 at the end, -1 if the data is damaged.
     int read(char* buffer, unsigned bytes) { return gzread(file_, buffer, bytes); }
     [[nodiscard]] bool ended_well() {
         int error = Z_OK;
@@ -118,7 +119,8 @@ std::string read_gzip(const fs::path& path, std::size_t most) {
         bytes.resize(begin + wanted);
         const int got = file.read(bytes.data() + begin, static_cast<unsigned>(wanted));
         if (got < 0 || (got == 0 && !file.ended_well()))
-            throw Error(path.string() + ": is damaged: its compressed data cannot be read to its end");
+            throw Error(path.string() +
+                        ": is damaged: its compressed data ends too early or is wrong; copy the file again");
         bytes.resize(begin + static_cast<std::size_t>(got));
         if (got == 0) break;
     }
@@ -145,17 +147,18 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
     const std::string collated = collated_directory(directory);
     if (!has_mesh(directory) && processors.empty())
         throw Error(input.string() + ": is decomposed into collated files (" + collated +
-                    "), which cannot be read; reconstructPar makes one case of them");
+                    "), which cannot be read; run reconstructPar on the case");
     double latest_of_processors = -std::numeric_limits<double>::infinity();
     for (const int number : processors)
         latest_of_processors =
             std::max(latest_of_processors, latest_time(directory / ("processor" + std::to_string(number))));
     is_decomposed = !processors.empty() && (!has_mesh(directory) || latest_of_processors > latest_time(directory));
     if (is_decomposed && has_mesh(directory))
-        notes.emplace_back("The processor directories were read: they have later times than the whole case.");
+        notes.emplace_back(
+            "The processor directories were read, because they have later times than the reconstructed case.");
     if (!is_decomposed && !collated.empty() && latest_time(directory / collated) > latest_time(directory))
         notes.push_back("The later times in " + collated +
-                        " (collated files) were not read; reconstructPar makes them readable.");
+                        " (collated files) were not read; run reconstructPar on the case to read them.");
 
     if (!is_decomposed) parts.push_back({0, "", directory, {}});
     int expected = 0;

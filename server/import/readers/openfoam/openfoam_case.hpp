@@ -1,4 +1,4 @@
-// Where an OpenFOAM case keeps what: its times, its regions, and its processors' directories when it is decomposed.
+// The directories of an OpenFOAM case: times, regions, and processors if it is decomposed.
 #pragma once
 
 #include <cstdint>
@@ -10,45 +10,46 @@
 
 namespace ciel::importer {
 
-// A case that is whole, or what one processor has of it.
+// A whole case, or one processor's part of a decomposed case.
 struct FoamPart {
     std::int64_t processor = 0;
     std::string name; // "processor3"; empty for a whole case
     std::filesystem::path directory;
     std::map<double, std::filesystem::path> times;
 
-    // The file of the mesh that holds at a time: the latest one written until then. Empty where there is none.
+    // Returns the mesh file in effect at `time`: the latest one at or before it, else the one in constant. Empty if
+    // there is none.
     [[nodiscard]] std::filesystem::path mesh_file(const std::string& region, const std::string& file,
                                                   double time) const;
 };
 
 struct FoamCase {
-    // The case's directory, its controlDict, or a file beside its directories. Throws Error where all pieces are in
-    // collated files.
+    // `input`: the case's directory, its controlDict, or a file in that directory. Throws Error if the only mesh is in
+    // collated files (processorsN).
     explicit FoamCase(const std::filesystem::path& input);
 
     std::filesystem::path directory;
     bool is_decomposed = false;
     std::vector<FoamPart> parts;
-    std::vector<double> times;        // of all parts, ascending, at least one
+    std::vector<double> times;        // times of all parts, ascending, at least one
     std::vector<std::string> regions; // "" is the region without a name
     std::vector<std::string> notes;
-    std::vector<std::string> lost; // sentences on processors whose directories are not there
+    std::vector<std::string> lost; // sentences on missing processor directories
 };
 
-// A sentence for FoamCase::lost.
+// Returns the sentence for FoamCase::lost on a missing processor directory.
 [[nodiscard]] std::string missing_processor(std::int64_t number);
 
-// Throws Error naming the file where a pipe or a device is among the files of the case's meshes and times.
+// Throws Error naming the file if a mesh or field file of the case is a pipe, a socket or a device.
 void require_regular_files_of(const FoamCase& foam);
 
 [[nodiscard]] bool is_foam_case(const std::filesystem::path& input, bool is_directory, const std::string& extension);
 
-// `file` itself or the same with .gz; empty where there is neither.
+// Returns `file` if it exists, else the path with .gz appended if that exists, else an empty path.
 [[nodiscard]] std::filesystem::path plain_or_compressed(const std::filesystem::path& file);
 
-// All bytes, or the first `most` of them, decompressed where the name ends in .gz. Throws Error naming the file where
-// it cannot be read, and where it is a pipe or a device.
+// Returns at most the first `most` bytes, decompressed if the name ends in .gz. Throws Error naming the file if it
+// cannot be read, or is a pipe, a socket or a device.
 [[nodiscard]] std::string read_foam_file(const std::filesystem::path& file, std::size_t most = ~std::size_t{0});
 
 } // namespace ciel::importer

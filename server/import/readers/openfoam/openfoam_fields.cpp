@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t head_bytes = 4096;
-constexpr double no_value{store::no_value}; // as a float it is that again
+constexpr double no_value{store::no_value}; // converts back to the bits of store::no_value
 
 struct FieldHead {
     std::string class_name, units;
 };
 
-// Nothing where the file has no header, or none that can be read.
+// Returns class and units of a field file; empty if it has no readable header.
 FieldHead read_head(const fs::path& file) {
     try {
         const std::string head = read_foam_file(file, head_bytes);
@@ -35,7 +35,7 @@ FieldHead read_head(const fs::path& file) {
     }
 }
 
-// Name and file of what could be a field.
+// Returns the files of a directory by field name: the file name without .gz.
 std::map<std::string, fs::path> files_in(const fs::path& directory) {
     std::map<std::string, fs::path> files;
     std::error_code missing;
@@ -63,7 +63,7 @@ FoamField read_field(const fs::path& file, std::size_t cells) {
     return field;
 }
 
-// A field of one piece, as far as it could be read.
+// The field of one piece; nullopt if it could not be read.
 using PieceField = std::optional<FoamField>;
 
 class ArrayMaker {
@@ -75,7 +75,7 @@ public:
                                  [](const PieceField& field) { return !field || field->is_single_precision; });
     }
 
-    // Throws Error naming the file where a patch has other values than it has faces.
+    // Throws Error naming the file if the number of a patch's values is not its number of faces.
     FoamArrays run(const std::string& name) {
         FoamArrays arrays;
         std::size_t cells = 0;
@@ -115,7 +115,7 @@ private:
         return array;
     }
 
-    // In the order of OpenFOAM's classes symmTensor and tensor.
+    // Names components in the order of OpenFOAM's classes symmTensor and tensor.
     static void name_components(vtkDataArray& array) {
         constexpr const char* symmetric[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
         constexpr const char* full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
@@ -135,7 +135,8 @@ private:
         return has_values ? make_array(name, values) : nullptr;
     }
 
-    // False where the patch has no values there.
+    // Appends the patch's values on piece i to `values`, or no_value. Returns whether the patch has values there. Sets
+    // `type` to the type of the patch's boundary condition.
     bool append_patch(std::size_t i, const FoamPatch& patch, std::vector<double>& values, std::string& type) const {
         const auto faces = static_cast<std::size_t>(patch.face_count);
         const std::size_t begin = values.size();
@@ -144,7 +145,7 @@ private:
         const FoamField& field = *fields_[i];
         const FoamCondition* condition = field.condition(patch.name, patch.groups);
         if (condition != nullptr) type = condition->type;
-        if (patch.type == "empty" || patch.type == "wedge") return false; // what the mesh is thin along
+        if (patch.type == "empty" || patch.type == "wedge") return false; // 2D: no values
         if (condition != nullptr && condition->value) {
             const FoamValues& own = *condition->value;
             if (!own.is_uniform && own.numbers.size() != faces * width_)
@@ -159,7 +160,8 @@ private:
         return true;
     }
 
-    // Where nothing is written down (zeroGradient, slip, symmetry) OpenFOAM takes what the cell behind has.
+    // Copies the values of the cells behind the patch, as OpenFOAM does for conditions without values in the file
+    // (zeroGradient, slip, symmetry).
     void copy_from_cells(std::size_t i, const FoamPatch& patch, double* to) const {
         const FoamPiece& piece = mesh_.pieces[i];
         const FoamValues& cells = fields_[i]->cells;
@@ -193,11 +195,11 @@ public:
             directories_.push_back(at == part.times.end() ? fs::path() : at->second / region);
             if (at == part.times.end() && foam.is_decomposed)
                 lost_.push_back("There is no directory of " + part.name + at_time(time) +
-                                ": its cells have no values there.");
+                                ": its cells have no values at that time.");
         }
     }
 
-    // Of all pieces. A file that cannot be read has the name of a field at another time.
+    // Returns the names of the fields of all pieces. A file without a readable header counts if `infos` has its name.
     [[nodiscard]] std::set<std::string> names(const FoamFieldInfos& infos) const {
         std::set<std::string> names;
         for (const fs::path& directory : directories_)
@@ -206,7 +208,7 @@ public:
         return names;
     }
 
-    // nullopt where no piece has a value. `expected`: 0, or how many components it should have.
+    // Returns nullopt if no piece has values. `expected`: number of components; 0: that of the first piece with values.
     std::optional<FoamArrays> read(const std::string& name, int expected) {
         fields_.assign(mesh_.pieces.size(), std::nullopt);
         files_.assign(mesh_.pieces.size(), {});
@@ -231,7 +233,7 @@ private:
             if (expected == 0) expected = field.components;
             if (field.components != expected)
                 throw Error(files_[i].string() + ": has " + std::to_string(field.components) +
-                            " components where other times or processors have " + std::to_string(expected));
+                            " components, but other times or processors have " + std::to_string(expected));
             fields_[i] = std::move(field);
         } catch (const Error& error) {
             lose(name, error.what());
@@ -245,7 +247,7 @@ private:
     double time_;
     const FoamMesh& mesh_;
     std::vector<std::string>& lost_;
-    std::vector<fs::path> directories_; // piece -> where its fields are; empty where it has none at this time
+    std::vector<fs::path> directories_; // piece -> directory of its fields; empty if it has none at this time
     std::vector<PieceField> fields_;
     std::vector<fs::path> files_;
 };
@@ -254,8 +256,8 @@ private:
 
 FoamFieldInfos list_foam_fields(const FoamCase& foam) {
     FoamFieldInfos infos;
-    std::map<std::string, std::map<int, std::size_t>> times; // name -> components -> in how many files
-    std::map<std::string, std::map<int, std::string>> units; // name -> components -> of the first of them
+    std::map<std::string, std::map<int, std::size_t>> times; // name -> components -> number of files
+    std::map<std::string, std::map<int, std::string>> units; // name -> components -> units in the first file
     for (const auto& [time, directory] : foam.parts.front().times)
         for (const std::string& region : foam.regions)
             for (const auto& [name, file] : files_in(directory / region)) {

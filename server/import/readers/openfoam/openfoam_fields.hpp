@@ -9,21 +9,21 @@ namespace ciel::importer {
 
 struct FoamFieldInfo {
     std::string units;
-    int components = 0; // that most times have
+    int components = 0; // in most of the field's files
 };
 using FoamFieldInfos = std::map<std::string, FoamFieldInfo>; // by name
 
-// Of all times and regions of the first part, by the heads of the files.
+// Lists the fields of all times and regions of the first part. Reads only the first 4 KiB of each file.
 [[nodiscard]] FoamFieldInfos list_foam_fields(const FoamCase& foam);
 
 struct FoamArrays { // of one field
     vtkSmartPointer<vtkDataArray> cells;
-    std::vector<vtkSmartPointer<vtkDataArray>> patches; // as FoamMesh::patches; null where there are no values
-    std::vector<std::string> conditions;                // as these; empty where the file does not say
+    std::vector<vtkSmartPointer<vtkDataArray>> patches; // in the order of FoamMesh::patches; null: no values
+    std::vector<std::string> conditions;                // types, in the same order; empty: not in the file
 };
 
-// By name. What cannot be read, is missing on a part, or has other components than `infos` says, has no values (NaN),
-// and a sentence goes to `lost`; a field without any value is left out.
+// Returns arrays by field name. A part whose file is missing, damaged, or has other components than `infos` gets
+// store::no_value, and a sentence is added to `lost`. Fields without any value are left out.
 [[nodiscard]] std::map<std::string, FoamArrays> read_foam_fields(const FoamCase& foam, const std::string& region,
                                                                  double time, const FoamMesh& mesh,
                                                                  const FoamFieldInfos& infos,

@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "processorCyclic" lies between processors too, but on a cyclic patch, whose halves are apart.
+// Excludes "processorCyclic" patches: the two sides of a cyclic patch do not coincide.
 bool joins_processors(const FoamPatch& patch) { return patch.type == "processor"; }
 bool is_between_processors(const FoamPatch& patch) { return patch.type.starts_with("processor"); }
 
-// The pieces numbered through.
+// Reads all parts, numbers their points and cells consecutively, and joins them along processor patches.
 class MeshBuilder {
 public:
     MeshBuilder(const FoamCase& foam, const std::string& region, double time)
@@ -32,7 +32,9 @@ public:
     FoamMesh run() {
         for (std::size_t part = 0; part < foam_.parts.size(); ++part) read(part);
         if (files_.empty())
-            throw Error(first_reason_.empty() ? "region " + region_ + " has no points at any time" : first_reason_);
+            throw Error(first_reason_.empty()
+                            ? "region " + region_ + " has no file polyMesh/points in constant or in a time directory"
+                            : first_reason_);
         number_through();
         join_processors();
         make_points();
@@ -72,13 +74,13 @@ private:
         }
         constexpr std::size_t most = none - std::size_t{1};
         if (points > most || cells > most)
-            throw Error("the mesh has more than 4,294,967,294 points or cells, more than a dataset can hold");
+            throw Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
         point_count_ = points;
         cell_count_ = cells;
     }
 
-    // Both sides of a processor patch list its faces in the same order; a face begins with the same point on both and
-    // goes the other way round (processorPolyPatch).
+    // Both sides of a processor patch list its faces in the same order. A face begins with the same point on both
+    // sides, with opposite winding (processorPolyPatch).
     void join_processors() {
         for (std::size_t a = 0; a < files_.size(); ++a)
             for (const FoamPatch& patch : files_[a].patches) {
@@ -161,7 +163,8 @@ private:
         mesh_.points->SetData(coordinates);
     }
 
-    // Cell by cell: its faces, for each how many points and which, outwards.
+    // Makes VTK's face stream of each cell: the number of faces, then for each its number of points and their ids,
+    // wound outwards.
     void make_cells() {
         vtkNew<vtkIdTypeArray> streams, locations, offsets, corner_ids;
         vtkNew<vtkUnsignedCharArray> types;
@@ -180,7 +183,7 @@ private:
         name_cells();
     }
 
-    // By the numbers that they had before the case was decomposed, where its processors say so.
+    // Sets global ids: the cell ids before decomposition (cellProcAddressing), or -1 on processors without that file.
     void name_cells() {
         const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
         if (std::none_of(files_.begin(), files_.end(), says)) return;
@@ -206,7 +209,7 @@ private:
         };
         for_each_side([&](std::size_t cell, std::size_t, bool) { ++begin[cell + 1]; });
         for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        std::vector<std::size_t> side(begin.back()); // face * 2 + whether it is turned
+        std::vector<std::size_t> side(begin.back()); // 2 * face, + 1 if its winding is reversed
         std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
         for_each_side([&](std::size_t cell, std::size_t face, bool is_turned) {
             side[next[cell]++] = 2 * face + (is_turned ? 1 : 0);

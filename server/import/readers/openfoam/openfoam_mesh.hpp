@@ -1,5 +1,5 @@
-// The mesh of one region of an OpenFOAM case at one time, all its parts numbered through: points, faces and cells of
-// the first processor come first.
+// The mesh of one region of an OpenFOAM case at one time, with the points and cells of all parts numbered
+// consecutively.
 #pragma once
 
 #include "import/mesh/pieces.hpp"
@@ -13,37 +13,36 @@
 
 namespace ciel::importer {
 
-struct FoamPiece { // what one part has of the mesh
+struct FoamPiece { // the cells and boundary faces of one part
     std::size_t part = 0;
     std::size_t first_cell = 0, cell_count = 0;
-    std::vector<FoamPatch> patches;          // faces as the part numbers them
-    std::size_t first_boundary_face = 0;     // of the part
+    std::vector<FoamPatch> patches;          // with face ids of the part
+    std::size_t first_boundary_face = 0;     // face id in the part
     std::vector<std::size_t> boundary_owner; // boundary face -> cell of the part
 };
 
 struct FoamSurface { // a patch, or a zone of faces, over all parts
     std::string name, type;
     std::vector<std::string> groups;
-    vtkSmartPointer<vtkCellArray> faces; // with the points of the mesh
+    vtkSmartPointer<vtkCellArray> faces; // polygons of point ids of the mesh
 };
 
 struct FoamMesh {
-    vtkSmartPointer<vtkPoints> points; // 64-bit floats
-    vtkSmartPointer<vtkUnstructuredGrid>
-        grid;                         // has these points; all cells are polyhedra; the ids of a decomposed case's cells
-    std::vector<FoamSurface> patches; // without those between processors
+    vtkSmartPointer<vtkPoints> points;         // 64-bit floats
+    vtkSmartPointer<vtkUnstructuredGrid> grid; // polyhedra on `points`; global ids: cellProcAddressing, if known
+    std::vector<FoamSurface> patches;          // without processor patches
     std::vector<FoamSurface> face_zones;
     std::map<std::string, std::vector<Index>> cell_zones;
     std::vector<FoamPiece> pieces;
-    PointPairs same_points; // along the faces between processors
+    PointPairs same_points; // points to join along processor patches
     std::uint64_t joined_faces = 0, single_faces = 0;
     std::vector<std::string> lost; // sentences on parts that cannot be read
 };
 
-// Throws Error where no part can be read: that of the first.
+// Leaves out parts that cannot be read. Throws the first part's Error if all are left out.
 [[nodiscard]] FoamMesh read_foam_mesh(const FoamCase& foam, const std::string& region, double time);
 
-// The files that say what the mesh is at that time: equal lists mean equal meshes.
+// Returns the paths of the mesh files in effect at `time`. Two times with equal lists have the same mesh.
 [[nodiscard]] std::vector<std::filesystem::path> foam_mesh_files(const FoamCase& foam, const std::string& region,
                                                                  double time);
 

@@ -43,7 +43,7 @@ private:
         return label >= 0 && static_cast<std::uint64_t>(label) < count;
     }
 
-    // Keeps the file's name for errors.
+    // Reads a mesh file, and sets name_ for error messages.
     std::string read(const std::string& name) {
         const fs::path file = part_.mesh_file(region_, name, time_);
         name_ = (part_.directory / "constant" / region_ / "polyMesh" / name).string();
@@ -57,11 +57,11 @@ private:
             if (!is_below(cell, most_labels)) fail("names cell " + std::to_string(cell));
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
-        // A closed cell has four faces.
-        if (piece_.cell_count > piece_.owner.size()) fail("names cells that have no faces");
+        // A closed cell has at least four faces, and two cells share a face: a mesh has more faces than cells.
+        if (piece_.cell_count > piece_.owner.size()) fail("names more cells than its faces can close");
     }
 
-    // Old files go on with -1 for the faces of the boundary.
+    // In old files `neighbour` also has entries for boundary faces: -1. These are dropped.
     void read_neighbours(std::size_t faces) {
         piece_.neighbour = parse_foam_labels(read("neighbour"), name_, faces);
         while (!piece_.neighbour.empty() && piece_.neighbour.back() == -1) piece_.neighbour.pop_back();
@@ -87,7 +87,8 @@ private:
             for (const FoamZone& zone : *zones)
                 for (const std::int64_t label : zone.labels)
                     if (!is_below(label, most))
-                        fail("zone " + zone.name + " names " + std::to_string(label) + ", which is not in the mesh");
+                        fail("zone " + zone.name + " names " + std::to_string(label) +
+                             ", which is not an id of the mesh");
         }
         if (part_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
         try {

@@ -1,4 +1,4 @@
-// What one part of an OpenFOAM case says about its mesh, read and checked.
+// Reads and checks the mesh files of one part of an OpenFOAM case: the whole case, or one processor's part.
 #pragma once
 
 #include "import/parsers/openfoam/poly_mesh.hpp"
@@ -7,19 +7,19 @@
 namespace ciel::importer {
 
 struct FoamPieceFiles {
-    std::vector<double> points;                 // x, y, z of each
-    FoamFaces faces;                            // every point is below the number of points
-    std::vector<std::int64_t> owner, neighbour; // all cells are below cell_count; `neighbour` of the inner faces alone
-    std::vector<FoamPatch> patches;             // within the faces beyond the inner ones
+    std::vector<double> points;                 // x, y, z of each point
+    FoamFaces faces;                            // with valid point ids
+    std::vector<std::int64_t> owner, neighbour; // valid cell ids per face; `neighbour` only of the inner faces
+    std::vector<FoamPatch> patches;             // of boundary faces only
     std::vector<FoamZone> cell_zones, face_zones;
-    std::vector<std::int64_t> cell_addressing; // cell -> cell of the whole case; empty where the files do not say
+    std::vector<std::int64_t> cell_addressing; // cell -> cell of the whole case; empty without a readable file
     std::size_t cell_count = 0;
-    std::vector<std::string> lost; // sentences on what could not be read and is not needed
+    std::vector<std::string> lost; // sentences on optional files that could not be read
 
     [[nodiscard]] std::size_t face_count() const { return owner.size(); }
 };
 
-// Throws Error naming the file that the mesh cannot do without.
+// Throws Error naming the file if a required file is missing or damaged.
 [[nodiscard]] FoamPieceFiles read_foam_piece(const FoamPart& part, const std::string& region, double time);
 
 } // namespace ciel::importer

@@ -73,7 +73,7 @@ def check_surface(name: str, surface, polygons: int, points: int, digits: float)
     assert surface.GetNumberOfPolys() == polygons, (name, surface.GetNumberOfPolys())
     assert surface.GetNumberOfPoints() == points, (name, surface.GetNumberOfPoints())
     exact = 2 * 3 * np.sqrt(3) / 2 + 6
-    if digits < 0.1:  # else the reader's floats are too coarse for areas
+    if digits < 0.1:  # the tolerance is larger when the reader has only float32, which is too coarse for areas
         assert abs(area(surface) - exact) < digits, (name, area(surface))
     bounds = np.array(surface.GetBounds())
     expected = np.array([499999, 500001, 4000000 - np.sqrt(0.75), 4000000 + np.sqrt(0.75), 0.25, 1.25])
@@ -103,14 +103,14 @@ def check_surfaces(folder: pathlib.Path) -> None:
         normals = vtk_to_numpy(vtp.GetPointData().GetNormals())
         assert np.allclose(np.linalg.norm(normals, axis=1), 1)
 
-        # VTK's PLY reader turns doubles into floats: digits are checked on the bytes themselves.
+        # VTK's PLY reader converts doubles to floats, so the file's bytes are compared.
         check_surface(f"{name}.ply", read(vtk.vtkPLYReader(), folder / f"{name}.ply"), polygons, 12, 0.5)
         columns = ply_columns(folder / f"{name}.ply")
         assert columns.dtype.names == ("x", "y", "z", "nx", "ny", "nz", "a_<b>_&_\"c\"")
         places = vtk_to_numpy(vtp.GetPoints().GetData())
         assert np.array_equal(np.stack([columns["x"], columns["y"], columns["z"]], 1), places)
 
-        # STL has float32 and no shared vertices; the reader joins equal ones.
+        # STL has float32 and no shared vertices; the reader merges equal ones.
         stl = read(vtk.vtkSTLReader(), folder / f"{name}.stl")
         assert stl.GetNumberOfPolys() == 20, stl.GetNumberOfPolys()
         assert (folder / f"{name}.stl").stat().st_size == 84 + 50 * 20

@@ -1,4 +1,4 @@
-// Writes pictures and one surface in every format into a folder, for read_by_others.py.
+// Writes pictures, and one surface in every format, for read_by_others.py.
 #include "../pictures.hpp"
 #include "wire/files/surface_files.hpp"
 #include "wire/pictures/png.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace ciel;
 
-// A prism far from the origin: two hexagons, six squares; and polygons without area, which must not be written.
+// A prism far from the origin: two hexagons, six squares, and polygons without area, which the files must not contain.
 Surface prism() {
     Surface surface;
     for (const float z : {0.0F, 1.0F})
@@ -20,7 +20,7 @@ Surface prism() {
             surface.positions.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), z});
             surface.normals.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0});
         }
-    surface.positions.push_back(surface.positions[0]); // another vertex at the same place
+    surface.positions.push_back(surface.positions[0]); // a second vertex at the same position
     surface.normals.push_back({0, 0, 1});
     const auto add = [&](std::initializer_list<Index> polygon) {
         surface.polygon_vertex.insert(surface.polygon_vertex.end(), polygon);

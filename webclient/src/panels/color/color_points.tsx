@@ -1,4 +1,5 @@
-// Custom colors: points on a bar, moved by pointer or keyboard, and a row for each.
+// Editor for custom colors of a scale: points on a bar, moved by pointer or keyboard, and a row of fields for each
+// point.
 import type { JSX } from "preact";
 import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../../model/color_scale";
 import type { ColorPoint, Range } from "../../generated/protocol";
@@ -26,13 +27,15 @@ interface Props {
   onChange: (points: ColorPoint[], gesture?: string) => void;
 }
 
-/** Hundredths of a percent of the bar are finer than any pixel. */
+/** Rounds a position on the bar to 1/10000, which is less than a pixel. */
 const rounded = (at: number): number => Number(at.toFixed(4));
 
-/** Converts between a point's position and its place on the bar; a reversed scale mirrors it. Its own inverse. */
+/**
+ * Converts a point's position to its place on the bar, or the place to the position. A reversed scale mirrors the bar.
+ */
 const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
 
-/** Range of values between the neighbouring points, which limit a point's moves. */
+/** Range of values within which a point can be moved. Its neighbors limit it. */
 function valuesBetween(scale: ColorScale, index: number): Range {
   const places = [scale.points[index - 1]?.at ?? 0, scale.points[index + 1]?.at ?? 1];
   const [a = 0, b = 0] = places.map((at) => Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6)));

@@ -1,4 +1,5 @@
-// Settings of a color scale except its array: map, direction, logarithm, steps, range, colors outside the range.
+// Settings of a color scale except its array: map, direction, logarithm, steps, range, colors for values outside the
+// range.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { colorRow, hexOf, type ColorScale } from "../../model/color_scale";
@@ -27,7 +28,7 @@ import { RangeRow } from "../controls/range_row";
 interface Props {
   of: Colored;
   coloring: ScaledColoring;
-  /** Range of the array at the shown step. */
+  /** Range of the array at the shown time step. */
   data: Range;
 }
 

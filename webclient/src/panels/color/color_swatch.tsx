@@ -1,11 +1,11 @@
-// A color scale as a horizontal bar, and a gallery of maps.
+// A color scale as a horizontal bar, and a gallery of color maps.
 import type { JSX } from "preact";
 import { colorMapKinds } from "../../model/color_maps";
 import { colorsAlong, type ColorScale } from "../../model/color_scale";
 
 const STOPS = 33;
 
-/** A CSS gradient from left to right; steps are as sharp as on the surfaces. */
+/** CSS gradient of a scale from left to right. Discrete steps have sharp borders. */
 export function gradientOf(scale: ColorScale): string {
   const steps = scale.steps > 1 ? scale.steps : 0;
   const colors = colorsAlong(scale, steps === 0 ? (scale.points.length > 0 ? 4 * STOPS : STOPS) : steps);
@@ -19,7 +19,7 @@ export function gradientOf(scale: ColorScale): string {
 const KIND_NAMES: Record<string, string> = { sequential: "Sequential", diverging: "Diverging", cyclic: "Cyclic" };
 
 interface GalleryProps {
-  /** Its reversal and steps apply to every swatch. */
+  /** Its direction and number of steps apply to all swatches. */
   scale: ColorScale;
   onChoose: (map: string) => void;
 }

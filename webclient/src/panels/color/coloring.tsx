@@ -1,4 +1,4 @@
-// Source of a layer's color: an array through a map, or one color.
+// Fields that choose how a layer is colored: by an array through a color map, or with one color.
 import type { JSX } from "preact";
 import type { Coloring } from "../../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../../model/color_maps";
@@ -20,11 +20,11 @@ function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
 interface ColoringProps {
   of: Colored;
   coloring: Coloring;
-  /** Hides the choice of the array: volumes and contour lines choose theirs elsewhere. */
+  /** Whether to show the choice of the array. False for volumes and contour lines, which choose it in other fields. */
   ofArray?: boolean;
-  /** Offers point arrays only: lines and points lie between cells and have no cell values. */
+  /** Offers only arrays at points. Lines and points lie between cells, so they have no cell values. */
   ofPoints?: boolean;
-  /** Also offers patch arrays: only the boundary has them. */
+  /** Offers arrays at boundary faces too. Only the boundary has their values. */
   ofPatches?: boolean;
   mapLabel?: string;
 }
@@ -82,14 +82,14 @@ export function ColoringFields({
   );
 }
 
-/** Why a layer shows nothing. If its value or plane is outside the data, the fields for those say so. */
+/** Reason why a layer shows nothing. Empty if its value or plane is outside the data: other fields show this. */
 export function EmptyHint({ id }: { id: string }): JSX.Element | null {
   const empty = useModel((model) => model.empty.value);
   const found = empty.find(({ layer, why }) => layer === id && why !== "outside");
   if (found === undefined) return null;
   return (
     <p class="hint" role="status">
-      Nothing is seen of it. {found.reason}
+      The layer shows nothing. {found.reason}
     </p>
   );
 }

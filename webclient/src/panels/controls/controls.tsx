@@ -1,4 +1,4 @@
-// The controls that all panels share.
+// Controls shared by all panels: buttons, fields, sliders, sections and menus.
 import type { ComponentChildren, JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { clamp, formatNumber, parseNumber, whyNoNumber } from "../../model/numbers";
@@ -13,7 +13,7 @@ interface IconButtonProps {
   pressed?: boolean;
   text?: string;
   keys?: string;
-  /** Says more than the label. */
+  /** Longer explanation than the label. */
   help?: string;
 }
 
@@ -40,22 +40,26 @@ export function IconButton(props: IconButtonProps): JSX.Element {
 interface NumberFieldProps {
   value: number | null;
   label: string;
-  /** Says more than the label. */
+  /** Longer explanation than the label. */
   help?: string;
-  /** Span of the neighbouring values: determines the number of digits. */
+  /**
+   * Difference between the largest and smallest value of the field's surroundings. It determines the number of digits.
+   */
   span?: number;
-  /** Text of the value while the field is not edited; default: the number itself. */
+  /** Text shown while the field is not edited. Default: the number itself. */
   shown?: (value: number) => string;
   placeholder?: string;
   step?: number;
-  /** Shown after the number. */
+  /** Unit, shown after the number. */
   unit?: string;
-  /** A typed value outside is clamped, and a message says so. */
+  /** A typed value outside these limits is clamped, and a message tells the user. */
   limits?: readonly [number, number];
   onChange: (value: number) => void;
 }
 
-/** Commits on Enter and on blur. Escape or an empty field restores the value. */
+/**
+ * Field for a number. Enter and loss of focus commit the typed value. Escape or an empty field restores the old one.
+ */
 export function NumberField(props: NumberFieldProps): JSX.Element {
   const { value, label, span, placeholder, step, limits, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
@@ -68,7 +72,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
     const parsed = typed === null || typed === shown ? null : parseNumber(typed);
     setTyped(null);
     if (wrong || (entered && typed === "" && shown !== ""))
-      commands.tell(`${whyNoNumber(typed)}; it stays ${shown || "empty"}`, "error");
+      commands.tell(`${whyNoNumber(typed)}; ${label} stays ${shown || "empty"}`, "error");
     if (parsed === null) return;
     const kept = within(parsed);
     if (kept !== parsed && limits !== undefined) {
@@ -126,7 +130,9 @@ interface SelectFieldProps {
   hideLabel?: boolean;
 }
 
-/** Drops the focus after a choice by pointer, so that the page's shortcuts work. */
+/**
+ * Selection from a list. After a choice by pointer it gives up the focus, so that the page's keyboard shortcuts work.
+ */
 export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
   const byPointer = useRef(false);
   const select = (
@@ -186,7 +192,7 @@ interface SliderProps {
   step: number;
   text?: string;
   disabled?: boolean;
-  /** `gesture` is the same from press to release. */
+  /** Called for each move of the slider. `gesture` is the same name from press to release. */
   onChange: (value: number, gesture: string) => void;
   newGesture: () => string;
 }
@@ -231,7 +237,7 @@ interface SectionProps {
   title: string;
   children: ComponentChildren;
   action?: JSX.Element | null;
-  /** Shown whether the section is folded or not. */
+  /** Shown even if the section is folded. */
   summary?: JSX.Element;
   open?: boolean;
 }
@@ -261,7 +267,7 @@ interface MenuProps {
   children: (close: () => void) => ComponentChildren;
 }
 
-/** A button that opens a small panel; Escape and a click elsewhere close it. */
+/** A button that opens a small panel. Escape and a click outside the panel close it. */
 export function Menu({ icon, label, text, disabled, children }: MenuProps): JSX.Element {
   const [isOpen, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);

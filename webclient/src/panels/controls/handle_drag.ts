@@ -1,17 +1,17 @@
-// Handles on a track, moved by pointer or keyboard: shared by iso-values, opacity points and color points.
-// Each handle has its index as data-index.
+// Moves handles on a track by pointer or keyboard. Used for iso-values, opacity points and color points. The data-index
+// attribute of a handle is its index.
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { clamp } from "../../model/numbers";
 
 interface Options {
   newGesture: () => string;
-  /** Pointer down beside all handles. Returns the index of the handle to drag, or null. */
+  /** The pointer was pressed on the track outside all handles. Returns the index of the handle to drag, or null. */
   pressed: (place: Place, gesture: string) => number | null;
   moved: (index: number, place: Place, gesture: string) => void;
 }
 
-/** Position on the track, from 0 to 1, rightwards and upwards. */
+/** Position on the track. x: 0 at the left to 1 at the right; y: 0 at the bottom to 1 at the top. */
 export interface Place {
   x: number;
   y: number;
@@ -19,14 +19,13 @@ export interface Place {
 
 interface HandleDrag {
   track: RefObject<HTMLDivElement>;
-  /** Event handlers for the track. */
   pointer: {
     onPointerDown: (event: PointerEvent) => void;
     onPointerMove: (event: PointerEvent) => void;
     onPointerUp: () => void;
     onPointerCancel: () => void;
   };
-  /** The same gesture while a key is held down. */
+  /** Returns the gesture name for a key event. It stays the same while the key is held down. */
   keyGesture: (event: KeyboardEvent) => string;
 }
 
@@ -43,7 +42,7 @@ export function useHandleDrag(options: Options): HandleDrag {
   const track = useRef<HTMLDivElement>(null);
   const held = useRef<{ index: number; gesture: string } | null>(null);
   const keys = useRef("");
-  const latest = useRef(options); // a move may arrive before the next render
+  const latest = useRef(options); // pointer events may arrive before the next rendering
   useEffect(() => void (latest.current = options));
 
   const focus = (index: number): void => track.current?.querySelector<HTMLElement>(`[data-index="${index}"]`)?.focus();
@@ -59,7 +58,7 @@ export function useHandleDrag(options: Options): HandleDrag {
     track.current?.setPointerCapture(event.pointerId);
     event.preventDefault();
     focus(index);
-    if (handle === null) requestAnimationFrame(() => focus(index)); // the handle may be new
+    if (handle === null) requestAnimationFrame(() => focus(index)); // pressed() may have added the handle
   };
   const onPointerMove = (event: PointerEvent): void => {
     if (held.current === null) return;

@@ -1,9 +1,9 @@
-// A histogram as one SVG path, 100 wide; iso-values and opacity curves are drawn over it.
+// Makes a histogram into one SVG path, 100 units wide. Iso-values and opacity curves are drawn over it.
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";
 import { barHeights, fractionOf } from "../../model/numbers";
 
-const ABOVE = 4; // room above the highest bar
+const ABOVE = 4; // units left free above the highest bar
 
 interface BarsOptions {
   range: Range;

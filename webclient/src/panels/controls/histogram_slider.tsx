@@ -1,4 +1,4 @@
-// Iso-values over the histogram of their array: every value is a handle, moved by pointer or keyboard.
+// Slider for iso-values over the histogram of their array. Each value has a handle, moved by pointer or keyboard.
 import type { JSX } from "preact";
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";
@@ -31,7 +31,10 @@ const KEYS: Record<string, [direction: 1 | -1, reach: "step" | "page" | "end"]> 
   End: [1, "end"],
 };
 
-/** The value after a key; null for keys without effect. On a logarithmic axis a step is a factor. */
+/**
+ * Returns the value after a key press, or null for keys without effect. On a logarithmic axis, arrow keys multiply the
+ * value by a factor.
+ */
 export function keyed(key: string, shift: boolean, value: number, range: Range, logarithmic = false): number | null {
   const [low, high] = range;
   const [direction, reach] = KEYS[key] ?? [1, null];

@@ -1,4 +1,4 @@
-// Line icons on a 20 x 20 grid.
+// SVG paths of the icons, drawn as lines on a grid of 20 x 20 units.
 import type { JSX } from "preact";
 
 const PATHS = {

@@ -1,24 +1,33 @@
-// The two ends of a range, and a button that resets it to the data's range.
+// Row with the two ends of a range, and a button that resets the range to that of the data.
 import type { ComponentChildren, JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { NumberField } from "./controls";
 
 interface RangeRowProps {
-  /** Accessible name of the row. `text` is its visible label; `from` and `to` name the two numbers. */
+  /**
+   * Accessible name of the row. `text` is the visible label. `from` and `to` are the accessible names of the two
+   * numbers.
+   */
   label: string;
   text: string;
   from: string;
   to: string;
   range: Range;
-  /** Determines the number of digits; undefined for a logarithmic scale, where each number has its own. */
+  /**
+   * Width of the range, which determines the number of digits. undefined for a logarithmic scale, where it depends on
+   * the number.
+   */
   span: number | undefined;
-  /** 0: the lower end. */
+  /** Sets one end of the range; 0: the lower end. */
   setEnd: (end: 0 | 1, to: number) => void;
-  /** Whether the range follows the data. `dataTitle` and `setData` belong to the button that makes it so. */
+  /**
+   * Whether the range follows the data. `setData` makes it follow the data again; `dataTitle` is the tooltip of its
+   * button.
+   */
   ofData: boolean;
   dataTitle: string;
   setData: () => void;
-  /** Further buttons. */
+  /** Additional buttons at the end of the row. */
   children?: ComponentChildren;
 }
 

@@ -1,8 +1,8 @@
-// Removes an item of a list. The focus would be lost with the item, so it moves to the item that takes its place.
+// Button that removes an item of a list. The item's focus would be lost, so the focus moves to another button.
 import type { JSX } from "preact";
 import { Icon } from "./icons";
 
-/** Enabled buttons of the list, without those of nested lists. */
+/** Enabled buttons of the list that match a selector, without those of nested lists. */
 function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
   return [...list.querySelectorAll<HTMLButtonElement>(which)].filter(
     (button) => !button.disabled && button.closest("[data-list]") === list,
@@ -11,7 +11,10 @@ function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
 
 const removesOf = (list: Element): HTMLButtonElement[] => buttonsOf(list, "[data-removes]");
 
-/** Focuses the next item's remove button, else the previous one's, else the add button. Keeps a focus that moved on. */
+/**
+ * Focuses the remove button of the next item, else of the previous item, else the list's add button. Does nothing if
+ * another element has the focus already.
+ */
 function keepFocus(list: Element, index: number, button: Element): void {
   const { activeElement } = document;
   if (activeElement !== document.body && activeElement !== button) return;
@@ -25,13 +28,13 @@ interface Props {
   disabled?: boolean;
 }
 
-/** Must be inside an element with data-list that holds all items and the add button. */
+/** Button that removes an item. An ancestor with data-list must contain all items and the add button. */
 export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
   const remove = (button: HTMLButtonElement): void => {
     const list = button.closest("[data-list]");
     const index = list === null ? 0 : removesOf(list).indexOf(button);
     onClick();
-    if (list !== null) requestAnimationFrame(() => keepFocus(list, index, button)); // after the list was updated
+    if (list !== null) requestAnimationFrame(() => keepFocus(list, index, button)); // after the list was rendered again
   };
   return (
     <button
@@ -42,7 +45,7 @@ export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
       data-removes=""
       disabled={disabled}
       onKeyDown={(event) => {
-        if (event.repeat) event.preventDefault(); // a held key would remove all items
+        if (event.repeat) event.preventDefault(); // holding the key down would remove all items
       }}
       onClick={(event) => remove(event.currentTarget)}
     >

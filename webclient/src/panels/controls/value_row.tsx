@@ -1,4 +1,4 @@
-// A row of values of an array: each can be edited or removed, and a new one is placed in the widest gap.
+// Row of values of an array. Each value can be edited and removed. A new value is placed in the widest gap.
 import type { JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { niceStep, widestGap } from "../../model/numbers";
@@ -15,7 +15,7 @@ interface ValueRowProps {
   values: readonly number[];
   range: Range;
   setValues: (values: number[]) => void;
-  /** Names of a value: a single one, and one of several. */
+  /** Label of the only value. `numbered`: label of one of several values, followed by its number. */
   alone: string;
   numbered: string;
   children?: JSX.Element;

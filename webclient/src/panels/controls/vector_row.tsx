@@ -1,4 +1,4 @@
-// Three coordinates in a row.
+// Row of number fields for the three coordinates of a vector.
 import type { JSX } from "preact";
 import type { Vec3 } from "../../generated/protocol";
 import { AXES } from "../../model/axes";
@@ -7,7 +7,7 @@ import { NumberField } from "./controls";
 interface VectorProps {
   label: string;
   value: Vec3;
-  /** Span of the surrounding values: determines the number of digits. */
+  /** Size of the region that the coordinates are in. It determines the number of digits. */
   span: number;
   set: (to: Vec3) => void;
 }

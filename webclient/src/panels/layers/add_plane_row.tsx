@@ -1,4 +1,4 @@
-// Adds a plane, across an axis or free.
+// Row of buttons that add a slice or clip plane, perpendicular to an axis or free.
 import type { JSX } from "preact";
 import { AXES, type Across } from "../../model/axes";
 import { IconButton } from "../controls/controls";

@@ -1,4 +1,5 @@
-// The mesh's boundary: all of it, or named patches, in one layer or in several with different looks.
+// Settings of boundary layers. A layer shows the whole boundary or some of its patches. Several layers can have
+// different looks.
 import type { JSX } from "preact";
 import type { SurfaceLayer } from "../../generated/protocol";
 import { freshSolid } from "../../model/new_looks";
@@ -58,7 +59,7 @@ export function BoundarySection(): JSX.Element {
       commands.layers.set(entry[0], groups === null ? { visible: false } : { visible: true, groups });
     else if (groups !== null) commands.layers.add("surface", { type: "surface", groups });
   };
-  // Starts with a patch in no layer yet: coincident layers would hide each other.
+  // A new layer starts with a patch that no other layer shows, because coincident layers would hide each other.
   const addFurther = (): void => {
     const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
     const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));

@@ -1,4 +1,4 @@
-// Planes that cut all layers, each with its position, its kept side and its caps.
+// Settings of the planes that clip all layers: position, kept side, caps.
 import type { JSX } from "preact";
 import { boundsCentre } from "../../model/camera";
 import type { ClipLayer } from "../../generated/protocol";

@@ -1,4 +1,4 @@
-// Contour lines of a slice: their array, their values, and one color or the colors of their values.
+// Settings of a slice's contour lines: array, values, color and width.
 import type { JSX } from "preact";
 import type { Coloring, Contours, Range, SliceLayer } from "../../generated/protocol";
 import { DEFAULT_COUNT, evenValues, mapBeside, MOST_COUNT, ofArray, type ContoursChange } from "../../model/contours";
@@ -35,7 +35,7 @@ function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX
   );
 }
 
-/** Evenly spaced values, or chosen ones. */
+/** Fields for the contour values: evenly spaced, or listed one by one. */
 function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   const data = useSomeRange(contours.array);
   const { values } = contours;
@@ -81,7 +81,7 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   );
 }
 
-/** One color for all lines or the colors of their values; their width. */
+/** Fields for the looks of contour lines: width, and one color or colors by value. */
 function LooksFields({
   id,
   contours,

@@ -1,4 +1,4 @@
-// One layer of iso-surfaces: its array, its values over the histogram, its colors.
+// Settings of an iso-surface layer: array, values over a histogram, colors.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { IsoLayer, Range } from "../../generated/protocol";
@@ -17,7 +17,10 @@ interface Scales {
   axis: boolean;
 }
 
-/** Logarithmic counts keep rare values visible; a logarithmic axis spreads values that span decades. */
+/**
+ * Buttons for logarithmic scales of a histogram. Logarithmic counts keep rare values visible. A logarithmic axis
+ * spreads values of several decades.
+ */
 function ScaleButtons({
   scales,
   set,
@@ -35,7 +38,7 @@ function ScaleButtons({
         class="button small log"
         aria-pressed={hasAxis && scales.axis}
         disabled={!hasAxis}
-        title={hasAxis ? "Logarithmic slider" : "A logarithmic slider needs values that are nowhere below zero"}
+        title={hasAxis ? "Logarithmic slider" : "A logarithmic slider needs an array without negative values"}
         onClick={() => set({ ...scales, axis: !scales.axis })}
       >
         log axis
@@ -53,7 +56,7 @@ function ScaleButtons({
   );
 }
 
-/** Names the values outside the data's range, which have no surface. */
+/** Lists the iso-values outside the data's range, which have no surface. */
 function OutsideHint({ values, range }: { values: readonly number[]; range: Range }): JSX.Element | null {
   const outside = values.filter((value) => value < range[0] || value > range[1]);
   if (outside.length === 0) return null;

@@ -1,4 +1,4 @@
-// All layers in order; each can be shown, hidden, dragged, or moved by keys.
+// List of all layers in order. Each can be shown, hidden, and moved by dragging or keys.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { layerNames } from "../../model/layer_names";
@@ -13,12 +13,12 @@ interface RowProps {
   id: string;
   name: string;
   visible: boolean;
-  /** Why the layer shows nothing; empty otherwise. */
+  /** Reason why the layer shows nothing. Empty if it shows something. */
   reason: string;
   place: number;
   count: number;
   move: (step: Step) => void;
-  /** Drop position: above this row, or below the last one. */
+  /** Where a dragged layer would be dropped: above this row, or below it (only in the last row). */
   mark: "above" | "below" | null;
   drag: { begin: () => void; over: (below: boolean) => void; end: (dropped: boolean) => void };
 }
@@ -56,7 +56,7 @@ function LayerRow({ id, name, visible, reason, place, count, move, mark, drag }:
       </span>
       {visible && reason !== "" && (
         <p class="hint layer-empty" role="status">
-          Nothing is seen of it. {reason}
+          The layer shows nothing. {reason}
         </p>
       )}
       <IconButton icon="up" label="Move this layer up" disabled={place === 0} onClick={() => move("up")} />
@@ -80,7 +80,8 @@ export function LayersSection(): JSX.Element {
   const layers = layersInOrder(scene);
   const names = layerNames(scene);
   const order = JSON.stringify(layers.map(([id]) => id));
-  // A moved row loses the focus. At an end of the list its button is disabled, so the other one gets the focus.
+  // Restores the focus, which a moved row loses. At an end of the list one of its two buttons is disabled, so the other
+  // one gets the focus.
   useEffect(() => {
     const { id, step } = moved.current ?? {};
     moved.current = null;

@@ -1,4 +1,4 @@
-// Lines of a layer: on or off, their color and width.
+// Fields for lines of a layer: visibility, color, width.
 import type { JSX } from "preact";
 import type { Edges } from "../../generated/protocol";
 import { Check, NumberField } from "../controls/controls";
@@ -8,7 +8,7 @@ export const DEFAULT_COLOR = "#1a1a1a";
 
 interface LineStyleProps {
   label: string;
-  /** null if an array colors the lines. */
+  /** Color of the lines; null if an array colors them. */
   color: string | null;
   width: number;
   onChange: (change: { color?: string; width?: number }) => void;

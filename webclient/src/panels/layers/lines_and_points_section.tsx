@@ -1,4 +1,4 @@
-// The edges of the mesh's boundary, and its vertices.
+// Settings of layers that show edges or vertices of the mesh.
 import type { ComponentChildren, JSX } from "preact";
 import type { EdgesLayer, PointsLayer, Range } from "../../generated/protocol";
 import { formatCount } from "../../model/numbers";
@@ -16,11 +16,11 @@ const USUAL_MOST = 1e6;
 interface CardProps {
   id: string;
   layer: EdgesLayer | PointsLayer;
-  /** Fields for their choice and size. */
+  /** Controls specific to the layer's type: which edges or points to show, and at what size. */
   children: ComponentChildren;
 }
 
-/** Fields that lines and points share: all but their choice and size. */
+/** Settings of an edges or points layer. `children` are the controls specific to its type. */
 function Card({ id, layer, children }: CardProps): JSX.Element {
   const commands = useCommands();
   const hasPatches = useModel((model) => (model.description.value?.groups ?? []).some(({ of }) => of === "faces"));

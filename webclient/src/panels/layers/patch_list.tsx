@@ -1,5 +1,5 @@
-// The part of the boundary that a layer shows: all of it, or named patches in a searchable list by families. The list
-// has its own height.
+// Chooses which part of the boundary a layer shows: the whole boundary, or patches from a searchable list grouped by
+// families.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { formatCount } from "../../model/numbers";
@@ -19,15 +19,15 @@ import { useModel } from "../context";
 import { Icon } from "../controls/icons";
 
 interface Props {
-  /** Patch names; empty for the whole boundary. */
+  /** Names of the shown patches. Empty: the whole boundary is shown. */
   groups: readonly string[];
-  /** False if the layer is hidden; then nothing is ticked. */
+  /** False if the layer is hidden. No patch is ticked then. */
   shown?: boolean;
-  /** null: nothing is ticked. */
+  /** Called with the names of all ticked patches. null: no patch is ticked. */
   onChange: (groups: string[] | null) => void;
 }
 
-/** Fewer patches are visible at once without a search. */
+/** Number of patches from which the list has a search field. Fewer are all visible at once. */
 const WORTH_A_SEARCH = 8;
 
 interface RowProps {

@@ -1,4 +1,4 @@
-// A free plane: its position along its normal, and its origin and normal as numbers.
+// Fields of a free plane: position along its normal, origin, normal.
 import type { JSX } from "preact";
 import { boundsCentre, corners, frame } from "../../model/camera";
 import { add, dot, normalize, scale, subtract } from "../../model/vector";
@@ -8,7 +8,7 @@ import { IconButton, Slider } from "../controls/controls";
 import { useCommands, useModel } from "../context";
 import { VectorRow } from "../controls/vector_row";
 
-/** Rounds to six significant digits: more are not meant in a dataset's range. */
+/** Rounds to six significant digits, which are enough for positions in a dataset. */
 const tidy = (vector: Vec3): Vec3 => vector.map((value) => Number(value.toPrecision(6))) as Vec3;
 
 interface PlaneProps {
@@ -51,7 +51,7 @@ export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
         span={10 * Math.hypot(...normal)}
         set={(to) => {
           if (to.some((part) => part !== 0)) commands.layers.set(id, { normal: to });
-          else commands.tell("A normal of 0, 0, 0 has no direction; type the part that is to stay first", "error");
+          else commands.tell("A normal of 0, 0, 0 has no direction; type a nonzero component first", "error");
         }}
       />
       <IconButton icon="eye" label="Turn the plane to face the view" text="Face the view" onClick={face} />

@@ -1,4 +1,4 @@
-// Position of a plane across an axis: a slider over the dataset's bounds, and a number.
+// Position of a plane perpendicular to an axis: a slider over the dataset's bounds, and a number field.
 import type { JSX } from "preact";
 import { endsOf, type Axis } from "../../model/axes";
 import { clamp, formatNumber, sliderTrack } from "../../model/numbers";
@@ -8,9 +8,9 @@ import { useCommands, useModel } from "../context";
 interface PositionProps {
   id: string;
   axis: Axis;
-  /** undefined: the middle of the bounds. */
+  /** Coordinate of the plane along the axis. undefined: the middle of the bounds. */
   value: number | undefined;
-  /** Labels of the slider and of the number. */
+  /** Accessible names of the slider and of the number field. */
   labels: readonly [string, string];
 }
 

@@ -1,4 +1,4 @@
-// One slice: its plane, always visible; its colors and lines, which can be folded.
+// Settings of a slice. Its plane is always visible; its colors and lines can be folded.
 import type { JSX } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { SliceLayer } from "../../generated/protocol";
@@ -22,7 +22,7 @@ const PLANES = [
   { value: "free", text: "Free plane" },
 ];
 
-/** Shown if the plane lies outside the data. */
+/** Hint that a slice's plane lies outside the data. null otherwise. */
 function OutsideHint({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element | null {
   const description = useModel((model) => model.description.value);
   const isFreeOutside = useModel((model) => model.empty.value.some((one) => one.layer === id && one.why === "outside"));
@@ -68,12 +68,12 @@ function LooksFields({ id, layer, slices }: { id: string; layer: SliceLayer; sli
 interface SliceCardProps {
   id: string;
   layer: SliceLayer;
-  /** The name in the list of layers. */
+  /** Name of the slice in the list of layers. */
   name: string;
   slices: Slices;
   isOpen: boolean;
   fold: () => void;
-  /** True once for a new slice, so that its slider can be moved at once by keys. */
+  /** Returns true once for a new slice. Its slider then takes the focus, so that keys move the slice at once. */
   takesFocus: () => boolean;
 }
 

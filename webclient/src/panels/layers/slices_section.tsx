@@ -1,4 +1,4 @@
-// Slices, each with its own plane and looks; any number, also several across one axis.
+// Settings of all slices. Several slices may be perpendicular to the same axis.
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { Across } from "../../model/axes";
@@ -15,13 +15,13 @@ export function SlicesSection(): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
   const scene = useModel((model) => model.scene.value);
-  // At first only one slice's looks are unfolded, so that all positions are visible.
+  // At first only the first slice is unfolded, so that the positions of all slices are visible.
   const [opened, setOpened] = useState<readonly string[] | null>(null);
   const first = useRef<string | undefined>(undefined);
   const added = useRef<string | null>(null);
   const slices = layersOf(scene, "slice");
   const names = layerNames(scene);
-  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept when others precede it
+  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept while it exists
   const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
   const add = (across: Across): void => {
     if (description === null) return;

@@ -1,4 +1,4 @@
-// A layer's threshold: it shows the cells whose values lie in a range.
+// Settings of a layer's threshold, which shows only cells with values in a range.
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../../generated/protocol";
 import { formatNumber, fractionOf, valueAt, withEnd } from "../../model/numbers";
@@ -9,14 +9,14 @@ import { useCommands, useModel } from "../context";
 interface ThresholdProps {
   id: string;
   threshold: Threshold | undefined;
-  /** The array that colors the layer; a new threshold starts with it. */
+  /** Array that colors the layer. A new threshold starts with this array. */
   color: string | undefined;
 }
 
 interface EndProps {
   end: 0 | 1;
   range: Range;
-  /** The array's range, which the slider covers. */
+  /** Range of the array, from one end of the slider to the other. */
   whole: Range;
   set: (change: Partial<Threshold>, gesture?: string) => void;
 }
@@ -36,7 +36,7 @@ function ThresholdEnd({ end, range, whole, set }: EndProps): JSX.Element {
         value={fractionOf(value, whole)}
         text={formatNumber(value, span)}
         newGesture={() => commands.newGesture()}
-        onChange={(fraction, gesture) => move(valueAt(fraction, whole), gesture)} // round values, exact ends
+        onChange={(fraction, gesture) => move(valueAt(fraction, whole), gesture)} // keeps the exact ends
       />
       <NumberField
         label={end === 0 ? "Threshold from" : "Threshold to"}
@@ -62,7 +62,7 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
   };
   const set = (change: Partial<Threshold>, gesture?: string): void =>
     commands.layers.set(id, { threshold: change }, gesture);
-  // Starts with the upper half of the range: the full range would change nothing visible.
+  // A new threshold has the upper half of the array's range. The full range would show no difference.
   const begin = (array: string): void => {
     const [low, high] = wholeOf(array);
     set({ enabled: true, array, range: [(low + high) / 2, high] });

@@ -1,4 +1,4 @@
-// Annotations over the view; the server draws the same over saved pictures.
+// Switches for annotations over the picture. Saved pictures have the same annotations, drawn by the server.
 import type { JSX } from "preact";
 import type { Annotations } from "../../generated/protocol";
 import { Check, Slider } from "../controls/controls";

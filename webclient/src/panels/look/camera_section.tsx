@@ -1,4 +1,4 @@
-// The camera in numbers, and the strength of the perspective.
+// Number fields for the camera's position, and its field of view.
 import type { JSX } from "preact";
 import {
   distance,
@@ -50,7 +50,7 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
   );
 }
 
-/** Exact numbers, to reproduce a view later or with another dataset. */
+/** Fields with all digits of the camera, so that a view can be reproduced later or with another dataset. */
 function Places({ camera }: { camera: FullCamera }): JSX.Element {
   const commands = useCommands();
   const span = distance(camera);

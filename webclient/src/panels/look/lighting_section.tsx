@@ -1,4 +1,4 @@
-// The lights of a scene, their strengths, and ambient occlusion.
+// Settings of a scene's lights and of ambient occlusion.
 import type { JSX } from "preact";
 import type { AmbientOcclusion, Light, Lighting } from "../../generated/protocol";
 import { Check, Section, Slider } from "../controls/controls";
@@ -8,7 +8,7 @@ const DEFAULT_RADIUS = 0.1;
 
 interface StrengthProps {
   label: string;
-  /** 1 is 100 %. */
+  /** Strength of a light; 1 is shown as 100 %. */
   value: number;
   most: number;
   least?: number;

@@ -1,4 +1,4 @@
-// Reasons why there is no live picture, in full sentences.
+// Notices that explain why the page shows no picture, or an outdated one.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { openingIn } from "../../model/model";
@@ -10,7 +10,7 @@ import { useLasting } from "../controls/lasting";
 import { TokenForm } from "./token_form";
 import { useCommands, useModel } from "../context";
 
-/** Whole seconds until `at`, counting down. */
+/** Whole seconds until time `at`. Counts down every second. */
 function useCountdown(at: number | null): number {
   const [now, setNow] = useState(Date.now);
   useEffect(() => {
@@ -29,13 +29,14 @@ interface Reason {
 
 function useReason(hasPicture: boolean): Reason {
   const refusal = useModel((model) => model.refusal.value);
-  const kept = hasPicture ? "The picture is from before. Your scene is kept and comes back with the connection." : "";
+  const kept = hasPicture ? "The picture is old. Your scene is kept and comes back with the connection." : "";
   if (!navigator.onLine) return { title: "This computer is offline", words: kept };
-  if (refusal?.kind === "refused") return { title: "The server does not let this page in", words: refusal.words };
+  if (refusal?.kind === "refused") return { title: "The server refuses the page", words: refusal.words };
   if (refusal?.kind === "no-socket") {
     return {
-      title: "The server answers, but no WebSocket reaches it",
-      words: "A proxy on the way holds it back: it has to pass the upgrade of ws on to the server.",
+      title: "The server answers, but no WebSocket reaches the server",
+      words:
+        "A proxy between the browser and the server blocks the WebSocket. Configure the proxy to pass the WebSocket upgrade of ws to the server.",
     };
   }
   const asked = `${location.host} cannot be reached. Is "ciel serve" running there?`;
@@ -70,7 +71,7 @@ export function ConnectionNotice(): JSX.Element | null {
 
 const MOST_CHOICES = 6;
 
-/** Other datasets to open, a button each. */
+/** Buttons to open other datasets. */
 function Choices(): JSX.Element | null {
   const commands = useCommands();
   const datasets = useModel((model) => model.datasets.value) ?? [];
@@ -113,12 +114,12 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
-const UNSEEN = "Nothing is seen of the layers that are switched on.";
-const EMPTY = "None of the surfaces that are switched on meets the data at this time.";
+const UNSEEN = "None of the layers that are switched on shows anything.";
+const EMPTY = "None of the layers that are switched on meets the data at this time.";
 
 const MOST_REASONS = 3;
 
-/** Reasons of each layer if no visible layer shows anything; otherwise empty. */
+/** Reasons why layers show nothing, one for each layer. Empty if any visible layer shows something. */
 function reasonsOf(scene: Scene | null, empty: readonly EmptyLayer[]): string[] {
   const shown = layersInOrder(scene).filter(
     ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",
@@ -145,10 +146,10 @@ export function LackingNotice(): JSX.Element | null {
   );
 }
 
-/** A picture that is later than this is announced. */
+/** Milliseconds after which a late picture is reported to the user. */
 const LATE_MS = 400;
 
-/** Whether the picture has lagged behind the scene for LATE_MS. */
+/** Whether the picture has been older than the scene for LATE_MS. */
 function useLate(): boolean {
   const behind = useModel(
     (model) =>

@@ -1,4 +1,4 @@
-// Saves a picture in another size than the canvas, for a poster or a slide.
+// Menu that saves a picture in another size than the canvas, for example for a poster or a slide.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Size } from "../../model/camera";
@@ -8,7 +8,7 @@ import { Menu, NumberField } from "../controls/controls";
 import { useCommands } from "../context";
 
 const FACTORS = [1, 2, 4];
-/** A4 is landscape, at 300 pixels an inch. */
+/** Common picture sizes in pixels. A4 is landscape with 300 pixels per inch. */
 const USUAL: readonly { name: string; size: Size }[] = [
   { name: "HD", size: { width: 1920, height: 1080 } },
   { name: "4K", size: { width: 3840, height: 2160 } },

@@ -1,4 +1,5 @@
-// Links to share: a copy of the current scene, or this session, which all users then see and change.
+// Menu that copies links. One link has a copy of the current scene; the other opens this session, in which all users
+// change the same scene.
 import type { JSX } from "preact";
 import { Menu } from "../controls/controls";
 import { useCommands } from "../context";

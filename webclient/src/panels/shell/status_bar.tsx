@@ -1,4 +1,4 @@
-// Latency, frame rate and the kind of picture shown.
+// Status bar: latency, frame rate, kind of the shown picture.
 import type { JSX } from "preact";
 import { isStillDue, openingIn } from "../../model/model";
 import type { Readout } from "../../model/state";
@@ -8,7 +8,7 @@ import { useLasting } from "../controls/lasting";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
-/** Zero is "idle": frames are sent only when something changes. */
+/** Frame rate in words. Zero is "idle", because the server sends frames only when something changes. */
 const rate = (perSecond: number): string =>
   perSecond === 0 ? "idle" : `${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`;
 
@@ -17,10 +17,13 @@ function kind({ stream, still }: Readout): string {
   return still ? "image, still" : "image, preview";
 }
 
-/** A still that takes longer is announced. */
+/** Milliseconds after which a pending still is reported to the user. */
 const PATIENCE_MS = 1000;
 
-/** Always in the page, so that screen readers announce its changes. */
+/**
+ * Notice that a still is being drawn. The element stays in the page while empty, because screen readers announce only
+ * changes of existing elements.
+ */
 function StillNotice(): JSX.Element {
   const due = useModel(isStillDue);
   const frame = useModel((model) => model.readout.value.frame);

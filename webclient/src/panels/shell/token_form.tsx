@@ -1,4 +1,4 @@
-// Login form: a server that is reachable by others asks for a token.
+// Form for the token that the server asks for.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { useCommands } from "../context";

@@ -1,5 +1,5 @@
-// The opacity curve of a volume over the histogram of its array. A click beside the points adds one. Points are moved
-// by dragging or arrow keys, and removed by Delete or a double click.
+// Editor for a volume's opacity curve, over the histogram of its array. A click outside the points adds a point. Points
+// are moved by dragging or arrow keys, and removed by Delete or a double click.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Histogram } from "../../model/state";
@@ -13,7 +13,7 @@ import { OpacityPointFields } from "./opacity_point_fields";
 interface Props {
   name: string;
   units: string;
-  /** Range of the colors; positions are relative to it. */
+  /** Range of the color scale. Positions from 0 to 1 cover this range. */
   range: Range;
   logarithmic: boolean;
   histogram: Histogram | null;

@@ -1,4 +1,4 @@
-// Position and opacity of the last selected point of an opacity curve, as numbers.
+// Number fields for position and opacity of the selected point of an opacity curve.
 import type { JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { fractionOf, valueAt } from "../../model/numbers";
@@ -8,7 +8,7 @@ import { NumberField } from "../controls/controls";
 interface Props {
   index: number;
   point: OpacityPoint;
-  /** Positions of the neighbouring points. */
+  /** Positions of the two neighbors, which limit the point's position. */
   between: Range;
   range: Range;
   logarithmic: boolean;

@@ -1,4 +1,4 @@
-// Volume rendering of the mesh by one array.
+// Settings of volume layers, which show the mesh as a volume colored by an array.
 import type { JSX } from "preact";
 import type { Range, VolumeLayer } from "../../generated/protocol";
 import { rangeOf } from "../../model/color_range";
@@ -25,7 +25,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
   const units = useModel((model) => model.description.value?.length_units) ?? "";
   const setSlices = (typed: number): void => {
     const slices = Math.round(typed);
-    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0: auto, as for the unit length
+    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0 and less: the server chooses the number
   };
   return (
     <div class="fields">
@@ -126,7 +126,7 @@ export function VolumeSection(): JSX.Element {
     if (first === undefined || description === null) return;
     const counts = commands.histogram(description.name, first, shownTime(description, scene))?.counts ?? null;
     const color = coloredBy(scene, description, first);
-    delete color.array; // the layer itself names the array
+    delete color.array; // the layer has its own member for the array
     commands.layers.add("volume", { type: "volume", array: first, color, opacity_points: firstOpacity(counts) });
   };
   return (

@@ -1,4 +1,4 @@
-"""Iso-surfaces and slices of polyhedral meshes, kept incremental from one value to the next.
+"""Iso-surfaces and slices of polyhedral meshes, computed incrementally from one value to the next.
 
 Circular incident edge lists (Levy, Caumon, Conreaux, Cavin, IEEE Visualization 2001): tetrahedra, hexahedra, wedges,
 pyramids and arbitrary polyhedra. NumPy arrays in and out.

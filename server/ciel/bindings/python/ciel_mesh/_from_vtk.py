@@ -1,4 +1,4 @@
-"""vtkUnstructuredGrid, and PyVista's, as a Mesh."""
+"""Converts a vtkUnstructuredGrid or a PyVista UnstructuredGrid to a Mesh."""
 
 import numpy
 
@@ -12,7 +12,10 @@ def _numpy(array):
 
 
 def _polyhedra(grid):
-    """The faces of polyhedra, as this VTK stores them: from 9.4 on as two cell arrays, before as one stream."""
+    """Return the faces of polyhedra as keyword arguments of Mesh.from_cells.
+
+    VTK stores them as two cell arrays from version 9.4 on, before that as one stream.
+    """
     if hasattr(grid, "GetPolyhedronFaces"):
         faces, of_cells = grid.GetPolyhedronFaces(), grid.GetPolyhedronFaceLocations()
         if faces is None or of_cells is None:
@@ -29,14 +32,15 @@ def _polyhedra(grid):
 
 
 def from_vtk(grid):
-    """The Mesh of a vtkUnstructuredGrid or of a PyVista UnstructuredGrid.
+    """Return the Mesh of a vtkUnstructuredGrid or of a PyVista UnstructuredGrid.
 
-    Values of its points, as NumPy arrays, are in the order that contour() and the others want. Needs the vtk package.
+    The mesh numbers points and cells as the grid does, so point arrays of the grid can be given to contour(). Raises
+    ValueError if the grid has no cells or no points. Needs the vtk package.
     """
     cells = grid.GetCells()
     types = _numpy(grid.GetCellTypesArray())
     if types is None or grid.GetPoints() is None:
-        raise ValueError("the grid has no cells; read or make them first")
+        raise ValueError("the grid has no cells; read or make cells first")
     return Mesh.from_cells(
         _numpy(grid.GetPoints().GetData()),
         numpy.asarray(types),
