@@ -26,8 +26,8 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
 }
 
 // The weighted sum of the values of vertices, or of one cell.
-void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, const VertexWeights& weights,
-                 bool is_wrong, Probed& out) {
+void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
+                 const VertexWeights& weights, bool is_wrong, Probed& out) {
     const auto values = dataset.values(array.name, step);
     for (const std::string& scalar : store::scalar_names(array)) {
         out.values[scalar] = std::nullopt;

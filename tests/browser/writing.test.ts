@@ -55,7 +55,10 @@ describe("writing", { skip }, () => {
     test(`has a contrast of 4.5 over a picture in ${solid} on ${background}`, async () => {
       const wall = { type: "surface", color: { solid } };
       const lighting = { on: false };
-      const client = await stage.fresh({}, linked({ background, annotations: { ...annotations, time: true }, lighting, layers: { wall } }));
+      const client = await stage.fresh(
+        {},
+        linked({ background, annotations: { ...annotations, time: true }, lighting, layers: { wall } }),
+      );
       for (let i = 0; i < 7; i += 1) await client.page.keyboard.press("+"); // the wall fills the picture
       await client.settled();
       const boxes = await client.page

@@ -212,7 +212,7 @@ def test_a_picture_says_what_it_does_not_show(box, server, tmp_path):
     remarks = server.call("picture.render", scene=scene, width=SIZE, height=SIZE)["remarks"]
     assert len(remarks) == 2
     assert remarks[0].startswith("layer outside shows nothing. ")
-    assert "more than 32 transparent layers" in remarks[1]
+    assert "more than 32 transparent surfaces" in remarks[1]
     (tmp_path / "scene.json").write_text(json.dumps(scene))
     told = ciel("render", box, "--scene", tmp_path / "scene.json", "--size", f"{SIZE}x{SIZE}", "-o", tmp_path / "p.png")
     assert told.stderr.splitlines() == [f"ciel: {remark}" for remark in remarks]

@@ -139,7 +139,7 @@ TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
     renderer.draw(frame, image);
     expect(160, 120, over(expected, {}));
     ASSERT_EQ(renderer.remarks().size(), 1U);
-    EXPECT_NE(renderer.remarks()[0].find("more than 32 transparent layers"), std::string::npos);
+    EXPECT_NE(renderer.remarks()[0].find("more than 32 transparent surfaces"), std::string::npos);
 }
 
 TEST_P(PeelingTest, NothingIsSaidOfLayersThatWouldNotBeSeen) {
