@@ -24,7 +24,7 @@ std::shared_ptr<const CellLocator> Locators::get(const std::shared_ptr<store::Da
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find(kept_, positions, &Kept::positions);
     if (found != kept_.end()) return locator_of(found->held);
-    auto held = std::make_shared<const Held>(dataset, CellLocator(mesh));
+    auto held = std::make_shared<const Held>(Held{dataset, CellLocator(mesh)});
     dataset->check_unchanged();
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     kept_.push_back({positions, held});
