@@ -137,7 +137,7 @@ def test_refusals_say_why(tmp_path):
     for arguments, words in [
         ((alone,), "name its grid"),
         ((grid, q, "--plot3d", "little"), "of the layout --plot3d little"),
-        ((grid, q, "--plot3d", "wide"), "does not know \"wide\""),
+        ((grid, q, "--plot3d", "wide"), "has no word \"wide\""),
     ]:
         done = run_import(*arguments, "-o", tmp_path / "no.ciel")
         assert done.returncode == 1 and words in done.stderr, done.stderr

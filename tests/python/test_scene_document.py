@@ -312,7 +312,7 @@ def test_colors_of_contour_lines_that_make_no_sense_are_refused(server, coloring
 
 
 @pytest.mark.parametrize("flags, reason", [
-    (["--surface", "--threshold", "x=5,6"], "layer surface shows nothing. Its threshold from 5 to 6 keeps no cell: x goes from −1 to 1"),
+    (["--surface", "--threshold", "x=5,6"], "layer surface shows nothing. The threshold from 5 to 6 keeps no cell: x goes from −1 to 1"),
     (["--surface", "--clip", "x=-5"], "layer surface shows nothing. The clip planes cut away the whole layer."),
     (["--slice", "x=3"], "layer slice1 shows nothing. The plane does not cut the data."),
     (["--iso", "r=99"], "layer iso1 shows nothing. 99 is outside the range: r goes from"),
