@@ -31,9 +31,12 @@ Vec3d middle_of(const FaceMeshView& mesh, Index face) {
 TEST_P(CellLocators, WeightsAreExactForALinearField) {
     const test::LinearField field{{1, -2, 0.5}, 3};
     const Assembled assembled = assemble(test::view(GetParam().make()));
-    if (assembled.mesh.cell_types.empty()) GTEST_SKIP() << "a mesh without cells";
     const FaceMeshView mesh = assembled.mesh.view();
     const CellLocator locator(mesh);
+    if (mesh.cell_count() == 0) {
+        EXPECT_EQ(locator.cell_at({0, 0, 0}), none);
+        return;
+    }
     std::mt19937 random(5);
     int found = 0;
     for (int i = 0; i < 40; ++i) {

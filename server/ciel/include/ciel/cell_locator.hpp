@@ -31,7 +31,6 @@ public:
     [[nodiscard]] Index nearest_vertex(Index cell, const Vec3d& position) const;
 
 private:
-    [[nodiscard]] Vec3d point(Index vertex) const; // offset from the mesh's origin
     [[nodiscard]] std::vector<Index> vertices(Index cell) const;
     [[nodiscard]] double winding(Index cell, const Vec3d& at) const; // in units of 4 pi: 1 inside, 0 outside
     template <class Vertices>

@@ -1,5 +1,6 @@
 #include "ciel/cell_locator.hpp"
 
+#include "ciel/cell_geometry.hpp"
 #include "ciel/vector_operators.hpp"
 
 #include <algorithm>
@@ -37,16 +38,11 @@ CellLocator::CellLocator(const FaceMeshView& mesh) : mesh_(mesh), faces_(cell_fa
     }
 }
 
-Vec3d CellLocator::point(Index vertex) const {
-    const float* at = &mesh_.positions[std::size_t{3} * vertex];
-    return {at[0], at[1], at[2]};
-}
-
 template <class Vertices>
 Vec3d CellLocator::centroid(const Vertices& vertices) const {
     Vec3d sum{};
     for (const Index vertex : vertices) {
-        const Vec3d at = point(vertex);
+        const Vec3d at = ciel::position(mesh_, vertex);
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += at[axis] / static_cast<double>(vertices.size());
     }
     return sum;
@@ -71,7 +67,8 @@ double CellLocator::winding(Index cell, const Vec3d& at) const {
         const Vec3d middle = centroid(loop) - at;
         double face_angle = 0;
         for (std::size_t k = 0; k < loop.size(); ++k)
-            face_angle += solid_angle(middle, point(loop[k]) - at, point(loop[(k + 1) % loop.size()]) - at);
+            face_angle += solid_angle(middle, ciel::position(mesh_, loop[k]) - at,
+                                      ciel::position(mesh_, loop[(k + 1) % loop.size()]) - at);
         angle += mesh_.owner[face] == cell ? face_angle : -face_angle;
     }
     return angle / (4 * std::numbers::pi);
@@ -101,8 +98,9 @@ Index CellLocator::cell_at(const Vec3d& position) const {
 Index CellLocator::nearest_vertex(Index cell, const Vec3d& position) const {
     const Vec3d at = position - mesh_.origin;
     const auto all = vertices(cell);
-    return *std::min_element(all.begin(), all.end(),
-                             [&](Index a, Index b) { return length(point(a) - at) < length(point(b) - at); });
+    return *std::min_element(all.begin(), all.end(), [&](Index a, Index b) {
+        return length(ciel::position(mesh_, a) - at) < length(ciel::position(mesh_, b) - at);
+    });
 }
 
 VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
@@ -121,7 +119,7 @@ VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
         const Vec3d middle = centroid(loop) - center;
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const Index a = loop[k], b = loop[(k + 1) % loop.size()];
-            const Vec3d pa = point(a) - center, pb = point(b) - center, p = at - center;
+            const Vec3d pa = ciel::position(mesh_, a) - center, pb = ciel::position(mesh_, b) - center, p = at - center;
             const double volume = dot(middle, cross(pa, pb));
             if (volume == 0) continue;
             const double wf = dot(p, cross(pa, pb)) / volume;

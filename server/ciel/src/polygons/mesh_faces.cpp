@@ -1,32 +1,13 @@
 #include "ciel/mesh_faces.hpp"
 
+#include "ciel/cell_geometry.hpp"
+#include "ciel/vector_operators.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace ciel {
-namespace {
-
-Vec3d offset(const FaceMeshView& mesh, Index vertex) {
-    const float* p = &mesh.positions[std::size_t{3} * vertex];
-    return {p[0], p[1], p[2]};
-}
-
-// Returns the normal vector of a polygon by Newell's method. The length of the vector is twice the area.
-Vec3d area_vector(const FaceMeshView& mesh, const Ids& loop) {
-    Vec3d sum{};
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec3d a = offset(mesh, loop[i]), b = offset(mesh, loop[(i + 1) % loop.size()]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-            sum[axis] += (a[next] - b[next]) * (a[last] + b[last]);
-        }
-    }
-    return sum;
-}
-
-} // namespace
-
 std::vector<CellFace> boundary_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     if (!kept.empty()) return threshold_faces(mesh, kept);
     std::vector<CellFace> faces;
@@ -86,17 +67,17 @@ Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t
 FacesSize size_of_faces(const FaceMeshView& mesh, const Ids& ids) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     FacesSize size{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0};
+    std::vector<Index> loop;
     for (const Index face : ids) {
-        const Ids loop = mesh.loop(face);
+        read_loop(mesh, face, loop);
         for (const Index vertex : loop) {
-            const Vec3d at = offset(mesh, vertex);
+            const Vec3d at = mesh.origin + position(mesh, vertex);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                size.low[axis] = std::min(size.low[axis], mesh.origin[axis] + at[axis]);
-                size.high[axis] = std::max(size.high[axis], mesh.origin[axis] + at[axis]);
+                size.low[axis] = std::min(size.low[axis], at[axis]);
+                size.high[axis] = std::max(size.high[axis], at[axis]);
             }
         }
-        const Vec3d normal = area_vector(mesh, loop);
-        size.area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+        if (!loop.empty()) size.area += length(face_shape(mesh, loop).area);
     }
     return size;
 }
