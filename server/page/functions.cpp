@@ -124,22 +124,10 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
     write(results, axes);
 }
 
-void nice_scale(Reader& arguments, Writer& results) {
-    const auto [low, high] = arguments.numbers<2>();
-    const annotations::Scale scale = annotations::nice_scale(low, high, arguments.integer());
-    results.number(scale.exponent);
-    results.number(static_cast<double>(scale.ticks.size()));
-    for (const annotations::Tick& tick : scale.ticks) {
-        results.number(tick.value);
-        results.text(tick.label);
-    }
-}
-
 void color_ticks(Reader& arguments, Writer& results) {
     const color::ColorScale scale = color_scale(arguments);
     const int most = arguments.integer(), most_marks = arguments.integer();
     const auto ticks = annotations::color_ticks(scale, most, most_marks);
-    results.number(annotations::exponent_of(scale));
     results.number(static_cast<double>(ticks.size()));
     for (const annotations::ColorTick& tick : ticks) {
         results.number(tick.value);
@@ -153,19 +141,13 @@ void label_on(Reader& arguments, Writer& results) {
     results.text(annotations::label_on(scale, arguments.number()));
 }
 
-void number_label(Reader& arguments, Writer& results) {
-    const auto [value, span] = arguments.numbers<2>();
-    results.text(annotations::number_label(value, span, arguments.integer()));
-}
-
 void number_alone(Reader& arguments, Writer& results) {
     const double value = arguments.number();
     results.text(annotations::number_label(value, arguments.integer()));
 }
 
-void common_exponent(Reader& arguments, Writer& results) {
-    const auto [low, high] = arguments.numbers<2>();
-    results.number(annotations::common_exponent(low, high));
+void exponent_of(Reader& arguments, Writer& results) {
+    results.number(annotations::exponent_of(color_scale(arguments)));
 }
 
 void times_power_of_ten(Reader& arguments, Writer& results) {

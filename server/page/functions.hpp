@@ -18,19 +18,16 @@ namespace ciel::page {
 // An unusable camera (see view_transform) has an empty layout.
 void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
 
-// low, high, most -> exponent; number of ticks, then value and label (text) of each. See nice_scale.
-void nice_scale(Reader& arguments, Writer& results);
-// lower end, upper end, log (0 or 1), steps, most ticks, most marks -> exponent; number of ticks, then value, position
-// and label (text) of each. See color_ticks.
+// A color scale, below: lower end, upper end, log (0 or 1), steps.
+// color scale, most ticks, most marks -> number of ticks, then value, position and label (text) of each. See
+// color_ticks.
 void color_ticks(Reader& arguments, Writer& results);
-// lower end, upper end, log (0 or 1), steps, value -> text. See label_on.
+// color scale -> exponent. See exponent_of.
+void exponent_of(Reader& arguments, Writer& results);
+// color scale, value -> text. See label_on.
 void label_on(Reader& arguments, Writer& results);
-// value, span, exponent -> text. See number_label.
-void number_label(Reader& arguments, Writer& results);
 // value, digits -> text. See number_label.
 void number_alone(Reader& arguments, Writer& results);
-// low, high -> exponent. See common_exponent.
-void common_exponent(Reader& arguments, Writer& results);
 // exponent -> text. See times_power_of_ten.
 void times_power_of_ten(Reader& arguments, Writer& results);
 // text -> text. See pretty_units.

@@ -47,12 +47,10 @@ std::size_t call(Function function) {
     PageText measure;
     return call([&](auto& in, auto& out) { ciel::page::lay_out(in, measure, out); });
 }
-[[clang::export_name("nice_scale")]] std::size_t nice_scale() { return call(ciel::page::nice_scale); }
 [[clang::export_name("color_ticks")]] std::size_t color_ticks() { return call(ciel::page::color_ticks); }
 [[clang::export_name("label_on")]] std::size_t label_on() { return call(ciel::page::label_on); }
-[[clang::export_name("number_label")]] std::size_t number_label() { return call(ciel::page::number_label); }
 [[clang::export_name("number_alone")]] std::size_t number_alone() { return call(ciel::page::number_alone); }
-[[clang::export_name("common_exponent")]] std::size_t common_exponent() { return call(ciel::page::common_exponent); }
+[[clang::export_name("exponent_of")]] std::size_t exponent_of() { return call(ciel::page::exponent_of); }
 [[clang::export_name("times_power_of_ten")]] std::size_t times_power_of_ten() {
     return call(ciel::page::times_power_of_ten);
 }

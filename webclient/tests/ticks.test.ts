@@ -2,23 +2,25 @@ import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/tick_cases.json";
 import { colorTicks, exponentOf, labelOn } from "../src/wasm/color_ticks";
 import { scaleOf } from "../src/model/color_range";
-import { niceScale, numberAlone, numberLabel, timesPowerOfTen } from "../src/wasm/ticks";
+import { numberAlone, timesPowerOfTen } from "../src/wasm/numbers_as_text";
 
 describe("marks of a linear scale, as the server has them", () => {
-  test.each(cases.scales as [number, number, number, string][])(
-    "%d to %d, at most %d: %s",
-    (low, high, most, labels) => {
-      const { ticks, exponent } = niceScale(low, high, most);
-      expect(ticks.map(({ label }) => label).join(" ") + timesPowerOfTen(exponent)).toBe(labels);
-    },
-  );
+  // The contract refuses a range whose ends are exchanged; the server's tests have that case.
+  const scales = (cases.scales as [number, number, number, string][]).filter(([low, high]) => low <= high);
+  test.each(scales)("%d to %d, at most %d: %s", (low, high, most, labels) => {
+    const scale = scaleOf({ range: [low, high] }, [0, 1]);
+    const found = colorTicks(scale, most).map(({ label }) => label);
+    expect(found.join(" ") + timesPowerOfTen(exponentOf(scale))).toBe(labels);
+  });
 
   test("are even, inside, and say their value", () => {
     for (let round = 0; round < 5000; round += 1) {
       const low = (Math.random() * 20 - 10) * 10 ** Math.floor(Math.random() * 60 - 30);
       const span = Math.max(Math.abs(low), 1e-30) * 10 ** (Math.random() * 7 - 6);
       const most = 1 + (round % 10);
-      const { ticks, exponent } = niceScale(low, low + span, most);
+      const scale = scaleOf({ range: [low, low + span] }, [0, 1]);
+      const ticks = colorTicks(scale, most);
+      const exponent = exponentOf(scale);
       expect(ticks.length).toBeLessThanOrEqual(most);
       if (most >= 3) expect(ticks.length, `${low} ${span} ${most}`).toBeGreaterThanOrEqual(1);
       for (const { value, label } of ticks) {
@@ -48,10 +50,6 @@ describe("marks of steps, as the server has them", () => {
 });
 
 describe("numbers, as the server writes them", () => {
-  test.each(cases.numbers as [number | null, number, number, string][])(
-    "%d over a span of %d, without 10^%d: %s",
-    (value, span, exponent, label) => expect(numberLabel(value ?? NaN, span, exponent)).toBe(label),
-  );
   test.each(cases.alone as [number | null, string][])("%d alone: %s", (value, label) =>
     expect(numberAlone(value ?? NaN)).toBe(label),
   );

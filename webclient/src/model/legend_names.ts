@@ -1,7 +1,7 @@
 // Names that distinguish legends of the same array, made from the layers that use each legend. Follows
 // server/geometry/legend_names.hpp. tests/support/legend_cases.json tests both.
 import type { Layer, SliceLayer } from "../generated/protocol";
-import { numberAlone, timesPowerOfTen } from "../wasm/ticks";
+import { numberAlone, timesPowerOfTen } from "../wasm/numbers_as_text";
 
 const MOST_LISTED = 2;
 

@@ -1,6 +1,5 @@
-// Decides which overlays of the canvas have room, by the rule of server/annotations/layout.hpp. Priority: captions,
-// legends, triad, axes. An overlay of lower priority is hidden if it would overlap. Coordinates are CSS pixels of the
-// stage.
+// Decides which legends of the canvas have room beside the captions, by the rule of server/annotations/layout.hpp. The
+// first legend without room and all later ones are hidden. Coordinates are CSS pixels of the stage.
 import type { Box } from "../wasm/overlay";
 import type { Size } from "./camera";
 import { clamp } from "./numbers";

@@ -35,8 +35,8 @@ export const withoutPrefix = (name: string, prefix: string): string =>
   prefix === "" ? name : name.slice(prefix.length + 1);
 
 /**
- * Groups patches into families with a common name prefix, ordered by first patch. A patch whose prefix is unique in
- * `among` is a family of its own.
+ * Groups patches into families with a common name prefix, ordered by first patch. A patch is alone in its
+ * family when no other patch of `among` has its prefix.
  */
 export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
   const found = new Map<string, PatchFamily>();

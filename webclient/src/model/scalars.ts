@@ -2,7 +2,7 @@
 import { scaleOf } from "./color_range";
 import { layersInOrder } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
-import { prettyUnits } from "../wasm/ticks";
+import { prettyUnits } from "../wasm/numbers_as_text";
 import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
 
 export interface Scalar {

@@ -1,6 +1,5 @@
 // Positions and labels of a legend's ticks, by server/annotations/color_ticks.hpp.
 import { call } from "./layout_module";
-import { commonExponent } from "./ticks";
 
 /** The members of a color scale on which its ticks depend. */
 export interface ScaleOfTicks {
@@ -23,7 +22,7 @@ const MOST_STEPS = 256;
 const argumentsOf = ({ range, log, steps }: ScaleOfTicks) => [range, log, steps] as const;
 
 /** Common power of ten of a scale's labels, shown in the legend's title. 0 for a logarithmic scale. */
-export const exponentOf = ({ range, log }: ScaleOfTicks): number => (log ? 0 : commonExponent(...range));
+export const exponentOf = (scale: ScaleOfTicks): number => call("exponent_of", ...argumentsOf(scale)).number();
 
 /** Label of a value beside the scale. */
 export const labelOn = (scale: ScaleOfTicks, value: number): string =>
@@ -35,6 +34,5 @@ export const labelOn = (scale: ScaleOfTicks, value: number): string =>
  */
 export function colorTicks(scale: ScaleOfTicks, most = 6, mostMarks = MOST_STEPS + 1): ColorTick[] {
   const results = call("color_ticks", ...argumentsOf(scale), most, mostMarks);
-  results.number(); // the exponent
   return results.list(() => ({ value: results.number(), at: results.number(), label: results.text() }));
 }

@@ -5,15 +5,7 @@ import { textMeasure, type TextMeasure } from "./text_measure";
 
 type Call = () => number;
 type FunctionName =
-  | "lay_out"
-  | "nice_scale"
-  | "color_ticks"
-  | "label_on"
-  | "number_label"
-  | "number_alone"
-  | "common_exponent"
-  | "times_power_of_ten"
-  | "pretty_units";
+  "lay_out" | "color_ticks" | "label_on" | "number_alone" | "exponent_of" | "times_power_of_ten" | "pretty_units";
 type Exports = Record<FunctionName, Call> & {
   memory: WebAssembly.Memory;
   _initialize: () => void;

@@ -5,7 +5,7 @@ import { arrayFacts } from "../../model/array_facts";
 import { extremesText } from "../../model/cell_extremes";
 import { datasetFacts } from "../../model/dataset_facts";
 import { formatCount, formatNumber } from "../../model/numbers";
-import { prettyUnits } from "../../wasm/ticks";
+import { prettyUnits } from "../../wasm/numbers_as_text";
 import { Section } from "../controls/controls";
 import { useModel } from "../context";
 

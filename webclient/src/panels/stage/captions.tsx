@@ -2,7 +2,7 @@
 import type { JSX } from "preact";
 import { paperAt } from "../../model/background";
 import { shownTime } from "../../model/scalars";
-import { numberAlone } from "../../wasm/ticks";
+import { numberAlone } from "../../wasm/numbers_as_text";
 import { useModel } from "../context";
 
 export function Captions(): JSX.Element | null {
