@@ -6,6 +6,7 @@ import pytest
 
 import box_dataset
 from ciel_client import Batches, Client, Pieces, RpcError, Stream, mesh_codec, read_frame
+from ciel_client.frame_queue import FrameQueue
 from ciel_client.frame_header import GEOMETRY, IMAGE, FrameHeader, write_frame_header
 from ciel_client.types import ERROR_CODES
 from serve_process import PATIENCE, Server, iso
@@ -84,6 +85,54 @@ def test_frames_come_until_the_server_ends(tmp_path, stream, kind):
 
     with Server(box_dataset.write_box(tmp_path / "box.ciel"), "--token", TOKEN) as running:
         asyncio.run(asyncio.wait_for(attempt(running), PATIENCE))
+
+
+def image(number: int, size: int):
+    header = FrameHeader(IMAGE, 7, 1, number, 1, 4, 4, 0, 0, 0, 0, 0, 0, size, size, 0)
+    return read_frame(write_frame_header(header) + bytes(size))
+
+
+def test_frames_that_wait_are_limited():
+    async def attempt() -> None:
+        queue = FrameQueue(100)
+        await queue.put(image(1, 150))  # alone, a frame of any size fits
+        with pytest.raises(BufferError, match="more than 100 bytes of frames wait"):
+            await queue.put(image(2, 1))
+        assert (await queue.take()).frame == 1
+        for number, size in ((3, 60), (4, 40)):
+            await queue.put(image(number, size))
+        with pytest.raises(BufferError):
+            await queue.put(image(5, 1))
+        await queue.end("the end")
+        assert [(await queue.take()).frame for _ in range(2)] == [3, 4]
+        with pytest.raises(ConnectionError, match="the end"):
+            await queue.take()
+
+    asyncio.run(asyncio.wait_for(attempt(), PATIENCE))
+
+
+def test_a_script_that_takes_no_frames_is_cut_at_its_limit(server):
+    async def attempt() -> None:
+        async with Stream(server.base, TOKEN, most_frame_bytes=1) as stream:
+            session = (await stream.session_open(dataset="box"))["session"]
+            for _ in range(2):
+                await stream.view_open(session=session, width=64, height=48)
+            with pytest.raises(ConnectionError, match="more than 1 bytes of frames wait"):
+                while True:
+                    await stream.next_frame()
+                    await asyncio.sleep(0.5)
+            with pytest.raises(ConnectionError, match="more than 1 bytes of frames wait"):
+                await stream.call("dataset.list")
+
+    asyncio.run(asyncio.wait_for(attempt(), PATIENCE))
+
+
+def test_the_newest_notifications_are_kept():
+    stream = Stream()
+    for number in range(1005):
+        stream._answer({"method": "scene.changed", "params": {"revision": number}})
+    assert stream.notifications.qsize() == 1000
+    assert stream.notifications.get_nowait()["params"]["revision"] == 5
 
 
 def test_damaged_frames_are_refused():

@@ -17,8 +17,12 @@ from typing import Any
 from .append import check_sizes, message, pieces, pushed
 from .async_calls import AsyncCalls
 from .calls import Calls
+from .frame_queue import FrameQueue
 from .frames import Frame, Pieces, read_frame
 from .types import PROTOCOL
+
+CLOSED = "the server has closed the connection"
+MOST_NOTIFICATIONS = 1000
 
 
 class RpcError(Exception):
@@ -119,9 +123,13 @@ class Stream(AsyncCalls):
             ...
 
     Frames are acknowledged only after they are taken. If none is taken, the server stops after a few of each view.
+    `most_frame_bytes` limits the frames that wait to be taken, for scripts with many views: beyond it the connection is
+    closed, and next_frame says so. `notifications` keeps the newest 1,000.
     """
 
-    def __init__(self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None) -> None:
+    def __init__(
+        self, url: str = "ws://127.0.0.1:8080/ws", token: str | None = None, most_frame_bytes: int = 1 << 30
+    ) -> None:
         is_secure, place, offered = _parted(url)
         token = token or offered
         self._url = f"{'wss' if is_secure else 'ws'}://{place}/ws"
@@ -129,9 +137,10 @@ class Stream(AsyncCalls):
         self._headers = {"Authorization": f"Bearer {token}"} if token else {}
         self._ids = itertools.count(1)
         self._waiting: dict[int, asyncio.Future[Any]] = {}
-        self._frames: asyncio.Queue[Frame | None] = asyncio.Queue()
+        self._frames = FrameQueue(most_frame_bytes)
         self._pieces = Pieces()
-        self.notifications: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
+        self._ended: str | None = None  # why the connection has ended
+        self.notifications: asyncio.Queue[dict[str, Any]] = asyncio.Queue(MOST_NOTIFICATIONS)
 
     async def __aenter__(self) -> Stream:
         import websockets
@@ -152,11 +161,11 @@ class Stream(AsyncCalls):
             return await asyncio.to_thread(self._by_post.call, method, **params)
         number = next(self._ids)
         self._waiting[number] = asyncio.get_running_loop().create_future()
-        await self._socket.send(json.dumps(_request(number, method, params)))
+        await self._send(json.dumps(_request(number, method, params)))
         return await self._waiting[number]
 
     async def notify(self, method: str, **params: Any) -> None:
-        await self._socket.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
+        await self._send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
 
     async def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
         """Appends a step like Client.append. Sends binary messages: a quarter fewer bytes than base64."""
@@ -165,7 +174,7 @@ class Stream(AsyncCalls):
         try:
             check_sizes(step, upload)
             for number, offset, data in pieces(step, upload["piece_bytes"]):
-                await self._socket.send(message(upload["upload"], number, offset, data))
+                await self._send(message(upload["upload"], number, offset, data))
             return await self.call("append.commit", upload=upload["upload"])
         except Exception:
             with contextlib.suppress(Exception):
@@ -174,10 +183,7 @@ class Stream(AsyncCalls):
 
     async def next_frame(self) -> Frame:
         """Returns the next frame, not yet acknowledged. Call `acknowledge` when it has been presented."""
-        frame = await self._frames.get()
-        if frame is None:
-            raise ConnectionError("the server has closed the connection")
-        return frame
+        return await self._frames.take()
 
     async def acknowledge(self, frame: Frame) -> None:
         if frame.is_last:
@@ -189,23 +195,35 @@ class Stream(AsyncCalls):
             yield frame
             await self.acknowledge(frame)
 
+    async def _send(self, data: str | bytes) -> None:
+        if self._ended is not None:
+            raise ConnectionError(self._ended)
+        await self._socket.send(data)
+
     async def _read(self) -> None:
+        reason = CLOSED
         try:
             async for message in self._socket:
                 if isinstance(message, bytes):
                     whole = self._pieces.add(read_frame(message))
                     if whole is not None:
-                        self._frames.put_nowait(whole)
+                        await self._frames.put(whole)
                 else:
                     self._answer(json.loads(message))
+        except BufferError as error:
+            reason = str(error)
+            await self._socket.close()
         finally:
-            self._frames.put_nowait(None)
+            self._ended = reason
+            await self._frames.end(reason)
             for waiting in self._waiting.values():
                 if not waiting.done():
-                    waiting.set_exception(ConnectionError("the server has closed the connection"))
+                    waiting.set_exception(ConnectionError(reason))
 
     def _answer(self, message: dict[str, Any]) -> None:
         if "method" in message:
+            if self.notifications.full():
+                self.notifications.get_nowait()
             self.notifications.put_nowait(message)
             return
         waiting = self._waiting.pop(message["id"], None) if message["id"] is not None else None

@@ -90,11 +90,11 @@ class Batches:
         mesh = description["mesh"]
         if "bytes" in mesh:
             ends = mesh["bytes"][0], sum(mesh["bytes"])
-            parts = _mesh(description, rest[: ends[0]], rest[ends[0] : ends[1]])
+            arrays = _mesh(description, rest[: ends[0]], rest[ends[0] : ends[1]])
             rest = rest[ends[1] :]
         else:
-            parts = self._of(mesh["id"])
-        self._kept[mesh["id"]] = frame.frame, parts
+            arrays = self._of(mesh["id"])
+        self._kept[mesh["id"]] = frame.frame, arrays
         scalars = array("f")
         if "values" in description:
             values = description["values"]
@@ -106,12 +106,12 @@ class Batches:
             self._kept[values["id"]] = frame.frame, scalars
         if rest:
             raise ValueError("the batch's length does not fit its description")
-        positions, normals, indices = parts
+        positions, normals, indices = arrays
         return Batch(description, positions, normals, scalars, indices)
 
     def _of(self, key: str) -> Any:
         if key not in self._kept:
-            raise ValueError(f"a batch names the part {key}, which was not received before")
+            raise ValueError(f"a batch names the arrays {key}, which were not received before")
         return self._kept[key][1]
 
 
