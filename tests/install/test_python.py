@@ -235,6 +235,45 @@ def test_vtk_grids_of_every_cell_give_vtks_surface(python):
     )
 
 
+def test_meshio_meshes_give_the_surface_of_their_cells(python, tmp_path):
+    check(
+        python,
+        f"""
+        import meshio
+        points, types, offsets, connectivity = box(6)
+        cells = connectivity.reshape(-1, 8)
+        values = np.linalg.norm(points - 3, axis=1)
+        wanted = cm.contour(cm.Mesh.from_cells(points, types, offsets, connectivity), values, 2)
+        skin = ("triangle", cells[:7, :3])
+        meshio.write({str(tmp_path / "box.msh")!r}, meshio.Mesh(points, [skin, ("hexahedron", cells)]), file_format="gmsh")
+        read = meshio.read({str(tmp_path / "box.msh")!r})
+        assert [block.type for block in read.cells] == ["triangle", "hexahedron"]
+        mesh = cm.from_meshio(read)
+        assert mesh.report["skipped_cells"] == 7
+        surface = cm.contour(mesh, values, 2)
+        assert np.array_equal(surface.points, wanted.points)
+        assert np.array_equal(surface.polygon_cell, wanted.polygon_cell + 7)
+        sides = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+        faces = [[list(cell[side]) for side in sides] for cell in cells[1:]]
+        blocks = [("hexahedron", cells[:1]), ("polyhedron8", faces[:100]), ("polyhedron8", faces[100:])]
+        polyhedra = cm.contour(cm.from_meshio(meshio.Mesh(points, blocks)), values, 2)
+        area = lambda s: np.linalg.norm(np.cross(*(s.points[s.triangles[:, i]] - s.points[s.triangles[:, 0]] for i in (1, 2))), axis=1).sum()
+        assert np.array_equal(np.unique(polyhedra.polygon_cell), np.unique(wanted.polygon_cell))
+        assert abs(area(polyhedra) / area(wanted) - 1) < 1e-3
+        tetra = meshio.Mesh(points[:4], [("tetra10", np.arange(10)[None] % 4)])
+        assert cm.from_meshio(tetra).report["reduced_cells"] == 1
+        for bad, words in ((meshio.Mesh(points, [("hexahedron", cells[:0])]), "has no cells"),
+                           (meshio.Mesh(points, [("VTK_LAGRANGE_WEDGE", cells[:1])]), "VTK_LAGRANGE_WEDGE")):
+            try:
+                cm.from_meshio(bad)
+            except ValueError as error:
+                assert words in str(error), error
+            else:
+                raise AssertionError(words)
+        """,
+    )
+
+
 @pytest.mark.parametrize("script", [("slider.py", "0.5", "2"), ("with_vtk.py",)])
 def test_examples_run(python, script):
     out = run(python, EXAMPLES / script[0], *script[1:])

@@ -8,6 +8,7 @@ pyramids and arbitrary polyhedra. NumPy arrays in and out.
     surface = cm.contour(mesh, pressure, 101325)  # surface.points, surface.triangles
 """
 
+from ._from_meshio import from_meshio
 from ._from_vtk import from_vtk
 from ._kernel import (
     Contour,
@@ -29,6 +30,7 @@ __all__ = [
     "Surface",
     "contour",
     "contour_lines",
+    "from_meshio",
     "from_vtk",
     "gradients",
     "interpolate",
