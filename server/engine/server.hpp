@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/extract.hpp"
-#include "frames/still_samples.hpp"
+#include "frames/picture.hpp"
 #include "frames/test_picture.hpp"
 #include "limits/limits.hpp"
 #include "render/renderer.hpp"

@@ -1,7 +1,6 @@
 // Draws geometry to an image and encodes the image.
 #pragma once
 
-#include "frames/still_samples.hpp"
 #include "geometry/geometry.hpp"
 #include "geometry/view_size.hpp"
 #include "limits/limits.hpp"
@@ -11,6 +10,8 @@
 #include "wire/pictures/picture_stream.hpp"
 
 namespace ciel::frames {
+
+inline constexpr int default_still_samples = 4; // samples per pixel of a still; makes edges smooth, also in software
 
 // Throws limits::LimitReached if a picture of that size exceeds the limits.
 void check_picture_size(const limits::Limits& limits, std::int64_t width, std::int64_t height);

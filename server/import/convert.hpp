@@ -1,9 +1,25 @@
 // Converts an opened input to a dataset on disk.
 #pragma once
 
-#include "import/options.hpp"
+#include "import/mesh/welds.hpp"
+#include "import/source/source.hpp"
+
+#include <string>
+#include <vector>
 
 namespace ciel::importer {
+
+// The options of ciel-import's command line.
+struct Options {
+    std::vector<std::string> inputs;
+    std::string output;
+    std::vector<std::string> arrays; // empty: all
+    Weld weld = Weld::seams;
+    bool list = false;
+    bool allow_bad = false;
+    bool force = false;
+    SourceOptions source;
+};
 
 struct ConvertResult {
     std::vector<std::string> notes;

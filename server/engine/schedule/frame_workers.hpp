@@ -2,7 +2,7 @@
 // none.
 #pragma once
 
-#include "frames/still_samples.hpp"
+#include "frames/picture.hpp"
 #include "render/renderer.hpp"
 
 #include <chrono>
