@@ -167,7 +167,9 @@ const std::string& Renderer::gl_version() const { return state_->version; }
 const std::string& Renderer::selection() const { return state_->selection; }
 Backend Renderer::backend() const { return state_->wanted; }
 
-std::vector<Backend> available_backends() {
+namespace {
+
+std::vector<Backend> find_backends() {
     std::vector<Backend> available;
     for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
         try {
@@ -177,6 +179,13 @@ std::vector<Backend> available_backends() {
             continue; // this back end cannot create a context
         }
     }
+    return available;
+}
+
+} // namespace
+
+const std::vector<Backend>& available_backends() {
+    static const std::vector<Backend> available = find_backends();
     return available;
 }
 

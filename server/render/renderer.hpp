@@ -60,7 +60,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Returns the back ends that can create a context on this machine.
-[[nodiscard]] std::vector<Backend> available_backends();
+// Returns the back ends that can create a context on this machine. The first call tries them. Thread-safe.
+[[nodiscard]] const std::vector<Backend>& available_backends();
 
 } // namespace ciel::render

@@ -334,7 +334,7 @@ TEST_P(RendererTest, SizesAndSampleCountsMayChangeFromFrameToFrame) {
 }
 
 TEST(Backends, OfThisMachineAreNamedAndTheRestSayWhyNot) {
-    const auto available = available_backends();
+    const auto& available = available_backends();
     ASSERT_FALSE(available.empty()) << "this machine has no OpenGL at all";
     for (const Backend backend : {Backend::egl_device, Backend::egl_surfaceless, Backend::osmesa}) {
         EXPECT_EQ(backend_named(name_of(backend)), backend);
