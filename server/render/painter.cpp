@@ -1,6 +1,6 @@
 #include "render/painter.hpp"
 
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>

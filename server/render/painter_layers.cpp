@@ -1,5 +1,5 @@
 // Part of Painter: draws points, volumes, and transparent primitives in depth order.
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 #include "render/painter.hpp"
 
 namespace ciel::render {

@@ -1,6 +1,6 @@
 #include "render/picture_memory.hpp"
 
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 #include "render/surfaces/depth_peeling.hpp"
 
 namespace ciel::render {

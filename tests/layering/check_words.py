@@ -16,6 +16,8 @@ RETIRED = [
     (r"\bimporter::Block\b", "importer::DataSet", set()),
     (r"\bField::Blocks\b", "Field::Data", set()),
     (r"\bPartIds\b|\bHeldParts\b", "ArrayIds, HeldArrays", set()),
+    (r"\bMissingPart\b|\bKeptParts\b|\bGeometryParts\b", "MissingArrays, KeptArrays, UploadedBatches", set()),
+    (r"\bIndexPart\b", "BoxedRange", set()),
     (r"\buseApp\b|\bAppState\b", "useModel and useCommands, PageState", set()),
     (r"\bkernel_unit\b", "tests/unit/ciel", set()),
 ]

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/color_cases.json";
 import { colorOf, colorRow, hexOf } from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
-import { scaleUniforms } from "../src/view/scale_textures";
+import { scaleRules } from "../src/view/scale_textures";
 import { isShownBy, scaleOf } from "../src/model/color_range";
 import { colorTicks, labelOn } from "../src/wasm/color_ticks";
 
@@ -34,19 +34,19 @@ describe("the color scale", () => {
     const ticks = colorTicks(scale);
     expect(ticks.length).toBeGreaterThan(0);
     for (const { at } of ticks) expect(at >= 0 && at <= 1).toBe(true);
-    expect(scaleUniforms(scale).rule.map(Math.fround).every(Number.isFinite)).toBe(true);
+    expect(scaleRules(scale).rule.map(Math.fround).every(Number.isFinite)).toBe(true);
   });
 
   test("a range that is small beside its values keeps its digits in the shader", () => {
     const [low, high] = [101325 - 0.1, 101325 + 0.1];
-    const { origin, rule, inside } = scaleUniforms(scaleOf({ array: "p", range: [low, high] }, [0, 1]));
+    const { origin, rule, inside } = scaleRules(scaleOf({ array: "p", range: [low, high] }, [0, 1]));
     expect(Math.fround(origin)).toBe(origin);
     expect(origin + rule[0]).toBeCloseTo(low, 9);
     expect(rule[0] + 1 / rule[1] + origin).toBeCloseTo(high, 9);
     expect(Math.abs(rule[0])).toBeLessThan(0.01);
     expect(inside[0]).toBeLessThanOrEqual(rule[0]);
     expect(inside[1]).toBeLessThan(1);
-    expect(scaleUniforms(scaleOf({ array: "p", range: [1, 10], log: true }, [0, 1])).origin).toBe(0);
+    expect(scaleRules(scaleOf({ array: "p", range: [1, 10], log: true }, [0, 1])).origin).toBe(0);
   });
 
   test.each(cases.cases as unknown as Case[])("$name", ({ coloring, data, range, colors, ticks }) => {

@@ -220,7 +220,7 @@ describe("geometry", () => {
     decoder.decode(frameOf(whole, 1));
     decoder.decode(frameOf(geometryPayload({ batches: 0, base: 2 }, []), 3));
     const named = geometryPayload({ ...batch, mesh: meshKept, values: valuesKept, base: 2 }, []);
-    expect(() => decoder.decode(frameOf(named, 4))).toThrow("the part a1, which was not received before");
+    expect(() => decoder.decode(frameOf(named, 4))).toThrow("the arrays a1, which were not received before");
   });
 
   test("a frame without polygons", () => {

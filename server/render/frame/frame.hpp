@@ -4,7 +4,6 @@
 #include "annotations/annotations.hpp"
 #include "ciel/types.hpp"
 #include "color/color_scale.hpp"
-#include "render/frame/lighting.hpp"
 #include "render/frame/volume.hpp"
 
 #include <array>
@@ -31,6 +30,19 @@ struct Primitives {
     std::uint64_t revision = 0;                      // 0: always uploaded; else only when identity or revision change
     std::uint64_t identity = 0;                      // unique number of the drawable that the arrays come from
     bool lit = true;
+};
+
+// Strengths of the lights; 0 is off. protocol/shading/lighting.glsl says how they light a surface.
+struct Lighting {
+    float ambient = 1;   // light from all directions
+    float headlight = 1; // light at the eye
+    float key_light = 1; // light over the viewer's left shoulder
+};
+
+// Darkens lit opaque surfaces where nearby surfaces block the ambient light (ambient_occlusion.hpp).
+struct Occlusion {
+    double radius = 0; // largest distance at which surfaces shade each other, in world units; 0: off
+    float strength = 1;
 };
 
 struct Frame : annotations::AnnotatedPicture { // positions of primitives and volumes are offsets from `origin`

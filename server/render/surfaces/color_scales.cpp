@@ -53,7 +53,7 @@ void append_rule(std::vector<float>& rules, const color::ColorScale& scale) {
     const double origin = origin_of(scale);
     double low = scale.range[0];
     double width = 0;
-    double way = 0; // as in color_glsl.cpp; 0: linear
+    double way = 0; // as in color_scale.glsl; 0: linear
     if (color::is_log_of_both_signs(scale)) {
         low = -std::log2(1 + 1 / color::linear_share);
         width = color::has_width(scale) ? -2 * low : 0;

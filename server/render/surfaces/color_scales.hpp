@@ -1,4 +1,4 @@
-// The color scales of one frame as textures, which color_glsl.hpp reads.
+// The color scales of one frame as textures, which color_scale_glsl reads (shared_glsl.hpp).
 #pragma once
 
 #include "color/color_scale.hpp"

@@ -1,5 +1,6 @@
 #include "render/surfaces/peeling_shaders.hpp"
 
+#include "render/surfaces/shared_glsl.hpp"
 #include "render/target/per_sample.hpp"
 
 namespace ciel::render {
@@ -25,16 +26,13 @@ void main() {
 }
 )";
 
-// Adds a rounding margin to opaque depth, so that a layer coincident with opaque faces is drawn over them.
-constexpr const char* depth_copy_fragment = R"(#version 330 core
+constexpr const char* depth_copy_fragment = R"(
 uniform sampler2D opaque;
 uniform sampler2D sum; // nearer layers; A: their transmittance
 uniform vec2 viewport;
-const float rounding = 1e-6;
-const float least_share = 1.0 / 512.0; // transmittance: half a step of an 8-bit color
 void main() {
     float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;
-    gl_FragDepth = through < least_share ? 0.0 : min(texture(opaque, gl_FragCoord.xy / viewport).r + rounding, 1.0);
+    gl_FragDepth = start_of_layer(texture(opaque, gl_FragCoord.xy / viewport).r, through);
 }
 )";
 
@@ -86,7 +84,9 @@ void main() {
 } // namespace
 
 ShaderProgram make_kept_to_outlines_program(const Gl& gl) { return make_cover_program(gl, kept_to_outlines_fragment); }
-ShaderProgram make_depth_copy_program(const Gl& gl) { return make_cover_program(gl, depth_copy_fragment); }
+ShaderProgram make_depth_copy_program(const Gl& gl) {
+    return make_cover_program(gl, std::string("#version 330 core\n") + depth_layers_glsl + depth_copy_fragment);
+}
 ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
 ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {
     return make_cover_program(gl, std::string("#version 330 core\n") + seen_from_glsl(per_sample) +

@@ -1,5 +1,6 @@
 // The programs of points: discs, shaded as balls.
 #include "render/surfaces/shader_parts.hpp"
+#include "render/surfaces/shared_glsl.hpp"
 
 namespace ciel::render {
 namespace {
@@ -34,7 +35,6 @@ void main() {
 
 // Points that lie on no surface keep their depth, except for a rounding margin.
 constexpr const char* free_glsl = R"(
-const float least = 5e-7;
 uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
@@ -131,7 +131,7 @@ Program make_program(const Gl& gl, const std::string& depth, const char* fragmen
     return link(gl, {{GL_VERTEX_SHADER, point_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(body, before)}});
 }
 
-std::string lying() { return std::string(on_surface_glsl) + lying_glsl; }
+std::string lying() { return on_surface_glsl + lying_glsl; }
 
 } // namespace
 
@@ -144,7 +144,7 @@ Program make_peeling_point_program(const Gl& gl, bool recorded) {
 }
 
 Program make_point_between_program(const Gl& gl, bool on_surfaces) {
-    return make_program(gl, on_surfaces ? lying() : free_glsl, between_fragment);
+    return make_program(gl, on_surfaces ? lying() : depth_layers_glsl + std::string(free_glsl), between_fragment);
 }
 
 } // namespace ciel::render

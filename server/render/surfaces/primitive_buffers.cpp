@@ -1,7 +1,7 @@
 #include "render/surfaces/primitive_buffers.hpp"
 
 #include "render/context/pacing.hpp"
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 #include "render/surfaces/shaders.hpp"
 
 #include <algorithm>

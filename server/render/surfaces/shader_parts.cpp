@@ -1,8 +1,7 @@
 #include "render/surfaces/shader_parts.hpp"
 
 #include "ciel/types.hpp"
-#include "render/surfaces/color_glsl.hpp"
-#include "render/surfaces/lighting_glsl.hpp"
+#include "render/surfaces/shared_glsl.hpp"
 
 namespace ciel::render {
 
@@ -52,7 +51,7 @@ bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord
 // line or point would be hidden beside the center where the surface rises towards the eye. So its pixels are moved
 // nearer by the rise. Surfaces pushed back instead would be hidden by objects behind them, above all at outlines. The
 // rise to each side is the smaller of two steps, because one step may cross an outline.
-const char* const on_surface_glsl = R"(
+const std::string on_surface_glsl = std::string(depth_layers_glsl) + R"(
 uniform vec2 viewport;
 uniform float on_opaque; // 1: lies on an opaque surface; sheet_slopes is not used
 // Window depths of opaque surfaces, at the picture's resolution.
@@ -60,7 +59,6 @@ uniform sampler2D opaque_depth;
 // Of transparent surfaces ("sheets"). R: largest slope, in depth per pixel; G: largest slope limited by its triangle's
 // extent in depth.
 uniform sampler2D sheet_slopes;
-const float least = 5e-7;       // rounding margin of 24-bit depths
 float opaque_at(ivec2 pixel) {
     return texelFetch(opaque_depth, clamp(pixel, ivec2(0), textureSize(opaque_depth, 0) - 1), 0).r;
 }

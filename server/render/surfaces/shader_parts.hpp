@@ -10,7 +10,7 @@ namespace ciel::render {
 extern const char* const surface_block;
 extern const std::string surface_vertex;
 // GLSL of depth_on_surface(), for lines and points.
-extern const char* const on_surface_glsl;
+extern const std::string on_surface_glsl;
 // GLSL of is_seen(), for peeling programs. recorded_glsl also declares the layer's record of lines.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;

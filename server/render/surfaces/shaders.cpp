@@ -1,7 +1,7 @@
 #include "render/surfaces/shader_parts.hpp"
 
 #include "render/surfaces/ambient_occlusion_shaders.hpp"
-#include "render/surfaces/lighting_glsl.hpp"
+#include "render/surfaces/shared_glsl.hpp"
 
 namespace ciel::render {
 namespace {
@@ -67,27 +67,18 @@ layout(location = 0) out vec4 picture;
 uniform float occlusion_scale; // bounds' diagonal in units of the radius
 #endif
 
-vec3 facing_normal(vec3 viewer) {
-    vec3 plane = cross(dFdx(surface.place), dFdy(surface.place));
-    float plane_length = length(plane);
-    float normal_length = length(surface.normal);
-    if (normal_length > 1e-6) return seen_normal(surface.normal / normal_length, viewer);
-    if (plane_length <= 1e-30) return viewer; // a degenerate triangle has no plane; never black
-    return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
-}
-
 void main() {
 #ifdef PEELED
     if (!is_seen(gl_FragCoord.z)) discard;
 #endif
     vec3 viewer = mix(normalize(-surface.place), vec3(0.0, 0.0, 1.0), parallel);
 #ifdef NORMALS
-    picture = vec4(facing_normal(viewer), 1.0);
+    picture = vec4(facing_normal(surface.place, surface.normal, viewer), 1.0);
     return;
 #endif
     vec3 base = base_color(surface.value, surface.color.rgb, surface.style.x);
     if (surface.style.y > 0.5) {
-        base = lit_surface(base, facing_normal(viewer), viewer);
+        base = lit_surface(base, facing_normal(surface.place, surface.normal, viewer), viewer);
 #ifdef OCCLUDED
         base *= light_from_everywhere(-surface.place.z * occlusion_scale);
 #endif
@@ -236,12 +227,10 @@ void main() {
     if (!is_seen(depth)) discard;
 #ifdef RECORDED
     float joint = 3.0 * (line.joint + give + least);
-    if (number > 0.5 && record.x == number && depth - joint < record.y) discard;
+    if (is_in_joint(record, number, depth, joint)) discard;
     if (joining > 0.5) {
         vec2 own = texelFetch(own_lines, ivec2(gl_FragCoord.xy), 0).rg;
-        if (own.x != number || depth - joint > own.y ||
-            depth > texture(behind, gl_FragCoord.xy / viewport).r)
-            discard;
+        if (!is_in_joint(own, number, depth, joint) || depth > texture(behind, gl_FragCoord.xy / viewport).r) discard;
     }
     record = vec2(number > 0.5 ? number : line.color.a * cover > 0.998 ? -1.0 : 0.0, depth + joint);
 #endif
@@ -253,8 +242,8 @@ void main() {
 Program make_line_program(const Gl& gl, const char* visibility) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
-                     {GL_FRAGMENT_SHADER, with_color_scale(std::string(cover_glsl) + line_fragment,
-                                                           std::string(on_surface_glsl) + visibility)}});
+                     {GL_FRAGMENT_SHADER,
+                      with_color_scale(std::string(cover_glsl) + line_fragment, on_surface_glsl + visibility)}});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "render/target/touched_tiles.hpp"
 
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 
 #include <algorithm>
 #include <cmath>

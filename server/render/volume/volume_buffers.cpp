@@ -85,7 +85,7 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     gl_.BufferData(GL_ARRAY_BUFFER, vertex_bytes, nullptr, GL_STATIC_DRAW);
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes, nullptr, GL_STATIC_DRAW);
     slice_of_slab_.clear();
-    slice_parts_.clear();
+    slice_ranges_.clear();
     std::size_t vertices = 0, indices = 0;
     const auto append = [&](const std::vector<SlabVertex>& more) {
         gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices * sizeof(SlabVertex)), bytes(more),
@@ -100,7 +100,7 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
                           bytes(sorted.triangles), sorted.triangles.data());
         const auto all = static_cast<GLsizei>(sorted.triangles.size()), outer = static_cast<GLsizei>(sorted.outer);
         slice_of_slab_.push_back({{indices, outer, base}, {indices + sorted.outer, all - outer, base}});
-        slice_parts_.push_back(parts_of({indices, all, base}, sorted.triangles, [&](Index i) -> const Vec3f& {
+        slice_ranges_.push_back(boxed_ranges_of({indices, all, base}, sorted.triangles, [&](Index i) -> const Vec3f& {
             const std::size_t own = sorted.slice->vertices.size();
             return i < own ? sorted.slice->vertices[i].position : sorted.more[i - own].position;
         }));
@@ -114,11 +114,11 @@ void VolumeBuffers::upload_boundary(const SlabMesh& mesh, const std::vector<std:
     bounds_ = bounds_of(mesh);
     whole_boundary_ = {0, static_cast<GLsizei>(indices.size()), 0};
     boundary_of_slab_.clear();
-    boundary_parts_.clear();
+    boundary_ranges_.clear();
     for (const std::vector<Index>& list : lists) {
         boundary_of_slab_.push_back({indices.size(), static_cast<GLsizei>(list.size()), 0});
-        boundary_parts_.push_back(parts_of(boundary_of_slab_.back(), list,
-                                           [&](Index i) -> const Vec3f& { return mesh.vertices[i].position; }));
+        boundary_ranges_.push_back(boxed_ranges_of(boundary_of_slab_.back(), list,
+                                                  [&](Index i) -> const Vec3f& { return mesh.vertices[i].position; }));
         indices.insert(indices.end(), list.begin(), list.end());
     }
     gl_.BindVertexArray(boundary_.array);

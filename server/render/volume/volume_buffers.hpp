@@ -3,7 +3,7 @@
 
 #include "render/context/vertex_arrays.hpp"
 #include "render/frame/volume.hpp"
-#include "render/volume/index_parts.hpp"
+#include "render/volume/boxed_ranges.hpp"
 #include "render/volume/inner_polygons.hpp"
 
 namespace ciel::render {
@@ -32,9 +32,9 @@ public:
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
     // Triangles of a slab's slice or boundary, split into consecutive parts.
-    [[nodiscard]] const std::vector<IndexPart>& parts_of_slice(std::size_t slab) const { return slice_parts_[slab]; }
-    [[nodiscard]] const std::vector<IndexPart>& parts_of_boundary(std::size_t slab) const {
-        return boundary_parts_[slab];
+    [[nodiscard]] const std::vector<BoxedRange>& ranges_of_slice(std::size_t slab) const { return slice_ranges_[slab]; }
+    [[nodiscard]] const std::vector<BoxedRange>& ranges_of_boundary(std::size_t slab) const {
+        return boundary_ranges_[slab];
     }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } // box of the boundary
@@ -49,7 +49,7 @@ private:
     VertexArrays slices_, boundary_;
     std::vector<Slice> slice_of_slab_;
     std::vector<IndexRange> boundary_of_slab_;
-    std::vector<std::vector<IndexPart>> slice_parts_, boundary_parts_;
+    std::vector<std::vector<BoxedRange>> slice_ranges_, boundary_ranges_;
     IndexRange whole_boundary_;
     Bounds bounds_{};
     std::uint64_t identity_ = 0, revision_ = 0;

@@ -302,29 +302,29 @@ void VolumePainter::thin_out(const Volume& volume, const Slot& slot, double shar
     }
 }
 
-void VolumePainter::draw_parts(const VolumeBuffers& buffers, const std::vector<IndexPart>& parts) const {
+void VolumePainter::draw_ranges(const VolumeBuffers& buffers, const std::vector<BoxedRange>& ranges) const {
     IndexRange together;
-    for (const IndexPart& part : parts) {
-        if (!reach_.meets(part.low, part.high)) continue;
-        if (together.first + static_cast<std::size_t>(together.count) != part.range.first || together.count == 0) {
+    for (const BoxedRange& boxed : ranges) {
+        if (!reach_.meets(boxed.low, boxed.high)) continue;
+        if (together.first + static_cast<std::size_t>(together.count) != boxed.range.first || together.count == 0) {
             buffers.draw(together);
-            together = part.range;
+            together = boxed.range;
         } else {
-            together.count += part.range.count;
+            together.count += boxed.range.count;
         }
     }
     buffers.draw(together);
 }
 
-// Draws only the parts of a slab that may be in front of the layer.
+// Draws only the ranges of a slab that may be in front of the layer.
 void VolumePainter::draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     use_edge(volume, slot, slab, place);
-    draw_parts(*slot.buffers, slot.buffers->parts_of_boundary(slab));
+    draw_ranges(*slot.buffers, slot.buffers->ranges_of_boundary(slab));
     slot.slice->use();
     set_slice(*slot.slice, volume, place);
     slot.buffers->bind_slices();
-    draw_parts(*slot.buffers, slot.buffers->parts_of_slice(slab));
+    draw_ranges(*slot.buffers, slot.buffers->ranges_of_slice(slab));
 }
 
 void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const {

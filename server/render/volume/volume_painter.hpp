@@ -84,7 +84,7 @@ private:
     static void thin_out(const Volume& volume, const Slot& slot, double share);
     void set_slice(const ShaderProgram& program, const Volume& volume, double place) const;
     static void use_edge(const Volume& volume, const Slot& slot, std::size_t slab, double place);
-    void draw_parts(const VolumeBuffers& buffers, const std::vector<IndexPart>& parts) const;
+    void draw_ranges(const VolumeBuffers& buffers, const std::vector<BoxedRange>& ranges) const;
     void draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const;
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;

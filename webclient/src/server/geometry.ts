@@ -27,14 +27,14 @@ export interface GeometryBatch {
   origin: Vec3;
 }
 
-interface MeshPart {
+interface SentMesh {
   id: string;
   step: number;
   low: Vec3;
   bytes?: [number, number]; // of the encoded vertices and indices; absent if sent in an earlier frame
 }
 
-interface ValuesPart {
+interface SentValues {
   id: string;
   of: "vertices" | "triangles" | "lines" | "points";
   step?: number; // absent if the values are floats instead of integers
@@ -49,8 +49,8 @@ interface BatchHeader {
   vertices: number;
   indices: number;
   normals: boolean;
-  mesh: MeshPart;
-  values?: ValuesPart;
+  mesh: SentMesh;
+  values?: SentValues;
   map: string;
   range?: Range; // absent without scalars
   scale: Coloring;
@@ -75,10 +75,10 @@ const CORNERS = { triangles: 3, lines: 2, points: 1 } as const;
 /** Resolves when the decoder has loaded. Await before decoding a batch. Rejects if the browser has no WebAssembly. */
 export const geometryReady: Promise<void> = MeshoptDecoder.ready;
 
-/** A batch refers to a part of an earlier frame that is not kept. The server must send all parts again. */
-export class MissingPart extends Error {}
+/** A batch refers to arrays of an earlier frame that are not kept. The server must send all arrays again. */
+export class MissingArrays extends Error {}
 
-/** Reads consecutive parts of a message. Throws Error if the message is shorter or longer than its parts. */
+/** Reads consecutive arrays of a message. Throws Error if the message is shorter or longer than its arrays. */
 class Rest {
   constructor(private bytes: Uint8Array) {}
 
@@ -95,24 +95,24 @@ class Rest {
 }
 
 /** Decoded meshes and values by id. Later batches refer to them by id instead of containing them. */
-class KeptParts {
-  private readonly parts = new Map<string, { frame: number; part: unknown }>();
+class KeptArrays {
+  private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
   /**
-   * Returns a part and marks it as used by this frame. `decode`: null if the batch does not contain the part. Throws
-   * MissingPart if such a part is not kept.
+   * Returns a mesh or its values and marks them as used by this frame. `decode`: null if the batch does not contain
+   * them. Throws MissingArrays if such arrays are not kept.
    */
-  use<Part>(id: string, frame: number, decode: (() => Part) | null): Part {
-    const part = decode === null ? this.parts.get(id)?.part : decode();
-    if (part === undefined)
-      throw new MissingPart(`A geometry frame names the part ${id}, which was not received before`);
-    this.parts.set(id, { frame, part });
-    return part as Part;
+  use<Arrays>(id: string, frame: number, decode: (() => Arrays) | null): Arrays {
+    const arrays = decode === null ? this.kept.get(id)?.arrays : decode();
+    if (arrays === undefined)
+      throw new MissingArrays(`A geometry frame names the arrays ${id}, which were not received before`);
+    this.kept.set(id, { frame, arrays });
+    return arrays as Arrays;
   }
 
-  /** Drops parts last used before frame `base`. The server no longer refers to them. */
+  /** Drops arrays last used before frame `base`. The server no longer refers to them. */
   forgetBefore(base: number): void {
-    for (const [id, { frame }] of this.parts) if (frame < base) this.parts.delete(id);
+    for (const [id, { frame }] of this.kept) if (frame < base) this.kept.delete(id);
   }
 }
 
@@ -154,11 +154,11 @@ function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, res
   return { positions, normals: directions, indices: corners };
 }
 
-function decodeValues({ vertices, indices }: BatchHeader, part: ValuesPart, rest: Rest): Float32Array {
-  const count = part.of === "vertices" ? vertices : indices / CORNERS[part.of];
+function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest: Rest): Float32Array {
+  const count = sent.of === "vertices" ? vertices : indices / CORNERS[sent.of];
   const values = new Float32Array(count);
-  MeshoptDecoder.decodeVertexBuffer(new Uint8Array(values.buffer), count, 4, rest.take(part.bytes ?? 0));
-  const { step, origin = 0, low = 0 } = part;
+  MeshoptDecoder.decodeVertexBuffer(new Uint8Array(values.buffer), count, 4, rest.take(sent.bytes ?? 0));
+  const { step, origin = 0, low = 0 } = sent;
   if (step === undefined) return values;
   const places = new Uint32Array(values.buffer);
   places.forEach((place, i) => (values[i] = place === NO_VALUE ? NaN : origin + step * (low + place)));
@@ -184,18 +184,18 @@ function apart(
   };
 }
 
-/** Decodes the frames of one view. Keeps the parts that later frames refer to. */
+/** Decodes the frames of one view. Keeps the arrays that later frames refer to. */
 export class GeometryDecoder {
-  private kept = new KeptParts();
+  private kept = new KeptArrays();
 
-  /** Forgets all kept parts. Call before decoding frames of another view. */
+  /** Forgets all kept arrays. Call before decoding frames of another view. */
   clear(): void {
-    this.kept = new KeptParts();
+    this.kept = new KeptArrays();
   }
 
   /**
-   * Decodes one frame; null if it has no polygons. Throws Error on inconsistent sizes and MissingPart on a missing
-   * part.
+   * Decodes one frame; null if it has no polygons. Throws Error on inconsistent sizes and MissingArrays on missing
+   * arrays.
    */
   decode(message: ArrayBuffer): GeometryBatch | null {
     const bytes = message.byteLength - FRAME_HEADER_BYTES;

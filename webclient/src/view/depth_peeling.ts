@@ -1,7 +1,7 @@
 // Depth peeling: draws transparent surfaces, lines and points in depth order at every pixel, even where they intersect.
 // A layer has, at each pixel, the nearest fragment behind the previous layer. Same method as
 // server/render/surfaces/depth_peeling.hpp. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
-import type { PartPrograms, Picture } from "./geometry_parts";
+import type { BatchPrograms, Picture } from "./uploaded_batches";
 import { buildProgram, type Program } from "./gl_program";
 import { LayerCount, MOST_LAYERS } from "./layer_count";
 import {
@@ -32,14 +32,14 @@ export interface PeeledScene {
   joins: boolean;
   /** Draws the opaque surfaces. Only their depth is used. */
   drawOpaque(picture: Picture): void;
-  drawLayer(programs: PartPrograms, picture: Picture): void;
+  drawLayer(programs: BatchPrograms, picture: Picture): void;
   /** Draws the lines of less than full opacity a second time, to join their segments. */
-  joinLines(programs: PartPrograms, picture: Picture): void;
+  joinLines(programs: BatchPrograms, picture: Picture): void;
 }
 
 export class DepthPeeling {
-  private readonly programs: PartPrograms;
-  private readonly joining: PartPrograms;
+  private readonly programs: BatchPrograms;
+  private readonly joining: BatchPrograms;
   private readonly copyDepth: Program;
   private readonly addLayer: Program;
   private readonly putOn: Program;

@@ -1,7 +1,7 @@
 // Draws the polygon stream with WebGL2. The camera then moves without a round trip to the server.
 import type { GeometryBatch } from "../server/geometry";
 import { DepthPeeling } from "./depth_peeling";
-import { GeometryParts, type PartPrograms, type Picture } from "./geometry_parts";
+import { UploadedBatches, type BatchPrograms, type Picture } from "./uploaded_batches";
 import { buildProgram, type Program } from "./gl_program";
 import type { Look } from "./look";
 import { isSurface } from "./same_places";
@@ -25,9 +25,9 @@ const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent
 /** Canvas for the polygon stream. The constructor throws Error if the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
-  private programs!: PartPrograms;
+  private programs!: BatchPrograms;
   private background!: Program;
-  private parts!: GeometryParts;
+  private uploaded!: UploadedBatches;
   private peeling: DepthPeeling | null = null;
   private batches: GeometryBatch[] = [];
 
@@ -50,13 +50,13 @@ export class GeometryCanvas {
 
   setBatches(batches: GeometryBatch[]): void {
     this.batches = batches;
-    this.parts.set(batches);
+    this.uploaded.set(batches);
     if (!this.isPeeled) this.peeling?.free();
   }
 
   /** Whether depth peeling is used. A moving picture then has fewer layers than one at rest, so it must be redrawn. */
   get isPeeled(): boolean {
-    return this.parts.has(isTransparent);
+    return this.uploaded.has(isTransparent);
   }
 
   /** Whether drawing again would show more transparent layers; null if not known yet. */
@@ -84,11 +84,11 @@ export class GeometryCanvas {
 
   private drawOpaque(look: Look, picture: Picture): void {
     const { gl } = this;
-    this.parts.prepare(this.programs, look, picture);
+    this.uploaded.prepare(this.programs, look, picture);
     // Moves surfaces back in depth, so that they do not cover half of the lines on them.
-    gl.polygonOffset(this.parts.reachOfOverlays() * picture.pixels, 1);
+    gl.polygonOffset(this.uploaded.reachOfOverlays() * picture.pixels, 1);
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    this.parts.draw(this.programs, look, picture.pixels, isOpaqueSurface);
+    this.uploaded.draw(this.programs, look, picture.pixels, isOpaqueSurface);
     gl.disable(gl.POLYGON_OFFSET_FILL);
   }
 
@@ -96,27 +96,27 @@ export class GeometryCanvas {
     const { gl } = this;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    this.parts.draw(this.programs, look, pixels, (batch) => batch.lines);
-    this.parts.draw(this.programs, look, pixels, (batch) => batch.points);
+    this.uploaded.draw(this.programs, look, pixels, (batch) => batch.lines);
+    this.uploaded.draw(this.programs, look, pixels, (batch) => batch.points);
     gl.disable(gl.BLEND);
   }
 
   private peel(look: Look, width: number, height: number, moving: boolean): void {
-    const { parts } = this;
+    const { uploaded } = this;
     this.peeling ??= new DepthPeeling(this.gl);
     this.peeling.draw({
       width,
       height,
       moving,
-      joins: parts.has(isJoined),
+      joins: uploaded.has(isJoined),
       drawOpaque: (picture) => this.drawOpaque(look, picture),
       drawLayer: (programs, picture) => {
-        parts.prepare(programs, look, picture);
-        parts.draw(programs, look, picture.pixels, isInLayers);
+        uploaded.prepare(programs, look, picture);
+        uploaded.draw(programs, look, picture.pixels, isInLayers);
       },
       joinLines: (programs, picture) => {
-        parts.prepare(programs, look, picture);
-        parts.draw(programs, look, picture.pixels, isJoined);
+        uploaded.prepare(programs, look, picture);
+        uploaded.draw(programs, look, picture.pixels, isJoined);
       },
     });
   }
@@ -133,7 +133,7 @@ export class GeometryCanvas {
 
   private prepare(): void {
     const { gl } = this;
-    this.parts = new GeometryParts(gl);
+    this.uploaded = new UploadedBatches(gl);
     this.peeling = null;
     this.programs = {
       surface: buildProgram(gl, SURFACE_VERTEX, SURFACE_FRAGMENT),

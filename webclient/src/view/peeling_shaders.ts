@@ -2,6 +2,8 @@
 // (depth_peeling.ts). The shaders write the depth that they compare, because the fixed-function depth may differ in the
 // last bit.
 
+import DEPTH_LAYERS from "../../../protocol/shading/depth_layers.glsl?raw";
+
 const VERSION = "#version 300 es\n";
 
 /** Returns the shader source with a #define for each name. */
@@ -10,12 +12,12 @@ export const defining = (source: string, ...names: string[]): string =>
 
 export const LAYERS = `
 #ifdef PEELED
+${DEPTH_LAYERS}
 uniform highp sampler2D nearer;       // depths of the previous layer
 uniform highp sampler2D nearer_lines; // line record of the previous layer
 uniform float place_in_order;         // of the batch, among coincident ones (same_places.ts)
 uniform float reach;                  // pixels by which lines and points extend beyond their position
 layout(location = 1) out vec2 record; // x: number of the last line; y: depth up to which fragments belong to it
-const float least = 5e-7;             // smallest depth difference that counts: a few steps of 24 bits, plus rounding
 float depth_in_order() { return gl_FragCoord.z - place_in_order * least; }
 // Depth of a surface, moved back so that it does not cover half of the lines on it. The distance grows with the slope.
 // On steep surfaces, something close behind may therefore come before the surface.
@@ -30,10 +32,8 @@ void leave_out_what_is_seen(float depth) {
 #endif
 `;
 
-// Joins line segments of less than full opacity. Segments of one line overlap at their joints and would absorb light
-// twice there. A fragment belongs to the same line as the last one if both have the same mesh, and if their depths
-// differ by at most the depth change within a joint. The layer has the fragment of the nearest segment. JOINING draws
-// all segments again and keeps the largest coverage.
+// Joins line segments of less than full opacity. The layer has the fragment of the nearest segment. JOINING draws all
+// segments again and keeps the largest coverage.
 export const LINE_LAYERS = `
 #ifdef PEELED
 flat in float joint;
@@ -45,11 +45,10 @@ void leave_out_the_same_line(float depth) {
   leave_out_what_is_seen(depth);
   float number = color.a < 1.0 ? place_in_order : 0.0;
   float within = 3.0 * (joint + least);
-  if (number > 0.5 && record.x == number && depth - within < record.y) discard;
+  if (is_in_joint(record, number, depth, within)) discard;
 #ifdef JOINING
   vec2 own = texelFetch(own_lines, ivec2(gl_FragCoord.xy), 0).rg;
-  if (own.x != number || depth - within > own.y) discard;
-  if (depth > texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r) discard;
+  if (!is_in_joint(own, number, depth, within) || depth > texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r) discard;
 #endif
   record = vec2(number, depth + within);
 }
@@ -59,18 +58,15 @@ void leave_out_the_same_line(float depth) {
 export const COVER_VERTEX = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }`;
 
-// Starts a layer with the depth of the opaque surfaces. The offset keeps layers that coincide with opaque surfaces in
-// front, despite rounding. Depth 0 rejects all further fragments at pixels whose nearer layers let through less than
-// half a color step.
 export const DEPTH_COPY_FRAGMENT = `#version 300 es
 precision highp float;
-uniform highp sampler2D behind;
-uniform highp sampler2D sum;
+uniform highp sampler2D behind; // depths of opaque surfaces
+uniform highp sampler2D sum;    // nearer layers; a: their transmittance
 out vec4 result;
+${DEPTH_LAYERS}
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  bool is_done = texelFetch(sum, pixel, 0).a < 1.0 / 512.0;
-  gl_FragDepth = is_done ? 0.0 : min(texelFetch(behind, pixel, 0).r + 1e-6, 1.0);
+  gl_FragDepth = start_of_layer(texelFetch(behind, pixel, 0).r, texelFetch(sum, pixel, 0).a);
   result = vec4(0.0);
 }`;
 

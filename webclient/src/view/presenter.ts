@@ -1,5 +1,5 @@
 // Shows binary messages on the screen: decodes them, draws the newest frame in an animation frame, and acknowledges it.
-import { MissingPart, type GeometryBatch } from "../server/geometry";
+import { MissingArrays, type GeometryBatch } from "../server/geometry";
 import { EarlyFrames } from "./early_frames";
 import { readFrameHeader, FrameKind, type FrameHeader } from "../generated/frame_header";
 import { Pieces } from "../server/pieces";
@@ -37,7 +37,7 @@ export class Presenter {
   private readonly pieces = new Pieces();
   private lastFrame = 0;
   private ready: ReadyFrame | null = null;
-  private parts: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
+  private arriving: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
   private frameRequested = false;
   /** Frames of the view that is being opened; null if none is. */
   private early: EarlyFrames | null = null;
@@ -61,7 +61,7 @@ export class Presenter {
     this.early = null;
     this.view = view;
     this.lastFrame = 0;
-    this.parts = null;
+    this.arriving = null;
     this.pieces.clear();
     this.decoders.geometry.clear();
     this.ready?.release();
@@ -116,26 +116,26 @@ export class Presenter {
   }
 
   private receiveGeometry(header: FrameHeader, message: ArrayBuffer): void {
-    if (header.firstOfFrame || this.parts?.frame !== header.frame)
-      this.parts = { frame: header.frame, batches: [], bytes: 0, damaged: false };
-    const { parts } = this;
+    if (header.firstOfFrame || this.arriving?.frame !== header.frame)
+      this.arriving = { frame: header.frame, batches: [], bytes: 0, damaged: false };
+    const { arriving } = this;
     try {
       const batch = this.decoders.geometry.decode(message);
-      if (batch !== null) parts.batches.push(batch);
+      if (batch !== null) arriving.batches.push(batch);
     } catch (error) {
-      parts.damaged = true;
-      if (error instanceof MissingPart) this.events.incomplete();
+      arriving.damaged = true;
+      if (error instanceof MissingArrays) this.events.incomplete();
       this.events.failed(error as Error);
     }
-    parts.bytes += message.byteLength;
+    arriving.bytes += message.byteLength;
     if (!header.lastOfFrame) return;
-    this.parts = null;
-    if (parts.damaged) {
+    this.arriving = null;
+    if (arriving.damaged) {
       this.events.acknowledge(header.view, header.frame); // like a damaged image, see receiveImage
       return;
     }
-    const draw = (): void => this.screen.showGeometry(parts.batches);
-    this.offer({ header, bytes: parts.bytes, draw, release: () => undefined });
+    const draw = (): void => this.screen.showGeometry(arriving.batches);
+    this.offer({ header, bytes: arriving.bytes, draw, release: () => undefined });
   }
 
   // Skips a frame that was decoded after a newer one.

@@ -1,5 +1,4 @@
-// A color scale for the shaders: a texture with one row of colors, and uniforms
-// (server/render/surfaces/color_scales.cpp).
+// A color scale for the shaders: the textures that protocol/shading/color_scale.glsl reads, of one row each.
 import {
   bytesOf,
   colorRow,
@@ -14,16 +13,17 @@ import type { Rgb } from "../model/background";
 
 /** Texels of the color row. It resolves color points that are 1/1024 of the range apart. */
 const ROW_SIZE = 1024;
-/** Number of textures kept. Dragging a color point needs a new texture for each position. */
+/** Number of textures of each kind that are kept. Dragging a color point or a range needs one for each position. */
 const MOST_KEPT = 16;
 
-export interface ScaleUniforms {
+/** The numbers and colors of a row of scale_rules. All are finite 32-bit floats. */
+export interface ScaleRules {
   /**
    * Subtracted from values, from the low end in `rule` and from `inside`. Values of a small range far from 0 then keep
    * their digits as floats.
    */
   origin: number;
-  /** Low end, 1 / width, steps, way, as in server/render/surfaces/color_glsl.cpp. */
+  /** Low end, 1 / width, steps, way. */
   rule: [number, number, number, number];
   inside: [number, number];
   below: Rgb;
@@ -39,8 +39,7 @@ const FARTHEST_ORIGIN = 1e37;
 const originOf = ({ log, range: [low] }: ColorScale): number =>
   log || Math.abs(low) > FARTHEST_ORIGIN ? 0 : Math.fround(low);
 
-/** Returns the uniforms of a scale. All numbers are finite 32-bit floats. */
-export function scaleUniforms(scale: ColorScale): ScaleUniforms {
+export function scaleRules(scale: ColorScale): ScaleRules {
   const isOfBothSigns = isLogOfBothSigns(scale);
   const linear = Math.max(LINEAR_SHARE * scale.range[1], 1e-37);
   const measure = (value: number): number => {
@@ -64,21 +63,23 @@ export function scaleUniforms(scale: ColorScale): ScaleUniforms {
   };
 }
 
-function pixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
+function colorPixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
   const row = new Uint8Array(4 * ROW_SIZE);
   colorRow(scale, ROW_SIZE).forEach((color, i) => row.set([...color, 255], 4 * i));
   return row;
 }
 
-/** Color textures of one WebGL context. Keeps the MOST_KEPT most recently used ones. */
-export class ScaleTextures {
+const rulePixels = ({ rule, inside, below, above, missing }: ScaleRules): Float32Array<ArrayBuffer> =>
+  new Float32Array([...rule, ...inside, 0, 0, ...below, 1, ...above, 1, ...missing, 1]);
+
+/** Textures by a key. Deletes all but the MOST_KEPT most recently used ones. */
+class KeptTextures {
   private readonly kept = new Map<string, WebGLTexture>();
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  of(scale: ColorScale): WebGLTexture {
-    const key = JSON.stringify([scale.map, scale.points, scale.reverse, scale.steps]);
-    const texture = this.kept.get(key) ?? this.make(scale);
+  of(key: string, make: () => WebGLTexture): WebGLTexture {
+    const texture = this.kept.get(key) ?? make();
     this.kept.delete(key);
     this.kept.set(key, texture);
     const [oldest] = this.kept;
@@ -88,15 +89,59 @@ export class ScaleTextures {
     }
     return texture;
   }
+}
 
-  private make(scale: ColorScale): WebGLTexture {
+/** The textures of color scales in one WebGL context. */
+export class ScaleTextures {
+  private readonly colors: KeptTextures;
+  private readonly rules: KeptTextures;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.colors = new KeptTextures(gl);
+    this.rules = new KeptTextures(gl);
+  }
+
+  /**
+   * Binds the textures of a scale to texture unit 0 (scale_colors) and to `rulesUnit` (scale_rules). Returns the origin
+   * that the shader subtracts from values. Unit 0 is active afterwards.
+   */
+  bind(scale: ColorScale, rulesUnit: number): number {
+    const { gl } = this;
+    const rules = scaleRules(scale);
+    const pixels = rulePixels(rules);
+    const ruleTexture = this.rules.of(pixels.join(), () => this.makeRules(pixels));
+    const colorTexture = this.colors.of(JSON.stringify([scale.map, scale.points, scale.reverse, scale.steps]), () =>
+      this.makeColors(scale),
+    );
+    gl.activeTexture(gl.TEXTURE0 + rulesUnit);
+    gl.bindTexture(gl.TEXTURE_2D, ruleTexture);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, colorTexture);
+    return rules.origin;
+  }
+
+  private makeRules(pixels: Float32Array<ArrayBuffer>): WebGLTexture {
+    const { gl } = this;
+    const texture = this.make(gl.NEAREST);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, pixels.length / 4, 1, 0, gl.RGBA, gl.FLOAT, pixels);
+    return texture;
+  }
+
+  private makeColors(scale: ColorScale): WebGLTexture {
+    const { gl } = this;
+    const texture = this.make(gl.LINEAR);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, ROW_SIZE, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, colorPixels(scale));
+    return texture;
+  }
+
+  /** Makes a texture and binds it to the active unit. */
+  private make(filter: GLenum): WebGLTexture {
     const { gl } = this;
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, ROW_SIZE, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels(scale));
     for (const [name, value] of [
-      [gl.TEXTURE_MIN_FILTER, gl.LINEAR],
-      [gl.TEXTURE_MAG_FILTER, gl.LINEAR],
+      [gl.TEXTURE_MIN_FILTER, filter],
+      [gl.TEXTURE_MAG_FILTER, filter],
       [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
       [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
     ] as const) {

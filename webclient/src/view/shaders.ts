@@ -1,6 +1,8 @@
-// The server's shading (server/render/) in GLSL ES 3.00, so that pictures and polygons look the same. With PEELED
-// defined, the shaders draw layers of depth peeling (peeling_shaders.ts).
-import LIGHTING from "../../../protocol/lighting.glsl?raw";
+// The programs of surfaces, lines and points in GLSL ES 3.00. Colors and lighting are the server's own text, so that
+// pictures and polygons look the same. With PEELED defined, the shaders draw layers of depth peeling
+// (peeling_shaders.ts).
+import COLOR_SCALE from "../../../protocol/shading/color_scale.glsl?raw";
+import LIGHTING from "../../../protocol/shading/lighting.glsl?raw";
 import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
 import { LAYERS, LINE_LAYERS } from "./peeling_shaders";
 
@@ -40,15 +42,8 @@ in float value;
 in vec3 offset; // position relative to the batch's origin
 uniform vec4 clip[6];
 uniform int clip_planes;
-uniform sampler2D scale_colors;
-// Color scale, relative to value_origin.
-uniform vec4 rule; // low, 1 / width, steps, way; low and width are log2 values unless way is 0
-uniform vec2 inside;
-uniform vec3 below;
-uniform vec3 above;
-uniform vec3 missing;
 uniform vec4 color;
-uniform bool mapped;
+uniform float scale_row; // row of the color scale; -1: a solid color
 layout(location = 0) out vec4 result;
 
 void leave_out_what_is_clipped() {
@@ -56,18 +51,7 @@ void leave_out_what_is_clipped() {
     if (dot(clip[i].xyz, offset) + clip[i].w < 0.0) discard;
 }
 
-vec3 base_color() {
-  if (!mapped) return color.rgb;
-  if ((floatBitsToUint(value) & 0x7fffffffu) >= 0x7f800000u) return missing;
-  if (value < inside.x) return below;
-  if (value > inside.y) return above;
-  float measure = rule.w > 0.5 ? log2(max(value, 1e-37)) : value;
-  if (rule.w < 0.0) measure = sign(value) * log2(1.0 + abs(value) / -rule.w);
-  float at = rule.y > 0.0 ? clamp((measure - rule.x) * rule.y, 0.0, 1.0) : 0.5;
-  if (rule.z > 1.5) return texelFetch(scale_colors, ivec2(int(min(at * rule.z, rule.z - 0.5)), 0), 0).rgb;
-  float width = float(textureSize(scale_colors, 0).x);
-  return texture(scale_colors, vec2((at * (width - 1.0) + 0.5) / width, 0.5)).rgb;
-}
+${COLOR_SCALE}
 ${LAYERS}`;
 
 const LIT = `
@@ -80,15 +64,6 @@ in vec3 eye_normal;
 uniform bool has_normals;
 uniform bool parallel;
 
-vec3 facing_normal(vec3 viewer) {
-  vec3 plane = cross(dFdx(place), dFdy(place));
-  float plane_length = length(plane);
-  float normal_length = has_normals ? length(eye_normal) : 0.0;
-  if (normal_length > 1e-6) return seen_normal(eye_normal / normal_length, viewer);
-  if (plane_length <= 1e-30) return viewer;
-  return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
-}
-
 void main() {
 #ifdef PEELED
   float depth = depth_under_lines();
@@ -97,10 +72,10 @@ void main() {
 #ifdef PEELED
   leave_out_what_is_seen(depth);
 #endif
-  vec3 base = base_color();
+  vec3 base = base_color(value, color.rgb, scale_row);
   if (lit) {
     vec3 viewer = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-place);
-    base = lit_surface(base, facing_normal(viewer), viewer);
+    base = lit_surface(base, facing_normal(place, has_normals ? eye_normal : vec3(0.0), viewer), viewer);
   }
   result = vec4(base, color.a);
 }`;
@@ -121,7 +96,7 @@ void main() {
 #ifdef PEELED
   leave_out_what_is_seen(depth_in_order());
 #endif
-  vec3 base = base_color();
+  vec3 base = base_color(value, color.rgb, scale_row);
   if (lit) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
   result = vec4(base, color.a * cover);
 }`;
@@ -184,7 +159,7 @@ void main() {
 #ifdef PEELED
   leave_out_the_same_line(depth_in_order());
 #endif
-  result = vec4(base_color(), color.a * cover);
+  result = vec4(base_color(value, color.rgb, scale_row), color.a * cover);
 }`;
 
 export const BACKGROUND_VERTEX = `#version 300 es

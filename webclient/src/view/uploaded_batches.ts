@@ -8,18 +8,20 @@ import type { Program } from "./gl_program";
 import { uploadLines, VERTICES_PER_LINE } from "./lines";
 import type { Look } from "./look";
 import { isSurface, placesOf } from "./same_places";
-import { ScaleTextures, scaleUniforms } from "./scale_textures";
+import { ScaleTextures } from "./scale_textures";
 
-/** Texture unit of line ends. Unit 0 has the color scale; depth_peeling.ts uses units 1 to 6. */
+/** Texture unit of line ends. Unit 0 has the colors of the scale; depth_peeling.ts uses units 1 to 6. */
 const ENDS_UNIT = 7;
+/** Texture unit of the color scale's rules. */
+const RULES_UNIT = 8;
 
-export interface PartPrograms {
+export interface BatchPrograms {
   surface: Program;
   lines: Program;
   points: Program;
 }
 
-interface Part {
+interface UploadedBatch {
   batch: GeometryBatch;
   place: number;
   vertexArray: WebGLVertexArrayObject;
@@ -36,8 +38,8 @@ export interface Picture {
 }
 
 /**
- * Whether two batches have the same arrays. Comparing references is enough: the decoder returns unchanged parts as the
- * same arrays.
+ * Whether two batches have the same arrays. Comparing references is enough: the decoder returns what has not changed
+ * as the same arrays.
  */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
@@ -47,9 +49,9 @@ const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.lines === b.lines &&
   a.points === b.points;
 
-export class GeometryParts {
+export class UploadedBatches {
   private readonly textures: ScaleTextures;
-  private parts: Part[] = [];
+  private batches: UploadedBatch[] = [];
 
   constructor(private readonly gl: WebGL2RenderingContext) {
     this.textures = new ScaleTextures(gl);
@@ -57,28 +59,28 @@ export class GeometryParts {
 
   /** Uploads new batches, keeps unchanged ones on the GPU and frees all others. */
   set(batches: GeometryBatch[]): void {
-    const before = new Set(this.parts);
+    const before = new Set(this.batches);
     const places = placesOf(batches);
-    this.parts = batches.map((batch, i) => {
+    this.batches = batches.map((batch, i) => {
       const place = places[i] ?? 0;
-      for (const part of before) {
-        if (!isSameMesh(part.batch, batch)) continue;
-        before.delete(part);
-        return { ...part, batch, place };
+      for (const uploaded of before) {
+        if (!isSameMesh(uploaded.batch, batch)) continue;
+        before.delete(uploaded);
+        return { ...uploaded, batch, place };
       }
       return this.upload(batch, place);
     });
-    for (const part of before) this.free(part);
+    for (const uploaded of before) this.free(uploaded);
   }
 
-  private free({ vertexArray, buffers, ends }: Part): void {
+  private free({ vertexArray, buffers, ends }: UploadedBatch): void {
     this.gl.deleteVertexArray(vertexArray);
     this.gl.deleteTexture(ends);
     for (const buffer of buffers) this.gl.deleteBuffer(buffer);
   }
 
   has(wanted: (batch: GeometryBatch) => boolean): boolean {
-    return this.parts.some(({ batch }) => wanted(batch));
+    return this.batches.some(({ batch }) => wanted(batch));
   }
 
   /**
@@ -86,12 +88,12 @@ export class GeometryParts {
    * uses the same value.
    */
   reachOfOverlays(): number {
-    const widths = this.parts.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
+    const widths = this.batches.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);
   }
 
   /** Sets the uniforms that all batches of a picture share. Call once per picture and before draw(). */
-  prepare({ surface, lines, points }: PartPrograms, look: Look, { width, height, pixels }: Picture): void {
+  prepare({ surface, lines, points }: BatchPrograms, look: Look, { width, height, pixels }: Picture): void {
     const { gl } = this;
     const depths = depthRange(look.camera, look.bounds);
     const reach = this.has((batch) => !isSurface(batch)) ? this.reachOfOverlays() : 0;
@@ -106,18 +108,19 @@ export class GeometryParts {
     }
   }
 
-  draw(programs: PartPrograms, look: Look, pixels: number, wanted: (batch: GeometryBatch) => boolean): void {
-    for (const part of this.parts) if (wanted(part.batch)) this.drawPart(programs, look, pixels, part);
+  draw(programs: BatchPrograms, look: Look, pixels: number, wanted: (batch: GeometryBatch) => boolean): void {
+    for (const uploaded of this.batches)
+      if (wanted(uploaded.batch)) this.drawUploaded(programs, look, pixels, uploaded);
   }
 
-  private drawPart(programs: PartPrograms, look: Look, pixels: number, part: Part): void {
-    const { batch, place, vertexArray, ends } = part;
+  private drawUploaded(programs: BatchPrograms, look: Look, pixels: number, uploaded: UploadedBatch): void {
+    const { batch, place, vertexArray, ends } = uploaded;
     const { gl } = this;
     const program = batch.lines ? programs.lines : batch.points ? programs.points : programs.surface;
     gl.useProgram(program.program);
     gl.uniformMatrix4fv(program.at("view"), false, viewMatrix(look.camera, batch.origin));
     gl.uniform4fv(program.at("color"), batch.color);
-    gl.uniform1i(program.at("mapped"), batch.scalars === null ? 0 : 1);
+    gl.uniform1f(program.at("scale_row"), batch.scalars === null ? -1 : 0);
     gl.uniform1i(program.at("clip_planes"), batch.clip.length);
     if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
     if (batch.scalars !== null) this.useScale(program, batch.scale);
@@ -142,7 +145,7 @@ export class GeometryParts {
     gl.drawElements(gl.TRIANGLES, batch.indices.length, gl.UNSIGNED_INT, 0);
   }
 
-  private upload(batch: GeometryBatch, place: number): Part {
+  private upload(batch: GeometryBatch, place: number): UploadedBatch {
     const { gl } = this;
     const vertexArray = gl.createVertexArray();
     if (batch.lines) return { batch, place, vertexArray, buffers: [], ends: uploadLines(gl, batch) };
@@ -173,13 +176,7 @@ export class GeometryParts {
 
   private useScale(program: Program, scale: ColorScale): void {
     const { gl } = this;
-    const { origin, rule, inside, below, above, missing } = scaleUniforms(scale);
-    gl.uniform1f(program.at("value_origin"), origin);
-    gl.uniform4fv(program.at("rule"), rule);
-    gl.uniform2fv(program.at("inside"), inside);
-    gl.uniform3fv(program.at("below"), below);
-    gl.uniform3fv(program.at("above"), above);
-    gl.uniform3fv(program.at("missing"), missing);
-    gl.bindTexture(gl.TEXTURE_2D, this.textures.of(scale));
+    gl.uniform1i(program.at("scale_rules"), RULES_UNIT);
+    gl.uniform1f(program.at("value_origin"), this.textures.bind(scale, RULES_UNIT));
   }
 }

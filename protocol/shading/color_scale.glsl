@@ -1,18 +1,18 @@
-#include "render/surfaces/color_glsl.hpp"
+// The color of a value (protocol/colors.md). For desktop GLSL 3.30 and GLSL ES 3.00: the server and the page are both
+// built from this text.
 
-namespace ciel::render {
-
-// A row of the texture scale_rules has five texels:
+// One row per color scale. Where a scale is stepped, its first texels are the steps.
+uniform highp sampler2D scale_colors;
+// One row per color scale, of five texels:
 //   (low, 1 / width, steps, way),
 //   (smallest, largest value inside the range),
 //   the colors of values below the range, of values above it, and of missing values.
 // way: 0: linear; 1: logarithmic; negative: logarithmic on both sides of zero, and nearly linear within -way of zero.
-// If not linear, `low` and `width` are logarithms to base 2.
-// ScaleRow::origin is already subtracted from `low`, from the values inside, and from the argument `value`.
+// If not linear, `low` and `width` are logarithms to base 2. The caller subtracts an origin from `low`, from the values
+// inside, and from `value`: values of a small range far from 0 then keep their digits.
+uniform highp sampler2D scale_rules;
+
 // Missing values (NaN and infinite ones) are detected by their bits: compilers may assume that x != x never holds.
-const char* const color_scale_glsl = R"(
-uniform sampler2D scale_colors;
-uniform sampler2D scale_rules;
 vec3 scale_color(float value, float row_of) {
     int row = int(row_of + 0.5);
     if ((floatBitsToUint(value) & 0x7fffffffu) >= 0x7f800000u) return texelFetch(scale_rules, ivec2(4, row), 0).rgb;
@@ -27,7 +27,6 @@ vec3 scale_color(float value, float row_of) {
     vec2 size = vec2(textureSize(scale_colors, 0));
     return texture(scale_colors, vec2((place * (size.x - 1.0) + 0.5) / size.x, (float(row) + 0.5) / size.y)).rgb;
 }
-vec3 base_color(float value, vec3 solid, float row) { return row < -0.5 ? solid : scale_color(value, row); }
-)";
 
-} // namespace ciel::render
+// Returns the solid color if `row` is negative.
+vec3 base_color(float value, vec3 solid, float row) { return row < -0.5 ? solid : scale_color(value, row); }

@@ -1,4 +1,5 @@
-// How a surface is lit, by the server and by the page: GLSL that desktop 3.30 and ES 3.00 both take, built into both.
+// How surfaces and points are lit. For desktop GLSL 3.30 and GLSL ES 3.00: the server and the page are both built from
+// this text.
 
 uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
 
@@ -10,6 +11,18 @@ vec3 seen_normal(vec3 n, vec3 viewer) {
     float head = dot(n, viewer);
     if (head < -0.35) return -n;
     return n - 2.0 * min(head, 0.0) * viewer;
+}
+
+// Returns the normal of a surface on the viewer's side, of length 1. `place`: the fragment in eye space, in units of the
+// scene's size: derivatives of small scenes must not underflow. `normal`: the field's, of any length; 0: the polygon's
+// plane is used.
+vec3 facing_normal(vec3 place, vec3 normal, vec3 viewer) {
+    vec3 plane = cross(dFdx(place), dFdy(place));
+    float plane_length = length(plane);
+    float normal_length = length(normal);
+    if (normal_length > 1e-6) return seen_normal(normal / normal_length, viewer);
+    if (plane_length <= 1e-30) return viewer; // a degenerate triangle has no plane; never black
+    return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
 }
 
 // n, on the viewer's side, and viewer have length 1. The highlight's exponent is 40, by multiplications: in software a

@@ -1,4 +1,4 @@
-#include "render/frame/frame_parts.hpp"
+#include "render/frame/frame_properties.hpp"
 
 namespace ciel::render {
 

@@ -1,0 +1,23 @@
+# Writes protocol/shading/*.glsl, from which the web page is built too, into shared_glsl.cpp of this library.
+set(CIEL_SHARED_GLSL ${CMAKE_CURRENT_BINARY_DIR}/shared_glsl.cpp)
+foreach(name color_scale depth_layers lighting)
+  set(text ${CMAKE_SOURCE_DIR}/protocol/shading/${name}.glsl)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text})
+  file(READ ${text} ${name})
+endforeach()
+file(CONFIGURE OUTPUT ${CIEL_SHARED_GLSL} @ONLY CONTENT [[
+#include "render/surfaces/shared_glsl.hpp"
+
+namespace ciel::render {
+
+const char* const color_scale_glsl = R"(
+@color_scale@)";
+
+const char* const depth_layers_glsl = R"(
+@depth_layers@)";
+
+const char* const lighting_glsl = R"(
+@lighting@)";
+
+} // namespace ciel::render
+]])

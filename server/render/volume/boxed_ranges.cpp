@@ -1,0 +1,36 @@
+#include "render/volume/boxed_ranges.hpp"
+
+#include <algorithm>
+
+namespace ciel::render {
+namespace {
+
+constexpr std::size_t most_corners = 3 * std::size_t{256}; // indices per range; smaller ones are not worth a draw call
+
+BoxedRange boxed_range_of(std::span<const Index> corners, const std::function<const Vec3f&(Index)>& at) {
+    BoxedRange boxed{{}, at(corners[0]), at(corners[0])};
+    for (const Index corner : corners) {
+        const Vec3f& place = at(corner);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            boxed.low[axis] = std::min(boxed.low[axis], place[axis]);
+            boxed.high[axis] = std::max(boxed.high[axis], place[axis]);
+        }
+    }
+    return boxed;
+}
+
+} // namespace
+
+std::vector<BoxedRange> boxed_ranges_of(const IndexRange& range, std::span<const Index> triangles,
+                                        const std::function<const Vec3f&(Index)>& at) {
+    std::vector<BoxedRange> ranges;
+    ranges.reserve((triangles.size() + most_corners - 1) / most_corners);
+    for (std::size_t first = 0; first < triangles.size(); first += most_corners) {
+        const auto corners = triangles.subspan(first, std::min(most_corners, triangles.size() - first));
+        ranges.push_back(boxed_range_of(corners, at));
+        ranges.back().range = {range.first + first, static_cast<GLsizei>(corners.size()), range.base};
+    }
+    return ranges;
+}
+
+} // namespace ciel::render
