@@ -80,7 +80,7 @@ void check_operators(const Topology& topology, Index cells) {
             require(topology.vertex(mate) != topology.vertex(h), "a half-edge from a vertex to itself");
             require(topology.vertex(topology.mate_face(topology.next_around_vertex(h))) == topology.vertex(mate),
                     "next_around_vertex");
-            if (beyond == none) continue;
+            if (beyond == no_half_edge) continue;
             require(topology.mate_polyhedron(beyond) == h && topology.cell(beyond) != c, "mate_polyhedron");
             require(topology.vertex(beyond) == topology.vertex(mate), "mate_polyhedron runs the other way");
         }

@@ -29,7 +29,7 @@ TEST_P(GiantCell, OperatorsHold) {
         HalfEdge around = h;
         for (int i = 0; i < 4; ++i) around = topology.next_around_face(around);
         ASSERT_EQ(around, h);
-        if (beyond == none) continue;
+        if (beyond == no_half_edge) continue;
         ASSERT_EQ(topology.mate_polyhedron(beyond), h);
         ASSERT_EQ(topology.vertex(beyond), topology.vertex(mate));
         ++between_cells;

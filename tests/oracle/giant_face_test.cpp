@@ -66,14 +66,19 @@ Polyhedra ring_of_tetrahedra() {
 }
 
 void expect_operators_hold(const Topology& topology) {
-    for (HalfEdge h = 0; h < topology.counts().half_edges; ++h) {
-        const HalfEdge mate = topology.mate_face(h);
-        ASSERT_NE(mate, h);
-        ASSERT_EQ(topology.mate_face(mate), h);
-        ASSERT_EQ(topology.edge(mate), topology.edge(h));
-        ASSERT_NE(topology.vertex(mate), topology.vertex(h));
-        ASSERT_EQ(topology.vertex(topology.mate_face(topology.next_around_face(h))), topology.vertex(h));
+    std::uint64_t half_edges = 0;
+    for (Index cell = 0; cell < topology.counts().cells; ++cell) {
+        for (const HalfEdge h : topology.half_edges(cell)) {
+            ++half_edges;
+            const HalfEdge mate = topology.mate_face(h);
+            ASSERT_NE(mate, h);
+            ASSERT_EQ(topology.mate_face(mate), h);
+            ASSERT_EQ(topology.edge(mate), topology.edge(h));
+            ASSERT_NE(topology.vertex(mate), topology.vertex(h));
+            ASSERT_EQ(topology.vertex(topology.mate_face(topology.next_around_face(h))), topology.vertex(h));
+        }
     }
+    ASSERT_EQ(half_edges, topology.counts().half_edges);
 }
 
 // Cuts at height z with every algorithm, and expects the given numbers of polygons and points.

@@ -91,8 +91,8 @@ TEST_P(Operators, MatePolyhedronIsItsOwnInverseOrNoneOnTheBoundary) {
         const HalfEdge mate = topology.mate_polyhedron(h);
         // Faces match as a whole: the mate of the next half-edge is the previous one of the mate.
         const HalfEdge beside = topology.mate_polyhedron(topology.next_around_face(h));
-        ASSERT_EQ(mate == none, beside == none);
-        if (mate == none) {
+        ASSERT_EQ(mate == no_half_edge, beside == no_half_edge);
+        if (mate == no_half_edge) {
             ++without;
             continue;
         }
@@ -122,7 +122,7 @@ TEST_P(Operators, MatePolyhedronLeadsToTheCellThatTheMeshNames) {
     }
     for (HalfEdge h : half_edges) {
         const HalfEdge mate = topology.mate_polyhedron(h);
-        if (mate == none || topology.cell(mate) < topology.cell(h)) continue;
+        if (mate == no_half_edge || topology.cell(mate) < topology.cell(h)) continue;
         found.emplace(topology.cell(h), topology.cell(mate));
     }
     EXPECT_EQ(found, expected);

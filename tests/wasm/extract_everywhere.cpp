@@ -17,12 +17,12 @@ void record_mesh(const std::string& where, const Assembled& assembled, Results& 
 }
 
 void record_operators(const std::string& where, const Topology& topology, Results& results) {
-    std::vector<HalfEdge> found;
+    std::vector<std::uint64_t> found;
+    const auto add = [&found](auto... ids) { (found.push_back(static_cast<std::uint64_t>(ids)), ...); };
     for (Index cell = 0; cell < topology.counts().cells; ++cell) {
         for (HalfEdge h : topology.half_edges(cell)) {
-            found.insert(found.end(),
-                         {h, topology.vertex(h), topology.edge(h), topology.next_around_face(h),
-                          topology.next_around_vertex(h), topology.mate_face(h), topology.mate_polyhedron(h)});
+            add(h, topology.vertex(h), topology.edge(h), topology.next_around_face(h), topology.next_around_vertex(h),
+                topology.mate_face(h), topology.mate_polyhedron(h));
         }
     }
     results.record(where, "the six operators", found);

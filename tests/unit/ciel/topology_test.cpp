@@ -48,7 +48,7 @@ void expect_identities(const FaceMesh& mesh, const Topology& topology) {
         for (HalfEdge g = next; g != h; g = topology.next_around_face(g)) ASSERT_LE(++turns, 100U);
 
         const HalfEdge other = topology.mate_polyhedron(h);
-        if (other == none) {
+        if (other == no_half_edge) {
             ++on_boundary;
         } else {
             ASSERT_EQ(topology.mate_polyhedron(other), h);
@@ -150,7 +150,7 @@ TEST(Topology, TakesAGiantCell) {
             ASSERT_EQ(topology.mate_face(topology.mate_face(h)), h);
             ASSERT_EQ(topology.edge(topology.mate_face(h)), topology.edge(h));
             const HalfEdge other = topology.mate_polyhedron(h);
-            ASSERT_TRUE(other == none || topology.mate_polyhedron(other) == h);
+            ASSERT_TRUE(other == no_half_edge || topology.mate_polyhedron(other) == h);
         }
 }
 

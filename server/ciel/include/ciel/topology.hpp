@@ -9,7 +9,9 @@
 
 namespace ciel {
 
-using HalfEdge = std::uint32_t; // id: first id of the half-edge's block + index inside the block
+// A half-edge of one Topology. Opaque: can be kept, compared, hashed, and given to the operators of its Topology.
+enum class HalfEdge : std::uint64_t {};
+inline constexpr HalfEdge no_half_edge{~std::uint64_t{0}};
 
 // Numbers of elements. `half_edges` counts both sides of a face between two cells. `components` are sets of cells
 // connected by faces.
@@ -32,11 +34,11 @@ public:
     Topology& operator=(Topology&&) noexcept;
 
     // The six operators. `vertex` is the vertex that the half-edge points to, as in the paper; `edge` is a mesh-wide
-    // edge id. mate_polyhedron is `none` on a boundary face. next_around_vertex runs through all half-edges that leave
-    // the half-edge's origin (the paper's appendix A), across blocks.
-    // Repeated vertices of a loop (collapsed cells) make no half-edge. So every half-edge joins two distinct vertices,
-    // and mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the same
-    // face. Edge ids follow the first appearance of the edge in the mesh's faces, so they do not depend on the blocks.
+    // edge id. mate_polyhedron is no_half_edge on a boundary face. next_around_vertex runs through all half-edges
+    // that leave the half-edge's origin (the paper's appendix A), across blocks. Repeated vertices of a loop (collapsed
+    // cells) make no half-edge. So every half-edge joins two distinct vertices, and mate_face(h) is never h. If a face
+    // has collapsed to a line, mate_face may return a half-edge of the same face. Edge ids follow the first appearance
+    // of the edge in the mesh's faces, so they do not depend on the blocks.
     [[nodiscard]] Index vertex(HalfEdge h) const;
     [[nodiscard]] Index edge(HalfEdge h) const;
     [[nodiscard]] HalfEdge next_around_face(HalfEdge h) const;
@@ -45,8 +47,8 @@ public:
     [[nodiscard]] HalfEdge mate_polyhedron(HalfEdge h) const;
 
     [[nodiscard]] Index cell(HalfEdge h) const;
-    [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves the vertex, or none
-    [[nodiscard]] HalfEdge half_edge_begin(Index cell) const;         // first of half_edges(cell), or none
+    [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves the vertex, or no_half_edge
+    [[nodiscard]] HalfEdge half_edge_begin(Index cell) const;         // first of half_edges(cell), or no_half_edge
     [[nodiscard]] std::vector<HalfEdge> half_edges(Index cell) const; // allocates memory: not for hot loops
 
     [[nodiscard]] const TopologyCounts& counts() const;

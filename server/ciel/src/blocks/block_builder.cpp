@@ -57,7 +57,7 @@ void BlockBuilder::sort_cells() {
 }
 
 // Returns true when 16 bits are enough for each kind of local id: entries (blocks.hpp), half-edges of standard cells
-// and the references to Block::twin after them, sides of faces, vertices, and edges.
+// and the references to Block::twin_half_edge after them, sides of faces, vertices, and edges.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = StandardSection::no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);

@@ -12,14 +12,15 @@ struct BuiltBlock {
     Block block;                                 // ghost and owned vertices and edges are not yet separated
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
-    // A side of a face whose mate belongs in Block::twin: the mate is in another block or section, or does not exist.
+    // A side of a face whose mate belongs in Block::twin_half_edge: the mate is in another block or section, or does
+    // not exist.
     struct Tail {
         Index face, side; // mesh face; 0: side of the owner, 1: side of the neighbor
         Index anchor;     // local half-edge at the face's first corner: leaves it on side 0, leads to it on side 1
         Index steps;      // steps around the face from the half-edge whose mate is stored to the anchor
         Index mate;       // the anchor's mate if it is in another section of this block; else none
     };
-    std::vector<Tail> tails; // tails[i] belongs to Block::twin[i]
+    std::vector<Tail> tails; // tails[i] belongs to Block::twin_half_edge[i]
 };
 
 // Builds many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.

@@ -25,13 +25,13 @@ public:
         : mesh_(mesh), built_(built), out_(out) {}
 
     void run() {
-        number_half_edges();
+        count_half_edges();
         own_vertices();
+        find_twins();
         ring_vertices();
         own_edges();
         number_edges();
         for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
-        join_twins();
         for (BuiltBlock& b : built_) out_.block.push_back(std::move(b.block));
     }
 
@@ -44,18 +44,17 @@ private:
         std::vector<SharedEdge> edge;
     };
 
-    void number_half_edges();
+    void count_half_edges();
     void own_vertices();
     void ring_vertices();
-    void link_border(Block& block, std::span<const Index> next);
+    void link(Index b, std::span<const Index> next);
     [[nodiscard]] SharedLists list_by_lower_vertex() const;
     void own_edges();
     void give_to_first(std::span<SharedEdge> edges);
     void number_edges();
     [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
     void renumber_edges(Index b);
-    void join_twins();
-    [[nodiscard]] HalfEdge turn_in_mesh(HalfEdge h, Index steps) const;
+    void find_twins();
 
     const FaceMeshView& mesh_;
     std::vector<BuiltBlock>& built_;
@@ -63,28 +62,22 @@ private:
     struct Owner {
         Index edge, block, owner_edge; // ghost edge `edge` is edge `owner_edge` of its owner `block`
     };
+    std::vector<std::vector<HalfEdge>> twins_; // by block: mates that are in other blocks or sections, or none
     std::vector<std::vector<Owner>> ghosts_;   // by block: its ghost edges
     std::vector<std::vector<Index>> new_edge_; // by block, local edge: index among the owned edges; none for ghosts
 };
 
-void Linker::number_half_edges() {
+void Linker::count_half_edges() {
     std::uint64_t half_edges = 0, vertices = 0;
     for (BuiltBlock& b : built_) {
-        b.block.half_edge_begin = static_cast<Index>(half_edges);
         b.block.vertex_begin = static_cast<Index>(vertices);
         half_edges += b.block.half_edge_count;
         vertices += b.block.vertex_count;
-        if (half_edges >= none || vertices >= none)
-            fail("the mesh has more than 4,294,967,294 half-edges; split the dataset");
+        if (vertices >= none)
+            fail("the blocks of the mesh have more than 4,294,967,294 vertices together; split the dataset");
     }
     out_.counts.half_edges = half_edges;
     out_.counts.vertices = mesh_.vertex_count();
-    out_.block_at.resize((half_edges >> 12) + 1);
-    Index b = 0;
-    for (std::size_t i = 0; i < out_.block_at.size(); ++i) {
-        while (b + 1 < built_.size() && built_[b + 1].block.half_edge_begin <= i << 12) ++b;
-        out_.block_at[i] = b;
-    }
 }
 
 // Separates ghost vertices from owned vertices. A block owns the vertices that it is the first to use. Vertices are
@@ -130,16 +123,20 @@ void Linker::ring_vertices() {
             },
             block.arrays);
     });
-    for_blocks(built_.size(), [&](Index b) { link_border(built_[b].block, next); });
+    for_blocks(built_.size(), [&](Index b) { link(b, next); });
 }
 
-// Sets neighbour, border_block and border_place of a block. `next`: slot -> next slot of the same vertex around its
-// ring.
-void Linker::link_border(Block& block, std::span<const Index> next) {
+// Sets the neighbors of a block, and what names them: border_block, border_place and the twins. `next`: slot -> next
+// slot of the same vertex around its ring.
+void Linker::link(Index b, std::span<const Index> next) {
+    Block& block = built_[b].block;
     const auto block_with = [&](Index slot) {
         const auto after =
-            std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& b) { return b.block.vertex_begin; });
+            std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& one) { return one.block.vertex_begin; });
         return static_cast<Index>(after - built_.begin() - 1);
+    };
+    const auto place_of = [&](Index neighbour) {
+        return static_cast<Index>(std::ranges::lower_bound(block.neighbour, neighbour) - block.neighbour.begin());
     };
     std::visit(
         [&](auto& arrays) {
@@ -148,6 +145,8 @@ void Linker::link_border(Block& block, std::span<const Index> next) {
             for (const Index local : arrays.border_vertex)
                 there.push_back(block_with(next[block.vertex_begin + local]));
             block.neighbour = there;
+            for (const HalfEdge twin : twins_[b])
+                if (twin != no_half_edge) block.neighbour.push_back(block_of(twin));
             std::ranges::sort(block.neighbour);
             block.neighbour.erase(std::unique(block.neighbour.begin(), block.neighbour.end()), block.neighbour.end());
             block.neighbour.shrink_to_fit();
@@ -156,9 +155,16 @@ void Linker::link_border(Block& block, std::span<const Index> next) {
             for (std::size_t i = 0; i < there.size(); ++i) {
                 const Block& other = built_[there[i]].block;
                 const Index local = next[block.vertex_begin + arrays.border_vertex[i]] - other.vertex_begin;
-                arrays.border_block.push_back(
-                    static_cast<Local>(std::ranges::lower_bound(block.neighbour, there[i]) - block.neighbour.begin()));
+                arrays.border_block.push_back(static_cast<Local>(place_of(there[i])));
                 arrays.border_place.push_back(static_cast<Local>(other.border_place_of(local)));
+            }
+            block.twin_half_edge.reserve(twins_[b].size());
+            arrays.twin_block.reserve(twins_[b].size());
+            for (const HalfEdge twin : twins_[b]) {
+                const bool is_none = twin == no_half_edge;
+                arrays.twin_block.push_back(is_none ? arrays.polyhedra.end_of_list
+                                                    : static_cast<Local>(place_of(block_of(twin))));
+                block.twin_half_edge.push_back(is_none ? 0 : local_of(twin));
             }
         },
         block.arrays);
@@ -245,7 +251,8 @@ void Linker::number_edges() {
         edges += owned;
     }
     out_.edge_begin.push_back(static_cast<Index>(edges));
-    out_.counts.edges = edges; // fewer than half-edges, so edge ids fit 32 bits
+    if (edges >= none) fail("the mesh has more than 4,294,967,294 edges; split the dataset");
+    out_.counts.edges = edges;
 }
 
 void Linker::renumber_edges(Index b) {
@@ -270,28 +277,23 @@ void Linker::renumber_edges(Index b) {
     std::visit([&](auto& arrays) { renumber(arrays.polyhedra.edge); }, block.arrays);
 }
 
-void Linker::join_twins() {
-    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {none, none}); // by face and side
+void Linker::find_twins() {
+    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {no_half_edge, no_half_edge}); // by face, side
     for_blocks(built_.size(), [&](Index b) {
         for (const BuiltBlock::Tail& tail : built_[b].tails)
-            anchor[tail.face][tail.side] = built_[b].block.half_edge_begin + tail.anchor;
+            anchor[tail.face][tail.side] = half_edge_in(b, tail.anchor);
     });
+    twins_.resize(built_.size());
     for_blocks(built_.size(), [&](Index b) {
-        std::vector<HalfEdge>& twin = built_[b].block.twin;
-        twin.reserve(built_[b].tails.size());
+        twins_[b].reserve(built_[b].tails.size());
         for (const BuiltBlock::Tail& tail : built_[b].tails) {
-            const HalfEdge other =
-                tail.mate != none ? built_[b].block.half_edge_begin + tail.mate : anchor[tail.face][1 - tail.side];
-            twin.push_back(other == none ? none : turn_in_mesh(other, tail.steps));
+            const HalfEdge other = tail.mate != none ? half_edge_in(b, tail.mate) : anchor[tail.face][1 - tail.side];
+            const bool is_none = other == no_half_edge;
+            twins_[b].push_back(is_none ? other
+                                        : half_edge_in(block_of(other), turn(built_[block_of(other)].block,
+                                                                             local_of(other), tail.steps)));
         }
     });
-}
-
-HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
-    const auto after =
-        std::ranges::upper_bound(built_, h, {}, [](const BuiltBlock& b) { return b.block.half_edge_begin; });
-    const Block& block = (after - 1)->block;
-    return block.half_edge_begin + turn(block, h - block.half_edge_begin, steps);
 }
 
 } // namespace

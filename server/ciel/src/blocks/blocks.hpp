@@ -26,6 +26,13 @@
 
 namespace ciel {
 
+// A HalfEdge is the number of its block, then its local number in the block.
+[[nodiscard]] inline HalfEdge half_edge_in(Index block, Index local) {
+    return static_cast<HalfEdge>(std::uint64_t{block} << 32 | local);
+}
+[[nodiscard]] inline Index block_of(HalfEdge h) { return static_cast<Index>(static_cast<std::uint64_t>(h) >> 32); }
+[[nodiscard]] inline Index local_of(HalfEdge h) { return static_cast<Index>(h); }
+
 struct StandardSection {
     static constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
     static constexpr Index cells_per_group = 8;
@@ -37,8 +44,8 @@ struct StandardSection {
     std::vector<std::uint16_t> vertex;          // shape->corners local vertices per cell
     std::vector<std::uint16_t> edge;            // shape->edges local edges per cell
     // By cell and face: the mate of the first half-edge of the face. If the mate is in a standard section of the block:
-    // its local half-edge. Otherwise Block::standard_half_edges + an index into Block::twin, or no_mate on the
-    // boundary.
+    // its local half-edge. Otherwise Block::standard_half_edges + an index into Block::twin_half_edge, or no_mate on
+    // the boundary.
     std::vector<std::uint16_t> mate;
     std::vector<std::uint16_t> next_entry;  // by corner: next entry of the same vertex, or end_of_list
     std::vector<std::uint64_t> group_parts; // by group of cells: one bit per part of the vertices that it uses
@@ -58,7 +65,7 @@ struct PolyhedralSection {
     Index inner_corners = 0;                    // corners below this are of inner faces (between two cells here)
     Index far_corner = 0;                       // corners from here on: tail faces whose owner is not in the section
     Index inner_faces = 0;                      // faces below this are inner; the others are tail faces
-    Index twin_begin = 0;                       // index into Block::twin of the first tail face
+    Index twin_begin = 0;                       // index into Block::twin_half_edge of the first tail face
     std::vector<Local> cell;                    // local cells, ascending; empty means all cells of the block
     // By corner of a stored loop:
     std::vector<Local> vertex;     // origin of the half-edge on side 0, target on side 1
@@ -128,6 +135,7 @@ struct BlockArrays {
     // each leads to the next higher block, the last to the first. border_block: the next block in the ring, as an index
     // into Block::neighbour. border_place: index of the vertex in border_vertex of that block.
     std::vector<Local> border_vertex, border_block, border_place;
+    std::vector<Local> twin_block; // by twin: its block as an index into Block::neighbour; end_of_list on the boundary
     PolyhedralSection<Local> polyhedra;
 };
 
@@ -141,15 +149,17 @@ struct BorderVertex {
 
 struct Block {
     Index cell_begin = 0, cell_count = 0;
-    Index half_edge_begin = 0, half_edge_count = 0; // id of the first half-edge; number of half-edges
-    Index standard_half_edges = 0;                  // number of half-edges of standard cells, which come first
-    Index edge_begin = 0, edge_count = 0;           // id of the first owned edge; number of local edges
-    Index vertex_begin = 0, vertex_count = 0;       // vertex_begin + local vertex is a "slot", unique in the mesh
-    Index own_vertex_begin = 0;                     // first mesh vertex that this block is the first to have
-    std::vector<Index> ghost_vertex;                // mesh ids of the ghosts, which are the first local vertices
-    std::vector<Index> ghost_edge;                  // mesh-wide ids of the ghosts, which are the first local edges
-    std::vector<HalfEdge> twin;                     // mates that are in other blocks or sections, or none
-    std::vector<Index> neighbour;                   // blocks that come next in the ring of a border vertex, ascending
+    Index half_edge_count = 0;
+    Index standard_half_edges = 0;            // number of half-edges of standard cells, which come first
+    Index edge_begin = 0, edge_count = 0;     // id of the first owned edge; number of local edges
+    Index vertex_begin = 0, vertex_count = 0; // vertex_begin + local vertex is a "slot", unique in the mesh
+    Index own_vertex_begin = 0;               // first mesh vertex that this block is the first to have
+    std::vector<Index> ghost_vertex;          // mesh ids of the ghosts, which are the first local vertices
+    std::vector<Index> ghost_edge;            // mesh-wide ids of the ghosts, which are the first local edges
+    std::vector<Index> twin_half_edge;        // mates that are in other blocks or sections: local numbers there
+    // Blocks that come next in the ring of a border vertex, and blocks of the twins, ascending. The block itself is one
+    // of them if a twin is in another of its sections.
+    std::vector<Index> neighbour;
     std::vector<StandardSection> standard;
     std::variant<BlockArrays<std::uint16_t>, BlockArrays<std::uint32_t>> arrays;
 
@@ -167,6 +177,7 @@ struct Block {
     [[nodiscard]] const StandardSection* section_of_half_edge(Index h) const;
     [[nodiscard]] const StandardSection* section_of_entry(Index entry) const;
     [[nodiscard]] Index border_place_of(Index local_vertex) const; // index in border_vertex; none if not shared
+    [[nodiscard]] HalfEdge twin(Index i) const;                    // no_half_edge on the boundary
     // Returns the first entry of the vertex that is at least `begin`, or end_of_list, which is above all entries.
     [[nodiscard]] Index first_entry_from(Index local_vertex, Index begin) const;
     // Calls f with the BlockArrays, whose ids have 16 or 32 bits.
@@ -178,15 +189,9 @@ struct Block {
 
 struct Topology::Blocks {
     std::vector<Block> block;
-    std::vector<Index> block_at;   // half-edge id / 4096 -> block of the first such half-edge
     std::vector<Index> edge_begin; // block -> id of its first owned edge; one more at the end
     TopologyCounts counts;
 
-    [[nodiscard]] Index block_of(HalfEdge h) const {
-        Index b = block_at[h >> 12];
-        while (b + 1 < block.size() && block[b + 1].half_edge_begin <= h) ++b;
-        return b;
-    }
     [[nodiscard]] Index block_of_cell(Index cell) const;
     // Returns the vertex in the block that owns it, or {none, none} if no cell has it.
     [[nodiscard]] BlockVertex first_with(Index vertex) const;
@@ -199,7 +204,8 @@ struct Topology::Blocks {
     [[nodiscard]] Index vertex_at(BorderVertex at) const {
         return block[at.block].with([&](const auto& all) { return Index{all.border_vertex[at.place]}; });
     }
-    // Returns the first half-edge in the block that leaves the vertex; none if only collapsed faces have the vertex.
+    // Returns the first half-edge in the block that leaves the vertex; no_half_edge if only collapsed faces have the
+    // vertex.
     [[nodiscard]] HalfEdge first_at(BlockVertex at) const;
     // Returns the first half-edge that leaves the vertex at `entry`. If `entry` is end_of_list, continues in the next
     // block of the ring of the vertex.

@@ -81,12 +81,12 @@ std::size_t bytes_of(const PolyhedralSection<Local>& section) {
 }
 
 std::size_t bytes_of(const Block& block) {
-    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex) + bytes(block.ghost_edge) + bytes(block.twin) +
-                      bytes(block.neighbour) + bytes(block.standard);
+    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex) + bytes(block.ghost_edge) +
+                      bytes(block.twin_half_edge) + bytes(block.neighbour) + bytes(block.standard);
     for (const StandardSection& section : block.standard) sum += bytes_of(section);
     return sum + block.with([](const auto& arrays) {
         return bytes(arrays.first_entry) + bytes(arrays.border_vertex) + bytes(arrays.border_block) +
-               bytes(arrays.border_place) + bytes_of(arrays.polyhedra);
+               bytes(arrays.border_place) + bytes(arrays.twin_block) + bytes_of(arrays.polyhedra);
     });
 }
 
@@ -119,7 +119,7 @@ const TopologyCounts& Topology::counts() const { return blocks_->counts; }
 Index Topology::block_count() const { return static_cast<Index>(blocks_->block.size()); }
 
 std::size_t Topology::memory_bytes() const {
-    std::size_t sum = sizeof(Blocks) + bytes(blocks_->block_at) + bytes(blocks_->edge_begin);
+    std::size_t sum = sizeof(Blocks) + bytes(blocks_->edge_begin);
     for (const Block& block : blocks_->block) sum += bytes_of(block);
     return sum;
 }

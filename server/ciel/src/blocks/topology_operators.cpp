@@ -25,18 +25,19 @@ Place place_of(const StandardSection& section, Index local_half_edge) {
 // Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, it is the first in
 // the list of the shape. At a corner of a stored loop, it runs along the loop, or against the loop if only side 1 of
 // the face is in the section.
-HalfEdge first_at_entry(const Block& block, Index entry) {
+// The number is local to the block.
+Index first_at_entry(const Block& block, Index entry) {
     if (const StandardSection* section = block.section_of_entry(entry)) {
         const StandardShape& shape = *section->shape;
         const Index i = (entry - section->entry_begin) / shape.corners;
-        return block.half_edge_begin + section->half_edge_begin + i * shape.half_edges +
+        return section->half_edge_begin + i * shape.half_edges +
                shape.first_at_corner[(entry - section->entry_begin) % shape.corners];
     }
     return block.with([&](const auto& arrays) {
         const auto& polyhedra = arrays.polyhedra;
         const Index corner = entry - polyhedra.entry_begin;
         const bool far = corner >= polyhedra.far_corner;
-        return block.half_edge_begin + polyhedra.half_edge_begin +
+        return polyhedra.half_edge_begin +
                polyhedra.half_edge(far ? polyhedra.previous_in_loop(corner, polyhedra.face(corner)) : corner,
                                    far ? 1 : 0);
     });
@@ -45,8 +46,8 @@ HalfEdge first_at_entry(const Block& block, Index entry) {
 } // namespace
 
 Index Topology::vertex(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin;
+    const Block& block = blocks_->block[block_of(h)];
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const auto [i, k] = place_of(*section, local);
         return block.vertex(section->vertex[i * section->shape->corners + section->shape->target(k)]);
@@ -61,8 +62,8 @@ Index Topology::vertex(HalfEdge h) const {
 }
 
 Index Topology::edge(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin;
+    const Block& block = blocks_->block[block_of(h)];
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const auto [i, k] = place_of(*section, local);
         return block.edge_id(section->edge[i * section->shape->edges + section->shape->edge[k]]);
@@ -73,34 +74,33 @@ Index Topology::edge(HalfEdge h) const {
 }
 
 HalfEdge Topology::next_around_face(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    return block.half_edge_begin + turn(block, h - block.half_edge_begin, 1);
+    return half_edge_in(block_of(h), turn(blocks_->block[block_of(h)], local_of(h), 1));
 }
 
 HalfEdge Topology::mate_face(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin;
+    const Block& block = blocks_->block[block_of(h)];
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const Index k = place_of(*section, local).half_edge;
-        return h - k + section->shape->mate[k];
+        return half_edge_in(block_of(h), local - k + section->shape->mate[k]);
     }
-    return block.half_edge_begin + block.with([&](const auto& arrays) {
+    return half_edge_in(block_of(h), block.with([&](const auto& arrays) {
         return arrays.polyhedra.half_edge_begin + arrays.polyhedra.mate(local - arrays.polyhedra.half_edge_begin);
-    });
+    }));
 }
 
 // Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
 // the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin;
+    const Block& block = blocks_->block[block_of(h)];
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const StandardShape& shape = *section->shape;
         const auto [i, k] = place_of(*section, local);
         const std::uint16_t mate = section->mate[i * shape.faces + shape.face[k]];
-        if (mate == StandardSection::no_mate) return none;
-        const HalfEdge first = mate < block.standard_half_edges ? block.half_edge_begin + mate
-                                                                : block.twin[mate - block.standard_half_edges];
+        if (mate == StandardSection::no_mate) return no_half_edge;
+        const HalfEdge first = mate < block.standard_half_edges ? half_edge_in(block_of(h), mate)
+                                                                : block.twin(mate - block.standard_half_edges);
         const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
         return blocks_->turn_back(first, steps, n);
     }
@@ -108,25 +108,28 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
         const auto& polyhedra = arrays.polyhedra;
         const Index of_section = local - polyhedra.half_edge_begin;
         if (of_section < 2 * polyhedra.inner_corners)
-            return block.half_edge_begin + polyhedra.half_edge_begin + (of_section ^ 1U);
+            return half_edge_in(block_of(h), polyhedra.half_edge_begin + (of_section ^ 1U));
         const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
-        const HalfEdge first = block.twin[polyhedra.twin_begin + face - polyhedra.inner_faces];
+        const HalfEdge first = block.twin(polyhedra.twin_begin + face - polyhedra.inner_faces);
         const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
         const Index along = corner - polyhedra.face_begin[face]; // position along the stored loop
-        return first == none ? none : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
+        return first == no_half_edge
+                   ? first
+                   : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
     });
 }
 
 // Goes through the entries of the vertex. At a corner of a standard cell: the half-edges of the cell that leave the
 // corner. At a corner of a stored loop: the half-edge that leaves along the loop, then the one that leaves against it.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
-    const Index b = blocks_->block_of(h);
+    const Index b = block_of(h);
     const Block& block = blocks_->block[b];
-    const Index local = h - block.half_edge_begin;
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local)) {
         const StandardShape& shape = *section->shape;
         const auto [i, k] = place_of(*section, local);
-        if (shape.next_at_corner[k] != StandardShape::end_of_list) return h - k + shape.next_at_corner[k];
+        if (shape.next_at_corner[k] != StandardShape::end_of_list)
+            return half_edge_in(b, local - k + shape.next_at_corner[k]);
         const Index corner = i * shape.corners + shape.origin[k];
         return blocks_->first_after(b, section->next_entry[corner], section->vertex[corner]);
     }
@@ -137,22 +140,22 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
         const Index face = polyhedra.face(segment);
         const Index corner = side == 0 ? segment : polyhedra.next_in_loop(segment, face);
         if (side == 0 && segment < polyhedra.inner_corners)
-            return block.half_edge_begin + polyhedra.half_edge_begin +
-                   polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1);
+            return half_edge_in(b, polyhedra.half_edge_begin +
+                                       polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1));
         return blocks_->first_after(b, polyhedra.next_entry[corner], polyhedra.vertex[corner]);
     });
 }
 
 HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
     const BlockVertex first = blocks_->first_with(vertex);
-    if (first.block == none) return none;
+    if (first.block == none) return no_half_edge;
     const HalfEdge h = blocks_->first_at(first);
-    return h != none ? h : blocks_->first_after_block(first);
+    return h != no_half_edge ? h : blocks_->first_after_block(first);
 }
 
 Index Topology::cell(HalfEdge h) const {
-    const Block& block = blocks_->block[blocks_->block_of(h)];
-    const Index local = h - block.half_edge_begin;
+    const Block& block = blocks_->block[block_of(h)];
+    const Index local = local_of(h);
     if (const StandardSection* section = block.section_of_half_edge(local))
         return block.cell_begin + section->local_cell(place_of(*section, local).cell);
     return block.cell_begin + block.with([&](const auto& arrays) {
@@ -165,11 +168,12 @@ Index Topology::cell(HalfEdge h) const {
 
 HalfEdge Topology::half_edge_begin(Index cell) const {
     const std::vector<HalfEdge> all = half_edges(cell);
-    return all.empty() ? none : all.front();
+    return all.empty() ? no_half_edge : all.front();
 }
 
 std::vector<HalfEdge> Topology::half_edges(Index cell) const {
-    const Block& block = blocks_->block[blocks_->block_of_cell(cell)];
+    const Index b = blocks_->block_of_cell(cell);
+    const Block& block = blocks_->block[b];
     std::vector<HalfEdge> out;
     const auto place = [local = cell - block.cell_begin](const auto& section) {
         if (section.cell.empty()) return local < section.count() ? local : none;
@@ -179,7 +183,7 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
     for (const StandardSection& section : block.standard) {
         const Index i = place(section), n = section.shape->half_edges;
         if (i == none) continue;
-        for (Index k = 0; k < n; ++k) out.push_back(block.half_edge_begin + section.half_edge_begin + i * n + k);
+        for (Index k = 0; k < n; ++k) out.push_back(half_edge_in(b, section.half_edge_begin + i * n + k));
         return out;
     }
     block.with([&](const auto& arrays) {
@@ -188,7 +192,7 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
         if (i == none) return;
         for (const Index ref : polyhedra.faces_of(i))
             for (Index k = polyhedra.face_begin[ref / 2]; k < polyhedra.face_begin[ref / 2 + 1]; ++k)
-                out.push_back(block.half_edge_begin + polyhedra.half_edge_begin + polyhedra.half_edge(k, ref % 2));
+                out.push_back(half_edge_in(b, polyhedra.half_edge_begin + polyhedra.half_edge(k, ref % 2)));
     });
     return out;
 }
@@ -209,12 +213,12 @@ HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
         const auto first = arrays.first_entry[at.vertex];
         return first == arrays.polyhedra.end_of_list ? none : Index{first};
     });
-    return entry == none ? none : first_at_entry(here, entry);
+    return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(here, entry));
 }
 
 HalfEdge Topology::Blocks::first_after(Index b, Index entry, Index local_vertex) const {
     const bool at_end = block[b].with([&](const auto& arrays) { return entry == Index{arrays.polyhedra.end_of_list}; });
-    return at_end ? first_after_block({b, local_vertex}) : first_at_entry(block[b], entry);
+    return at_end ? first_after_block({b, local_vertex}) : half_edge_in(b, first_at_entry(block[b], entry));
 }
 
 HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
@@ -224,14 +228,13 @@ HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
     do {
         at = next_in_ring(at);
         const HalfEdge h = first_at({at.block, vertex_at(at)});
-        if (h != none) return h;
+        if (h != no_half_edge) return h;
     } while (at.block != start.block);
-    return none;
+    return no_half_edge;
 }
 
 HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
-    const Block& there = block[block_of(h)];
-    return there.half_edge_begin + turn(there, h - there.half_edge_begin, face_size - steps);
+    return half_edge_in(block_of(h), turn(block[block_of(h)], local_of(h), face_size - steps));
 }
 
 const StandardSection* Block::section_of_half_edge(Index h) const {
@@ -244,6 +247,13 @@ const StandardSection* Block::section_of_entry(Index entry) const {
     for (const StandardSection& section : standard)
         if (entry < section.entry_begin + section.vertex.size()) return &section;
     return nullptr;
+}
+
+HalfEdge Block::twin(Index i) const {
+    return with([&](const auto& all) {
+        const auto there = all.twin_block[i];
+        return there == all.polyhedra.end_of_list ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
+    });
 }
 
 Index Block::border_place_of(Index local_vertex) const {

@@ -75,7 +75,7 @@ void Propagation::pass(Index vertex) {
 // each active edge for each surface. Keeping the cells avoids this work for cells without a passed vertex.
 template <Propagation::Way way>
 void Propagation::turn(HalfEdge h) {
-    const Index b = topology_->blocks().block_of(h), cell = topology_->cell(h);
+    const Index b = block_of(h), cell = topology_->cell(h);
     way == Way::up ? ++low_half_edges_[cell] : --low_half_edges_[cell];
     is_stale_[b] = 1;
     if (is_listed_[cell]) return;

@@ -64,7 +64,7 @@ void Field::Data::find_extrema() const {
             RuleOut(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum).run();
     });
     for (Index v = 0; v < values.size(); ++v) {
-        if (!std::isfinite(values[v]) || topology->half_edge_of_vertex(v) == none) continue;
+        if (!std::isfinite(values[v]) || topology->half_edge_of_vertex(v) == no_half_edge) continue;
         if (!not_minimum[v]) minima.push_back(v);
         if (!not_maximum[v]) maxima.push_back(v);
     }
@@ -83,7 +83,7 @@ bool Field::Data::find_geometric_extrema() const {
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = where.vertices[i];
             const HalfEdge start = topology->half_edge_of_vertex(v);
-            if (start == none || !std::isfinite(values[v])) sides[i] = 3;
+            if (start == no_half_edge || !std::isfinite(values[v])) sides[i] = 3;
             for (HalfEdge h = start; sides[i] != 3;) {
                 const Index other = topology->vertex(h);
                 if (std::isfinite(values[other]))
