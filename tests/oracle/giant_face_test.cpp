@@ -146,24 +146,24 @@ TEST(GiantFace, ARingOfTetrahedraInBlocksOfOne) {
 TEST(GiantFace, AMateIsFoundInAFewStepsOrListed) {
     for (const Polyhedra& input : {prism(), spindle(true), giant_cell(56)}) {
         const KernelMesh mesh(input);
-        for (const Block& block : mesh.topology.blocks().block)
-            block.with([&](const auto& arrays) {
-                const auto& polyhedra = arrays.polyhedra;
+        const Topology::Blocks& blocks = mesh.topology.blocks();
+        for (std::size_t b = 0; b < blocks.block.size(); ++b)
+            with_mates(blocks.block[b], blocks.mates[b], [&](const auto& polyhedra, const auto& mates) {
                 for (Index h = 0; h < polyhedra.vertex.size() + polyhedra.inner_corners; ++h) {
-                    const Index bits = polyhedra.mate_bits(h);
-                    if (bits == polyhedra.escape) continue;
+                    const Index bits = mates.mate_bits(h);
+                    if (bits == mates.escape) continue;
                     const Index k = polyhedra.corner(h), own = polyhedra.face(k);
                     const auto faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
                     std::size_t steps = 0;
                     bool found = false;
-                    for (Index i = bits; i < faces.size() && !found; i += polyhedra.escape) {
+                    for (Index i = bits; i < faces.size() && !found; i += mates.escape) {
                         const Index other = faces[i] / 2;
                         for (Index at = polyhedra.face_begin[other];
                              at < polyhedra.face_begin[other + 1] && other != own && !found; ++at, ++steps)
                             found = polyhedra.edge[at] == polyhedra.edge[k];
                     }
                     ASSERT_TRUE(found);
-                    ASSERT_LE(steps, polyhedra.longest_search);
+                    ASSERT_LE(steps, mates.longest_search);
                 }
             });
     }

@@ -57,9 +57,9 @@ void BlockBuilder::sort_cells() {
 }
 
 // Returns true when 16 bits are enough for each kind of local id: entries (blocks.hpp), half-edges of standard cells
-// and the references to Block::twin_half_edge after them, sides of faces, vertices, and edges.
+// and the references to twins after them, sides of faces, vertices, and edges.
 bool BlockBuilder::fits_16_bits() const {
-    constexpr std::size_t limit = StandardSection::no_mate;
+    constexpr std::size_t limit = BlockMates::no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
     for (const Index cell : polyhedra_) is_polyhedron[cell] = 1;
     std::size_t entries = 0, half_edges = 0;
@@ -92,11 +92,15 @@ void BlockBuilder::fill(BuiltBlock& built) {
             with_shape(standard_types[type],
                        [&]<const StandardShape & shape>() { fill_standard<shape>(built, standard_[type]); });
     built.block.standard_half_edges = built.block.half_edge_count;
-    BlockArrays<Local> arrays;
-    fill_polyhedra(loops_, polyhedra_, built, arrays.polyhedra, anchor_);
-    set_standard_mates(built, arrays);
-    list_entries(built.block, arrays);
-    built.block.arrays = std::move(arrays);
+    fill_polyhedra<Local>(loops_, polyhedra_, built, anchor_);
+    set_standard_mates(built);
+    Index entries = 0;
+    for (StandardSection& section : built.block.standard) {
+        section.entry_begin = entries;
+        entries += static_cast<Index>(section.vertex.size());
+    }
+    std::get<PolyhedralSection<Local>>(built.block.polyhedra).entry_begin = entries;
+    list_entries<Local>(built.block, built.around);
 }
 
 template <const StandardShape& shape>
@@ -145,13 +149,13 @@ void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edg
     }
 }
 
-template <class Local>
-void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local>& arrays) {
-    for (StandardSection& section : built.block.standard) {
+void BlockBuilder::set_standard_mates(BuiltBlock& built) {
+    for (const StandardSection& section : built.block.standard) {
         const StandardShape& shape = *section.shape;
         const auto type =
             static_cast<std::size_t>(std::ranges::find(standard_types, shape.type) - standard_types.begin());
-        section.mate.reserve(standard_[type].size() * shape.faces);
+        std::vector<std::uint16_t>& mates = built.mates.mate.emplace_back();
+        mates.reserve(standard_[type].size() * shape.faces);
         Index first = section.half_edge_begin;
         for (const Recognised& cell : standard_[type]) {
             for (std::size_t face = 0; face < shape.faces; ++face) {
@@ -159,13 +163,11 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local
                 const Index steps = anchor_[loop][side] - first - shape.face_begin[face];
                 const Index other = anchor_[loop][1 - side];
                 if (other < built.block.standard_half_edges) {
-                    section.mate.push_back(
-                        static_cast<std::uint16_t>(turn(built.block, arrays.polyhedra, other, steps)));
+                    mates.push_back(static_cast<std::uint16_t>(turn(built.block, other, steps)));
                 } else if (side == 0 && loops_.is_boundary(loop)) {
-                    section.mate.push_back(StandardSection::no_mate);
+                    mates.push_back(BlockMates::no_mate);
                 } else {
-                    section.mate.push_back(
-                        static_cast<std::uint16_t>(built.block.standard_half_edges + built.tails.size()));
+                    mates.push_back(static_cast<std::uint16_t>(built.block.standard_half_edges + built.tails.size()));
                     built.tails.push_back({loops_.mesh_face[loop], side, anchor_[loop][side], steps, other});
                 }
             }
@@ -176,8 +178,9 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built, const BlockArrays<Local
 
 // Links the entries of each vertex into a list. Goes from the last entry to the first, so that each list ascends.
 template <class Local>
-void BlockBuilder::list_entries(Block& block, BlockArrays<Local>& arrays) {
-    constexpr Local end = PolyhedralSection<Local>::end_of_list;
+void BlockBuilder::list_entries(const Block& block, BlockAround& around) {
+    auto& arrays = around.arrays.emplace<AroundArrays<Local>>();
+    constexpr Local end = AroundArrays<Local>::end_of_list;
     arrays.first_entry.assign(block.vertex_count, end);
     const auto link = [&](const auto& vertex, auto& next_entry, Index entry_begin) {
         next_entry.resize(vertex.size());
@@ -186,37 +189,28 @@ void BlockBuilder::list_entries(Block& block, BlockArrays<Local>& arrays) {
             arrays.first_entry[vertex[k]] = static_cast<Local>(entry_begin + k);
         }
     };
-    Index entries = 0;
-    for (StandardSection& section : block.standard) {
-        section.entry_begin = entries;
-        entries += static_cast<Index>(section.vertex.size());
-    }
-    arrays.polyhedra.entry_begin = entries;
-    link(arrays.polyhedra.vertex, arrays.polyhedra.next_entry, entries);
+    const auto& polyhedra = std::get<PolyhedralSection<Local>>(block.polyhedra);
+    link(polyhedra.vertex, arrays.next_entry, polyhedra.entry_begin);
+    around.next_entry.resize(block.standard.size());
     for (std::size_t i = block.standard.size(); i-- > 0;)
-        link(block.standard[i].vertex, block.standard[i].next_entry, block.standard[i].entry_begin);
+        link(block.standard[i].vertex, around.next_entry[i], block.standard[i].entry_begin);
 }
 
-template <class Local>
-Index turn(const Block& block, const PolyhedralSection<Local>& polyhedra, Index h, Index steps) {
-    if (const StandardSection* section = block.section_of_half_edge(h)) {
-        const StandardShape& shape = *section->shape;
-        const Index of_cell = (h - section->half_edge_begin) % shape.half_edges;
+Index turn(const Block& block, Index h, Index steps) {
+    if (const std::size_t s = block.section_of_half_edge(h); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const StandardShape& shape = *section.shape;
+        const Index of_cell = (h - section.half_edge_begin) % shape.half_edges;
         const Index begin = shape.face_begin[shape.face[of_cell]], n = shape.face_size(shape.face[of_cell]);
         return h - of_cell + begin + (of_cell - begin + steps) % n;
     }
-    const Index local = h - polyhedra.half_edge_begin, corner = polyhedra.corner(local), side = polyhedra.side(local);
-    const Index face = polyhedra.face(corner), begin = polyhedra.face_begin[face];
-    const Index n = polyhedra.face_begin[face + 1] - begin;
-    const Index forward = side == 0 ? steps % n : n - steps % n;
-    return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
-}
-
-template Index turn(const Block&, const PolyhedralSection<std::uint16_t>&, Index, Index);
-template Index turn(const Block&, const PolyhedralSection<std::uint32_t>&, Index, Index);
-
-Index turn(const Block& block, Index h, Index steps) {
-    return block.with([&](const auto& arrays) { return turn(block, arrays.polyhedra, h, steps); });
+    return block.with([&](const auto& polyhedra) {
+        const Index local = h - polyhedra.half_edge_begin;
+        const Index corner = polyhedra.corner(local), side = polyhedra.side(local), face = polyhedra.face(corner);
+        const Index begin = polyhedra.face_begin[face], n = polyhedra.face_begin[face + 1] - begin;
+        const Index forward = side == 0 ? steps % n : n - steps % n;
+        return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
+    });
 }
 
 } // namespace ciel

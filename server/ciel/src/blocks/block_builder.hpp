@@ -1,18 +1,21 @@
 // Algorithm 5 of the paper (appendix A), second half, one block at a time: local vertices, edges and half-edges.
 #pragma once
 
+#include "blocks/block_around.hpp"
 #include "blocks/block_loops.hpp"
-#include "blocks/blocks.hpp"
+#include "blocks/block_mates.hpp"
 #include "blocks/recognise.hpp"
 
 namespace ciel {
 
 // A block before link_blocks, with tables that only link_blocks needs.
 struct BuiltBlock {
-    Block block;                                 // ghost and owned vertices and edges are not yet separated
+    Block block; // ghost and owned vertices and edges are not yet separated
+    BlockAround around;
+    BlockMates mates;
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
-    // A side of a face whose mate belongs in Block::twin_half_edge: the mate is in another block or section, or does
+    // A side of a face whose mate belongs in a BlockMates::twin: the mate is in another block or section, or does
     // not exist.
     struct Tail {
         Index face, side; // mesh face; 0: side of the owner, 1: side of the neighbor
@@ -20,7 +23,7 @@ struct BuiltBlock {
         Index steps;      // steps around the face from the half-edge whose mate is stored to the anchor
         Index mate;       // the anchor's mate if it is in another section of this block; else none
     };
-    std::vector<Tail> tails; // tails[i] belongs to Block::twin_half_edge[i]
+    std::vector<Tail> tails; // tails[i] belongs to twin i
 };
 
 // Builds many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.
@@ -46,10 +49,9 @@ private:
     void fill_standard(BuiltBlock& built, std::span<const Recognised> cells);
     template <const StandardShape& shape>
     void set_anchors(std::span<const Recognised> cells, Index half_edge_begin);
+    void set_standard_mates(BuiltBlock& built);
     template <class Local>
-    void set_standard_mates(BuiltBlock& built, const BlockArrays<Local>& arrays);
-    template <class Local>
-    void list_entries(Block& block, BlockArrays<Local>& arrays);
+    void list_entries(const Block& block, BlockAround& around);
 
     BlockLoops loops_;
     std::array<std::vector<Recognised>, 4> standard_; // by index in standard_types
@@ -57,16 +59,11 @@ private:
     std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: local half-edge at the first corner, or none
 };
 
-// Fills `out` with `cells`, whose local half-edges and entries come after those of the standard sections. Faces with
-// only one of `cells` become tails of `built`. Sets `anchor` for the sides of `cells`. Throws Error, naming the cell,
-// when a cell is not closed.
+// Fills the PolyhedralSection of `built` with `cells`, and their mates. Their local half-edges and entries come after
+// those of the standard sections. Faces with only one of `cells` become tails of `built`. Sets `anchor` for the sides
+// of `cells`. Throws Error, naming the cell, when a cell is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
-                    PolyhedralSection<Local>& out, std::span<std::array<Index, 2>> anchor);
-
-// Like `turn` of blocks.hpp, for a block whose `arrays` are not set yet.
-template <class Local>
-[[nodiscard]] Index turn(const Block& block, const PolyhedralSection<Local>& polyhedra, Index local_half_edge,
-                         Index steps);
+                    std::span<std::array<Index, 2>> anchor);
 
 } // namespace ciel

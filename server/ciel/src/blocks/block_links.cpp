@@ -1,5 +1,6 @@
 #include "blocks/block_links.hpp"
 
+#include "blocks/blocks.hpp"
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
@@ -19,6 +20,17 @@ void for_blocks(std::size_t count, F&& body) {
     });
 }
 
+// Sorts the blocks of a list, and removes repeated ones.
+void sort_once(std::vector<Index>& blocks) {
+    std::ranges::sort(blocks);
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    blocks.shrink_to_fit();
+}
+
+Index place_in(std::span<const Index> sorted, Index block) {
+    return static_cast<Index>(std::ranges::lower_bound(sorted, block) - sorted.begin());
+}
+
 class Linker {
 public:
     Linker(const FaceMeshView& mesh, std::vector<BuiltBlock>& built, Topology::Blocks& out)
@@ -27,12 +39,16 @@ public:
     void run() {
         count_half_edges();
         own_vertices();
-        find_twins();
         ring_vertices();
         own_edges();
         number_edges();
         for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
-        for (BuiltBlock& b : built_) out_.block.push_back(std::move(b.block));
+        join_twins();
+        for (BuiltBlock& b : built_) {
+            out_.block.push_back(std::move(b.block));
+            out_.around.push_back(std::move(b.around));
+            out_.mates.push_back(std::move(b.mates));
+        }
     }
 
 private:
@@ -47,14 +63,16 @@ private:
     void count_half_edges();
     void own_vertices();
     void ring_vertices();
-    void link(Index b, std::span<const Index> next);
+    void link_border(Index b, std::span<const Index> next);
     [[nodiscard]] SharedLists list_by_lower_vertex() const;
     void own_edges();
     void give_to_first(std::span<SharedEdge> edges);
     void number_edges();
     [[nodiscard]] std::vector<std::vector<std::pair<Index, SharedEdge>>> shared_edges() const;
     void renumber_edges(Index b);
-    void find_twins();
+    void join_twins();
+    [[nodiscard]] HalfEdge turn_in_mesh(HalfEdge h, Index steps) const;
+    static void name_twins(std::span<const HalfEdge> twins, BlockMates& mates);
 
     const FaceMeshView& mesh_;
     std::vector<BuiltBlock>& built_;
@@ -62,7 +80,6 @@ private:
     struct Owner {
         Index edge, block, owner_edge; // ghost edge `edge` is edge `owner_edge` of its owner `block`
     };
-    std::vector<std::vector<HalfEdge>> twins_; // by block: mates that are in other blocks or sections, or none
     std::vector<std::vector<Owner>> ghosts_;   // by block: its ghost edges
     std::vector<std::vector<Index>> new_edge_; // by block, local edge: index among the owned edges; none for ghosts
 };
@@ -112,31 +129,28 @@ void Linker::ring_vertices() {
         }
     }
     for_blocks(built_.size(), [&](Index b) {
-        Block& block = built_[b].block;
         std::visit(
             [&](auto& arrays) {
-                for (Index local = 0; local < block.vertex_count; ++local)
-                    if (next[block.vertex_begin + local] != none)
+                for (Index local = 0; local < built_[b].block.vertex_count; ++local)
+                    if (next[built_[b].block.vertex_begin + local] != none)
                         arrays.border_vertex.push_back(
                             static_cast<std::decay_t<decltype(arrays.border_vertex[0])>>(local));
                 arrays.border_vertex.shrink_to_fit();
             },
-            block.arrays);
+            built_[b].around.arrays);
     });
-    for_blocks(built_.size(), [&](Index b) { link(b, next); });
+    for_blocks(built_.size(), [&](Index b) { link_border(b, next); });
 }
 
-// Sets the neighbors of a block, and what names them: border_block, border_place and the twins. `next`: slot -> next
-// slot of the same vertex around its ring.
-void Linker::link(Index b, std::span<const Index> next) {
-    Block& block = built_[b].block;
+// Sets the neighbors of a block around its vertices, border_block and border_place. `next`: slot -> next slot of the
+// same vertex around its ring.
+void Linker::link_border(Index b, std::span<const Index> next) {
+    const Block& block = built_[b].block;
+    BlockAround& around = built_[b].around;
     const auto block_with = [&](Index slot) {
         const auto after =
             std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& one) { return one.block.vertex_begin; });
         return static_cast<Index>(after - built_.begin() - 1);
-    };
-    const auto place_of = [&](Index neighbour) {
-        return static_cast<Index>(std::ranges::lower_bound(block.neighbour, neighbour) - block.neighbour.begin());
     };
     std::visit(
         [&](auto& arrays) {
@@ -144,30 +158,18 @@ void Linker::link(Index b, std::span<const Index> next) {
             std::vector<Index> there;
             for (const Index local : arrays.border_vertex)
                 there.push_back(block_with(next[block.vertex_begin + local]));
-            block.neighbour = there;
-            for (const HalfEdge twin : twins_[b])
-                if (twin != no_half_edge) block.neighbour.push_back(block_of(twin));
-            std::ranges::sort(block.neighbour);
-            block.neighbour.erase(std::unique(block.neighbour.begin(), block.neighbour.end()), block.neighbour.end());
-            block.neighbour.shrink_to_fit();
+            around.neighbour = there;
+            sort_once(around.neighbour);
             arrays.border_block.reserve(there.size());
             arrays.border_place.reserve(there.size());
             for (std::size_t i = 0; i < there.size(); ++i) {
-                const Block& other = built_[there[i]].block;
-                const Index local = next[block.vertex_begin + arrays.border_vertex[i]] - other.vertex_begin;
-                arrays.border_block.push_back(static_cast<Local>(place_of(there[i])));
-                arrays.border_place.push_back(static_cast<Local>(other.border_place_of(local)));
-            }
-            block.twin_half_edge.reserve(twins_[b].size());
-            arrays.twin_block.reserve(twins_[b].size());
-            for (const HalfEdge twin : twins_[b]) {
-                const bool is_none = twin == no_half_edge;
-                arrays.twin_block.push_back(is_none ? arrays.polyhedra.end_of_list
-                                                    : static_cast<Local>(place_of(block_of(twin))));
-                block.twin_half_edge.push_back(is_none ? 0 : local_of(twin));
+                const BuiltBlock& other = built_[there[i]];
+                const Index local = next[block.vertex_begin + arrays.border_vertex[i]] - other.block.vertex_begin;
+                arrays.border_block.push_back(static_cast<Local>(place_in(around.neighbour, there[i])));
+                arrays.border_place.push_back(static_cast<Local>(other.around.border_place_of(local)));
             }
         },
-        block.arrays);
+        around.arrays);
 }
 
 // Returns, by block, the edges that other blocks may have too, which are those with both ends on the border. Each edge
@@ -176,7 +178,7 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
     for_blocks(built_.size(), [&](Index b) {
         const Block& block = built_[b].block;
-        block.with([&](const auto& arrays) {
+        built_[b].around.with([&](const auto& arrays) {
             std::vector<std::uint8_t> border(block.vertex_count, 0);
             for (const auto v : arrays.border_vertex) border[v] = 1;
             for (Index e = 0; e < block.edge_count; ++e) {
@@ -274,26 +276,47 @@ void Linker::renumber_edges(Index b) {
         for (auto& e : edges) e = static_cast<std::decay_t<decltype(e)>>(renumbered[e]);
     };
     for (StandardSection& section : block.standard) renumber(section.edge);
-    std::visit([&](auto& arrays) { renumber(arrays.polyhedra.edge); }, block.arrays);
+    std::visit([&](auto& polyhedra) { renumber(polyhedra.edge); }, block.polyhedra);
 }
 
-void Linker::find_twins() {
+void Linker::join_twins() {
     std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {no_half_edge, no_half_edge}); // by face, side
     for_blocks(built_.size(), [&](Index b) {
         for (const BuiltBlock::Tail& tail : built_[b].tails)
             anchor[tail.face][tail.side] = half_edge_in(b, tail.anchor);
     });
-    twins_.resize(built_.size());
     for_blocks(built_.size(), [&](Index b) {
-        twins_[b].reserve(built_[b].tails.size());
+        std::vector<HalfEdge> twins;
+        twins.reserve(built_[b].tails.size());
         for (const BuiltBlock::Tail& tail : built_[b].tails) {
             const HalfEdge other = tail.mate != none ? half_edge_in(b, tail.mate) : anchor[tail.face][1 - tail.side];
-            const bool is_none = other == no_half_edge;
-            twins_[b].push_back(is_none ? other
-                                        : half_edge_in(block_of(other), turn(built_[block_of(other)].block,
-                                                                             local_of(other), tail.steps)));
+            twins.push_back(other == no_half_edge ? other : turn_in_mesh(other, tail.steps));
         }
+        name_twins(twins, built_[b].mates);
     });
+}
+
+HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
+    return half_edge_in(block_of(h), turn(built_[block_of(h)].block, local_of(h), steps));
+}
+
+// Sets the neighbors of a block across its faces, and the twins.
+void Linker::name_twins(std::span<const HalfEdge> twins, BlockMates& mates) {
+    for (const HalfEdge twin : twins)
+        if (twin != no_half_edge) mates.neighbour.push_back(block_of(twin));
+    sort_once(mates.neighbour);
+    mates.twin_half_edge.reserve(twins.size());
+    std::visit(
+        [&](auto& arrays) {
+            arrays.twin_block.reserve(twins.size());
+            for (const HalfEdge twin : twins) {
+                const bool is_none = twin == no_half_edge;
+                const Index place = is_none ? arrays.no_block : place_in(mates.neighbour, block_of(twin));
+                arrays.twin_block.push_back(static_cast<std::decay_t<decltype(arrays.no_block)>>(place));
+                mates.twin_half_edge.push_back(is_none ? 0 : local_of(twin));
+            }
+        },
+        mates.arrays);
 }
 
 } // namespace

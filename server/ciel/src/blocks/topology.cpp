@@ -1,6 +1,7 @@
 #include "ciel/topology.hpp"
 
 #include "blocks/block_links.hpp"
+#include "blocks/blocks.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/standard_shapes.hpp"
 
@@ -62,32 +63,34 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
     return components;
 }
 
-template <class T>
-std::size_t bytes(const std::vector<T>& v) {
-    return v.capacity() * sizeof(T);
-}
-
-std::size_t bytes_of(const StandardSection& section) {
-    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.mate) +
-           bytes(section.next_entry) + bytes(section.group_parts);
-}
-
-template <class Local>
-std::size_t bytes_of(const PolyhedralSection<Local>& section) {
-    return bytes(section.cell) + bytes(section.vertex) + bytes(section.edge) + bytes(section.next_entry) +
-           bytes(section.mate_face) + bytes(section.mate_escapes) + bytes(section.face_begin) +
-           bytes(section.face_cell) + bytes(section.face_start) + bytes(section.face_rank) +
-           bytes(section.cell_face_begin) + bytes(section.cell_face);
+template <class... Vectors>
+std::size_t bytes(const Vectors&... vectors) {
+    return (std::size_t{0} + ... + (vectors.capacity() * sizeof(vectors[0])));
 }
 
 std::size_t bytes_of(const Block& block) {
-    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex) + bytes(block.ghost_edge) +
-                      bytes(block.twin_half_edge) + bytes(block.neighbour) + bytes(block.standard);
-    for (const StandardSection& section : block.standard) sum += bytes_of(section);
-    return sum + block.with([](const auto& arrays) {
-        return bytes(arrays.first_entry) + bytes(arrays.border_vertex) + bytes(arrays.border_block) +
-               bytes(arrays.border_place) + bytes(arrays.twin_block) + bytes_of(arrays.polyhedra);
+    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex, block.ghost_edge, block.standard);
+    for (const StandardSection& section : block.standard)
+        sum += bytes(section.cell, section.vertex, section.edge, section.group_parts);
+    return sum + block.with([](const auto& all) {
+        return bytes(all.cell, all.vertex, all.edge, all.face_begin, all.face_cell, all.face_start, all.face_rank,
+                     all.cell_face_begin, all.cell_face);
     });
+}
+
+std::size_t bytes_of(const BlockAround& around) {
+    std::size_t sum = sizeof(BlockAround) + bytes(around.neighbour, around.next_entry);
+    for (const auto& of_section : around.next_entry) sum += bytes(of_section);
+    return sum + around.with([](const auto& all) {
+        return bytes(all.first_entry, all.next_entry, all.border_vertex, all.border_block, all.border_place);
+    });
+}
+
+std::size_t bytes_of(const BlockMates& mates) {
+    std::size_t sum = sizeof(BlockMates) + bytes(mates.neighbour, mates.twin_half_edge, mates.mate);
+    for (const auto& of_section : mates.mate) sum += bytes(of_section);
+    return sum + std::visit([](const auto& all) { return bytes(all.mate_face, all.mate_escapes, all.twin_block); },
+                            mates.arrays);
 }
 
 } // namespace
@@ -121,6 +124,8 @@ Index Topology::block_count() const { return static_cast<Index>(blocks_->block.s
 std::size_t Topology::memory_bytes() const {
     std::size_t sum = sizeof(Blocks) + bytes(blocks_->edge_begin);
     for (const Block& block : blocks_->block) sum += bytes_of(block);
+    for (const BlockAround& around : blocks_->around) sum += bytes_of(around);
+    for (const BlockMates& mates : blocks_->mates) sum += bytes_of(mates);
     return sum;
 }
 

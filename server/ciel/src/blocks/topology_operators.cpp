@@ -27,14 +27,14 @@ Place place_of(const StandardSection& section, Index local_half_edge) {
 // the face is in the section.
 // The number is local to the block.
 Index first_at_entry(const Block& block, Index entry) {
-    if (const StandardSection* section = block.section_of_entry(entry)) {
-        const StandardShape& shape = *section->shape;
-        const Index i = (entry - section->entry_begin) / shape.corners;
-        return section->half_edge_begin + i * shape.half_edges +
-               shape.first_at_corner[(entry - section->entry_begin) % shape.corners];
+    if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const StandardShape& shape = *section.shape;
+        const Index i = (entry - section.entry_begin) / shape.corners;
+        return section.half_edge_begin + i * shape.half_edges +
+               shape.first_at_corner[(entry - section.entry_begin) % shape.corners];
     }
-    return block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    return block.with([&](const auto& polyhedra) {
         const Index corner = entry - polyhedra.entry_begin;
         const bool far = corner >= polyhedra.far_corner;
         return polyhedra.half_edge_begin +
@@ -48,12 +48,12 @@ Index first_at_entry(const Block& block, Index entry) {
 Index Topology::vertex(HalfEdge h) const {
     const Block& block = blocks_->block[block_of(h)];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const auto [i, k] = place_of(*section, local);
-        return block.vertex(section->vertex[i * section->shape->corners + section->shape->target(k)]);
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const auto [i, k] = place_of(section, local);
+        return block.vertex(section.vertex[i * section.shape->corners + section.shape->target(k)]);
     }
-    return block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    return block.with([&](const auto& polyhedra) {
         const Index of_section = local - polyhedra.half_edge_begin, corner = polyhedra.corner(of_section);
         return block.vertex(
             polyhedra.vertex[polyhedra.side(of_section) == 1 ? corner
@@ -64,12 +64,13 @@ Index Topology::vertex(HalfEdge h) const {
 Index Topology::edge(HalfEdge h) const {
     const Block& block = blocks_->block[block_of(h)];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const auto [i, k] = place_of(*section, local);
-        return block.edge_id(section->edge[i * section->shape->edges + section->shape->edge[k]]);
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const auto [i, k] = place_of(section, local);
+        return block.edge_id(section.edge[i * section.shape->edges + section.shape->edge[k]]);
     }
-    return block.edge_id(block.with([&](const auto& arrays) {
-        return Index{arrays.polyhedra.edge[arrays.polyhedra.corner(local - arrays.polyhedra.half_edge_begin)]};
+    return block.edge_id(block.with([&](const auto& polyhedra) {
+        return Index{polyhedra.edge[polyhedra.corner(local - polyhedra.half_edge_begin)]};
     }));
 }
 
@@ -80,37 +81,39 @@ HalfEdge Topology::next_around_face(HalfEdge h) const {
 HalfEdge Topology::mate_face(HalfEdge h) const {
     const Block& block = blocks_->block[block_of(h)];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const Index k = place_of(*section, local).half_edge;
-        return half_edge_in(block_of(h), local - k + section->shape->mate[k]);
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const Index k = place_of(section, local).half_edge;
+        return half_edge_in(block_of(h), local - k + section.shape->mate[k]);
     }
-    return half_edge_in(block_of(h), block.with([&](const auto& arrays) {
-        return arrays.polyhedra.half_edge_begin + arrays.polyhedra.mate(local - arrays.polyhedra.half_edge_begin);
-    }));
+    const Index mate = with_mates(block, blocks_->mates[block_of(h)], [&](const auto& polyhedra, const auto& mates) {
+        return polyhedra.half_edge_begin + mates.mate(polyhedra, local - polyhedra.half_edge_begin);
+    });
+    return half_edge_in(block_of(h), mate);
 }
 
 // Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
 // the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Block& block = blocks_->block[block_of(h)];
+    const BlockMates& mates = blocks_->mates[block_of(h)];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const StandardShape& shape = *section->shape;
-        const auto [i, k] = place_of(*section, local);
-        const std::uint16_t mate = section->mate[i * shape.faces + shape.face[k]];
-        if (mate == StandardSection::no_mate) return no_half_edge;
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
+        const StandardShape& shape = *block.standard[s].shape;
+        const auto [i, k] = place_of(block.standard[s], local);
+        const std::uint16_t mate = mates.mate[s][i * shape.faces + shape.face[k]];
+        if (mate == BlockMates::no_mate) return no_half_edge;
         const HalfEdge first = mate < block.standard_half_edges ? half_edge_in(block_of(h), mate)
-                                                                : block.twin(mate - block.standard_half_edges);
+                                                                : mates.twin(mate - block.standard_half_edges);
         const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
         return blocks_->turn_back(first, steps, n);
     }
-    return block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    return block.with([&](const auto& polyhedra) {
         const Index of_section = local - polyhedra.half_edge_begin;
         if (of_section < 2 * polyhedra.inner_corners)
             return half_edge_in(block_of(h), polyhedra.half_edge_begin + (of_section ^ 1U));
         const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
-        const HalfEdge first = block.twin(polyhedra.twin_begin + face - polyhedra.inner_faces);
+        const HalfEdge first = mates.twin(mates.twin_begin + face - polyhedra.inner_faces);
         const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
         const Index along = corner - polyhedra.face_begin[face]; // position along the stored loop
         return first == no_half_edge
@@ -125,16 +128,16 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Index b = block_of(h);
     const Block& block = blocks_->block[b];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local)) {
-        const StandardShape& shape = *section->shape;
-        const auto [i, k] = place_of(*section, local);
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
+        const StandardSection& section = block.standard[s];
+        const StandardShape& shape = *section.shape;
+        const auto [i, k] = place_of(section, local);
         if (shape.next_at_corner[k] != StandardShape::end_of_list)
             return half_edge_in(b, local - k + shape.next_at_corner[k]);
         const Index corner = i * shape.corners + shape.origin[k];
-        return blocks_->first_after(b, section->next_entry[corner], section->vertex[corner]);
+        return blocks_->first_after(b, blocks_->around[b].next_entry[s][corner], section.vertex[corner]);
     }
-    return block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    return with_around(block, blocks_->around[b], [&](const auto& polyhedra, const auto& around) {
         const Index of_section = local - polyhedra.half_edge_begin;
         const Index segment = polyhedra.corner(of_section), side = polyhedra.side(of_section);
         const Index face = polyhedra.face(segment);
@@ -142,7 +145,7 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
         if (side == 0 && segment < polyhedra.inner_corners)
             return half_edge_in(b, polyhedra.half_edge_begin +
                                        polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1));
-        return blocks_->first_after(b, polyhedra.next_entry[corner], polyhedra.vertex[corner]);
+        return blocks_->first_after(b, around.next_entry[corner], polyhedra.vertex[corner]);
     });
 }
 
@@ -156,10 +159,9 @@ HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
 Index Topology::cell(HalfEdge h) const {
     const Block& block = blocks_->block[block_of(h)];
     const Index local = local_of(h);
-    if (const StandardSection* section = block.section_of_half_edge(local))
-        return block.cell_begin + section->local_cell(place_of(*section, local).cell);
-    return block.cell_begin + block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size())
+        return block.cell_begin + block.standard[s].local_cell(place_of(block.standard[s], local).cell);
+    return block.cell_begin + block.with([&](const auto& polyhedra) {
         const Index of_section = local - polyhedra.half_edge_begin;
         const Index face = polyhedra.face(polyhedra.corner(of_section));
         return polyhedra.local_cell(polyhedra.face_cell[face][polyhedra.side(of_section)]);
@@ -186,8 +188,7 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
         for (Index k = 0; k < n; ++k) out.push_back(half_edge_in(b, section.half_edge_begin + i * n + k));
         return out;
     }
-    block.with([&](const auto& arrays) {
-        const auto& polyhedra = arrays.polyhedra;
+    block.with([&](const auto& polyhedra) {
         const Index i = place(polyhedra);
         if (i == none) return;
         for (const Index ref : polyhedra.faces_of(i))
@@ -208,21 +209,20 @@ BlockVertex Topology::Blocks::first_with(Index vertex) const {
 }
 
 HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
-    const Block& here = block[at.block];
-    const Index entry = here.with([&](const auto& arrays) {
-        const auto first = arrays.first_entry[at.vertex];
-        return first == arrays.polyhedra.end_of_list ? none : Index{first};
+    const Index entry = around[at.block].with([&](const auto& all) {
+        const auto first = all.first_entry[at.vertex];
+        return first == all.end_of_list ? none : Index{first};
     });
-    return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(here, entry));
+    return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(block[at.block], entry));
 }
 
 HalfEdge Topology::Blocks::first_after(Index b, Index entry, Index local_vertex) const {
-    const bool at_end = block[b].with([&](const auto& arrays) { return entry == Index{arrays.polyhedra.end_of_list}; });
+    const bool at_end = around[b].with([&](const auto& all) { return entry == Index{all.end_of_list}; });
     return at_end ? first_after_block({b, local_vertex}) : half_edge_in(b, first_at_entry(block[b], entry));
 }
 
 HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
-    const Index place = block[start.block].border_place_of(start.vertex);
+    const Index place = around[start.block].border_place_of(start.vertex);
     if (place == none) return first_at(start);
     BorderVertex at{start.block, place};
     do {
@@ -235,45 +235,6 @@ HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
 
 HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
     return half_edge_in(block_of(h), turn(block[block_of(h)], local_of(h), face_size - steps));
-}
-
-const StandardSection* Block::section_of_half_edge(Index h) const {
-    for (const StandardSection& section : standard)
-        if (h < section.half_edge_begin + section.count() * section.shape->half_edges) return &section;
-    return nullptr;
-}
-
-const StandardSection* Block::section_of_entry(Index entry) const {
-    for (const StandardSection& section : standard)
-        if (entry < section.entry_begin + section.vertex.size()) return &section;
-    return nullptr;
-}
-
-HalfEdge Block::twin(Index i) const {
-    return with([&](const auto& all) {
-        const auto there = all.twin_block[i];
-        return there == all.polyhedra.end_of_list ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
-    });
-}
-
-Index Block::border_place_of(Index local_vertex) const {
-    return with([&](const auto& all) {
-        const auto found = std::ranges::lower_bound(all.border_vertex, local_vertex);
-        return found != all.border_vertex.end() && *found == local_vertex
-                   ? static_cast<Index>(found - all.border_vertex.begin())
-                   : none;
-    });
-}
-
-Index Block::first_entry_from(Index local_vertex, Index begin) const {
-    return with([&](const auto& all) {
-        Index entry = all.first_entry[local_vertex];
-        while (entry < begin) { // in a standard section, because polyhedra have the last entries
-            const StandardSection& section = *section_of_entry(entry);
-            entry = section.next_entry[entry - section.entry_begin];
-        }
-        return entry;
-    });
 }
 
 } // namespace ciel

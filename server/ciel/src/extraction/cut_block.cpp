@@ -241,9 +241,9 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
         first += groups;
         cut_standard<Edges>(section, in, scratch, cut);
     }
-    block.with([&](const auto& arrays) {
-        find_active(arrays.polyhedra, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first), scratch);
-        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
+    block.with([&](const auto& polyhedra) {
+        find_active(polyhedra, in, in.ranges.empty() ? in.ranges : in.ranges.subspan(first), scratch);
+        cut_polyhedra<Edges>(polyhedra, in, scratch, cut);
     });
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
@@ -270,9 +270,9 @@ void cut_listed(const Block& block, const BlockValues& in, std::span<const Index
         });
         cut_standard<Edges>(section, in, scratch, cut);
     }
-    block.with([&](const auto& arrays) {
-        for_each_in(arrays.polyhedra, [&](Index i) { scratch.cell[scratch.cells++] = {i, 0}; });
-        cut_polyhedra<Edges>(arrays.polyhedra, in, scratch, cut);
+    block.with([&](const auto& polyhedra) {
+        for_each_in(polyhedra, [&](Index i) { scratch.cell[scratch.cells++] = {i, 0}; });
+        cut_polyhedra<Edges>(polyhedra, in, scratch, cut);
     });
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }

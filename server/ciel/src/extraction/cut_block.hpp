@@ -3,6 +3,7 @@
 
 #include "blocks/active_block.hpp"
 #include "blocks/blocks.hpp"
+#include "blocks/pair_half_edges.hpp"
 #include "ciel/decider.hpp"
 #include "fields/cell_ranges.hpp"
 
@@ -48,6 +49,8 @@ struct CutScratch {
     std::vector<Index> returning; // edges over which the same face is entered and left
     std::vector<std::array<Index, 2>> crossing;
     std::vector<std::uint8_t> walked; // by half-edge of the polyhedra: 1 if a polygon has passed it
+    HalfEdgePairs pairs;
+    std::vector<Index> mate; // by half-edge of the polyhedra; only those of the cell being walked are valid
     struct Sorted {
         std::vector<Index> order, cell, end, edge;
     };

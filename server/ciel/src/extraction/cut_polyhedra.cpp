@@ -244,8 +244,15 @@ void PolyhedronCutter<Edges, Local>::follow(Index cell) {
 
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
-    if (scratch_.walked.size() < 2 * section_.mate_face.size())
-        scratch_.walked.resize(2 * section_.mate_face.size(), 0);
+    const std::size_t half_edges = section_.vertex.size() + section_.inner_corners;
+    if (scratch_.walked.size() < half_edges) {
+        scratch_.walked.resize(half_edges, 0);
+        scratch_.mate.resize(half_edges, none);
+    }
+    if (!scratch_.pairs.run(section_, cell, [this](Index h, Index mate, Index) { scratch_.mate[h] = mate; })) {
+        cut_.wasted = true;
+        return;
+    }
     std::vector<Index>& entries = scratch_.entry; // holds half-edges here, not edges; `way` is unused
     entries.clear();
     for (const Index ref : section_.faces_of(cell)) {
@@ -276,7 +283,7 @@ void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
         const bool forward = (side == 0) != joined(face);
         do corner = forward ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
         while (!is_active(corner, face));
-        h = section_.mate(section_.half_edge(corner, side));
+        h = scratch_.mate[section_.half_edge(corner, side)];
     } while (h != start);
     finish_walk(cell, begin);
 }

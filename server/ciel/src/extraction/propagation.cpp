@@ -17,8 +17,7 @@ void count_half_edges(const Topology& topology, std::vector<Index>& out) {
         for (const StandardSection& section : block.standard)
             for (Index i = 0; i < section.count(); ++i)
                 out[block.cell_begin + section.local_cell(i)] = section.shape->half_edges;
-        block.with([&](const auto& arrays) {
-            const auto& polyhedra = arrays.polyhedra;
+        block.with([&](const auto& polyhedra) {
             for (Index i = 0; i < polyhedra.count(); ++i)
                 for (const Index ref : polyhedra.faces_of(i))
                     out[block.cell_begin + polyhedra.local_cell(i)] +=

@@ -72,7 +72,7 @@ std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, s
     Making making(state_[b]);
     ranges_[b].clear();
     for (const StandardSection& section : block.standard) append(section, values, ranges_[b]);
-    block.with([&](const auto& arrays) { append(arrays.polyhedra, values, ranges_[b]); });
+    block.with([&](const auto& polyhedra) { append(polyhedra, values, ranges_[b]); });
     making.result = made;
     return ranges_[b];
 }

@@ -30,8 +30,7 @@ public:
                         edge(section.vertex[begin + shape.edge_ends[e][0]],
                              section.vertex[begin + shape.edge_ends[e][1]]);
             });
-        block_.with([&](const auto& arrays) {
-            const auto& polyhedra = arrays.polyhedra;
+        block_.with([&](const auto& polyhedra) {
             for (Index face = 0; face < polyhedra.face_count(); ++face)
                 for (Index k = polyhedra.face_begin[face]; k < polyhedra.face_begin[face + 1]; ++k)
                     edge(polyhedra.vertex[k], polyhedra.vertex[polyhedra.next_in_loop(k, face)]);

@@ -1,6 +1,7 @@
 #include "ciel/geometric_vertices.hpp"
 
 #include "blocks/blocks.hpp"
+#include "blocks/pair_half_edges.hpp"
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ public:
     void run() {
         for (const StandardSection& section : block_.standard)
             with_shape(section.shape->type, [&]<const StandardShape & shape>() { standard<shape>(section); });
-        block_.with([&](const auto& arrays) { polyhedra(arrays.polyhedra); });
+        block_.with([&](const auto& section) { polyhedra(section); });
     }
 
 private:
@@ -82,16 +83,24 @@ private:
             return Index{section.vertex[section.side(h) == 0 ? section.next_in_loop(k, section.face(k)) : k]};
         };
         seen_.assign(half_edges, 0);
-        for (Index start = 0; start < half_edges; ++start) {
-            if (seen_[start] != 0) continue;
-            around_.clear();
-            Index h = start;
-            do {
-                seen_[h] = 1;
-                around_.push_back(target(h));
-                h = next(section.mate(h));
-            } while (h != start);
-            corner(section.origin(start), around_);
+        mate_.assign(half_edges, none);
+        for (Index cell = 0; cell < section.count(); ++cell) {
+            half_edges_.clear();
+            (void)pairs_.run(section, cell, [this](Index h, Index mate, Index) {
+                mate_[h] = mate;
+                half_edges_.push_back(h);
+            });
+            for (const Index start : half_edges_) {
+                if (seen_[start] != 0) continue;
+                around_.clear();
+                Index h = start;
+                do {
+                    seen_[h] = 1;
+                    around_.push_back(target(h));
+                    h = next(mate_[h]);
+                } while (h != start);
+                corner(section.origin(start), around_);
+            }
         }
     }
 
@@ -100,6 +109,9 @@ private:
     double margin_;
     std::vector<std::uint8_t>& flag_;
     std::vector<Index> around_;
+    HalfEdgePairs pairs_;
+    std::vector<Index> half_edges_; // of the cell
+    std::vector<Index> mate_;       // by half-edge of the section
     std::vector<std::uint8_t> seen_;
 };
 

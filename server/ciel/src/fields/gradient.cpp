@@ -47,9 +47,9 @@ struct AddSolved {
         sum.add(cell_gradient<shape>(&section.vertex[i * shape.corners], sampler(b)));
     }
     void polyhedron(Index b, Index i, Index) {
-        field.topology->blocks().block[b].with([&](const auto& arrays) {
-            scratch.polyhedron.begin(field.topology->blocks().block[b], arrays.polyhedra);
-            sum.add(scratch.polyhedron.solve(arrays.polyhedra, i, sampler(b)));
+        field.topology->blocks().block[b].with([&](const auto& polyhedra) {
+            scratch.polyhedron.begin(field.topology->blocks().block[b], polyhedra);
+            sum.add(scratch.polyhedron.solve(polyhedra, i, sampler(b)));
         });
     }
 };
@@ -133,7 +133,7 @@ void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
     const Block& block = blocks_.block[b];
     Scratch& scratch = scratch_of_this_thread();
     for (const Index v : vertices) {
-        const Index place = block.border_place_of(v);
+        const Index place = blocks_.around[b].border_place_of(v);
         if (place == none)
             scratch.ring.assign(1, {b, v});
         else
@@ -149,7 +149,7 @@ void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
 void Pass::ask_neighbours(Index b) {
     const Block& block = blocks_.block[b];
     const std::span<std::uint8_t> state = states(block);
-    block.with([&](const auto& arrays) {
+    blocks_.around[b].with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
             if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
                 continue;
@@ -177,9 +177,9 @@ void Pass::sum_inside(Index b) {
                    [&]<const StandardShape & shape>() { add_standard<shape>(section, state, cell); });
         cell += section.count();
     }
-    block.with([&](const auto& arrays) {
-        scratch.polyhedron.begin(block, arrays.polyhedra);
-        add_polyhedra(arrays.polyhedra, state, cell);
+    block.with([&](const auto& polyhedra) {
+        scratch.polyhedron.begin(block, polyhedra);
+        add_polyhedra(polyhedra, state, cell);
     });
     for (Index v = 0; v < block.vertex_count; ++v)
         if ((state[v] & wanted) != 0) gradient_[b][v] = scratch.sum[v].mean();
@@ -227,7 +227,7 @@ void Pass::sum_at_border(Index b) {
     const Block& block = blocks_.block[b];
     Scratch& scratch = scratch_of_this_thread();
     const std::span<const std::uint8_t> state = states(block);
-    block.with([&](const auto& arrays) {
+    blocks_.around[b].with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
             const Index v = arrays.border_vertex[place];
             if ((state[v] & wanted) == 0) continue;

@@ -72,15 +72,17 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     const auto standard = [&]<const StandardShape & shape>() {
         for (const BlockVertex at : ring) {
             const Block& block = blocks.block[at.block];
+            const BlockAround& around = blocks.around[at.block];
             Index place = 0;
-            for (const StandardSection& section : block.standard) {
+            for (std::size_t s = 0; s < block.standard.size(); ++s) {
+                const StandardSection& section = block.standard[s];
                 if (section.shape != &shape) {
                     place += section.count();
                     continue;
                 }
                 const Index end = section.entry_begin + static_cast<Index>(section.vertex.size());
-                Index entry = block.first_entry_from(at.vertex, section.entry_begin);
-                for (; entry < end; entry = section.next_entry[entry - section.entry_begin]) {
+                Index entry = first_entry_from(block, around, at.vertex, section.entry_begin);
+                for (; entry < end; entry = around.next_entry[s][entry - section.entry_begin]) {
                     const Index i = (entry - section.entry_begin) / shape.corners;
                     visit.template standard<shape>(at.block, section, i, place + i);
                 }
@@ -93,11 +95,11 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     standard.template operator()<pyramid_shape>();
     for (const BlockVertex at : ring) {
         const Block& block = blocks.block[at.block];
-        block.with([&](const auto& arrays) {
-            const auto& polyhedra = arrays.polyhedra;
+        const BlockAround& around = blocks.around[at.block];
+        with_around(block, around, [&](const auto& polyhedra, const auto& arrays) {
             scratch.clear();
-            for (Index entry = block.first_entry_from(at.vertex, polyhedra.entry_begin); entry != polyhedra.end_of_list;
-                 entry = polyhedra.next_entry[entry - polyhedra.entry_begin])
+            for (Index entry = first_entry_from(block, around, at.vertex, polyhedra.entry_begin);
+                 entry != arrays.end_of_list; entry = arrays.next_entry[entry - polyhedra.entry_begin])
                 for (const Index i : polyhedra.face_cell[polyhedra.face(entry - polyhedra.entry_begin)])
                     scratch.push_back(i);
             std::ranges::sort(scratch);

@@ -59,10 +59,10 @@ void Everywhere::sum_inside(Index b) {
             }
         });
     PolyhedronSolver solver;
-    block.with([&](const auto& arrays) {
-        solver.begin(block, arrays.polyhedra);
-        for (Index i = 0; i < arrays.polyhedra.count(); ++i, ++cell) {
-            *cell = solver.solve(arrays.polyhedra, i, sample);
+    block.with([&](const auto& polyhedra) {
+        solver.begin(block, polyhedra);
+        for (Index i = 0; i < polyhedra.count(); ++i, ++cell) {
+            *cell = solver.solve(polyhedra, i, sample);
             GradientSum weighted;
             weighted.add(*cell);
             for (const Index v : solver.vertices()) sum[v].add(weighted);
@@ -76,7 +76,7 @@ void Everywhere::sum_at_border(Index b) {
     const Block& block = blocks_.block[b];
     std::vector<BlockVertex> ring;
     std::vector<Index> scratch;
-    block.with([&](const auto& arrays) {
+    blocks_.around[b].with([&](const auto& arrays) {
         const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
         for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
             list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);

@@ -1,0 +1,46 @@
+// What leads around a vertex: the entries of each vertex in a block, and the other blocks that have it. For gradients,
+// and for next_around_vertex (paper, section 2.2 and appendix A).
+#pragma once
+
+#include "blocks/block.hpp"
+
+#include <limits>
+
+namespace ciel {
+
+template <class Local>
+struct AroundArrays {
+    static constexpr Local end_of_list = std::numeric_limits<Local>::max();
+
+    std::vector<Local> first_entry; // by local vertex: its first entry, or end_of_list
+    std::vector<Local> next_entry;  // by corner of the PolyhedralSection: next entry of the vertex, or end_of_list
+    // border_vertex: local vertices that other blocks have too, ascending. The blocks of such a vertex form a ring:
+    // each leads to the next higher block, the last to the first. border_block: the next block in the ring, as an index
+    // into BlockAround::neighbour. border_place: index of the vertex in border_vertex of that block.
+    std::vector<Local> border_vertex, border_block, border_place;
+};
+
+struct BlockAround {
+    std::vector<Index> neighbour;                       // blocks that come next in a ring, ascending
+    std::vector<std::vector<std::uint16_t>> next_entry; // by standard section and corner, as in AroundArrays
+    std::variant<AroundArrays<std::uint16_t>, AroundArrays<std::uint32_t>> arrays;
+
+    [[nodiscard]] Index border_place_of(Index local_vertex) const; // index in border_vertex; none if not shared
+    template <class F>
+    decltype(auto) with(F&& f) const {
+        return std::visit(std::forward<F>(f), arrays);
+    }
+};
+
+// Calls f(PolyhedralSection, AroundArrays) of a block, whose ids have the same size.
+template <class F>
+decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f) {
+    return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {
+        return f(polyhedra, std::get<AroundArrays<Local>>(around.arrays));
+    });
+}
+
+// Returns the first entry of the vertex that is at least `begin`, or end_of_list, which is above all entries.
+[[nodiscard]] Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin);
+
+} // namespace ciel

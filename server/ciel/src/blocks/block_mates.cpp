@@ -1,0 +1,43 @@
+#include "blocks/block_mates.hpp"
+
+namespace ciel {
+
+template <class Local>
+Index MateArrays<Local>::mate(const PolyhedralSection<Local>& polyhedra, Index h) const {
+    const Index bits = mate_bits(h);
+    if (bits == escape) {
+        std::size_t low = 0, high = mate_escapes.size();
+        while (low + 1 < high) {
+            const std::size_t middle = (low + high) / 2;
+            (mate_escapes[middle].first <= h ? low : high) = middle;
+        }
+        return mate_escapes[low].second;
+    }
+    const Index k = polyhedra.corner(h), own = polyhedra.face(k);
+    const std::span<const Local> faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
+    Index left = longest_search; // corners; when none are left, fill_polyhedra stores an escape
+    for (Index i = bits; i < faces.size() && left > 0; i += escape) {
+        const Index other = faces[i] / 2;
+        if (other == own) continue;
+        const Index begin = polyhedra.face_begin[other];
+        const Index end = std::min(Index{polyhedra.face_begin[other + 1]}, begin + left);
+        for (Index at = begin; at < end; ++at)
+            if (polyhedra.edge[at] == polyhedra.edge[k]) return polyhedra.half_edge(at, faces[i] % 2);
+        left -= end - begin;
+    }
+    return none;
+}
+
+template struct MateArrays<std::uint16_t>;
+template struct MateArrays<std::uint32_t>;
+
+HalfEdge BlockMates::twin(Index i) const {
+    return std::visit(
+        [&](const auto& all) {
+            const auto there = all.twin_block[i];
+            return there == all.no_block ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
+        },
+        arrays);
+}
+
+} // namespace ciel
