@@ -19,47 +19,77 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace ciel {
 
-struct StandardSection {
+// The arrays of a block are owned while it is built, and lie in its records afterwards (block_records.hpp).
+template <class T>
+using Owned = std::vector<T>;
+template <class T>
+using Viewed = std::span<const T>;
+
+// The ghosts of a block: vertices or edges that blocks before it own. A record names a ghost by an index into its list
+// of neighbors, and by the ghost's index among what that neighbor owns.
+struct Ghosts {
+    std::span<const std::array<std::uint16_t, 2>> narrow; // (neighbor, index); empty if an index needs 32 bits
+    std::span<const std::array<std::uint32_t, 2>> wide;
+    std::vector<Index> begin; // by neighbor: id of the first that it owns
+
+    [[nodiscard]] std::size_t size() const { return narrow.size() + wide.size(); }
+    // Returns the mesh-wide id.
+    [[nodiscard]] Index operator[](std::size_t i) const {
+        if (wide.empty()) return begin[narrow[i][0]] + narrow[i][1];
+        return begin[wide[i][0]] + wide[i][1];
+    }
+    // Calls f(mesh-wide id) for each ghost. Faster than the operator.
+    template <class F>
+    void for_each(F&& f) const {
+        for (const auto [neighbour, index] : narrow) f(begin[neighbour] + index);
+        for (const auto [neighbour, index] : wide) f(begin[neighbour] + index);
+    }
+};
+
+template <template <class> class Array>
+struct StandardSectionOf {
     static constexpr Index cells_per_group = 8;
 
     const StandardShape* shape = nullptr;
     Index cells = 0;
     Index half_edge_begin = 0, entry_begin = 0; // first local half-edge, first entry
-    std::vector<std::uint16_t> cell;            // local cells, ascending; empty means all cells of the block
-    std::vector<std::uint16_t> vertex;          // shape->corners local vertices per cell
-    std::vector<std::uint16_t> edge;            // shape->edges local edges per cell
-    std::vector<std::uint64_t> group_parts;     // by group of cells: one bit per part of the vertices that it uses
+    Array<std::uint16_t> cell;                  // local cells, ascending; empty means all cells of the block
+    Array<std::uint16_t> vertex;                // shape->corners local vertices per cell
+    Array<std::uint16_t> edge;                  // shape->edges local edges per cell
+    Array<std::uint64_t> group_parts;           // by group of cells: one bit per part of the vertices that it uses
 
     [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }
     [[nodiscard]] Index local_cell(Index i) const { return cell.empty() ? i : cell[i]; }
 };
+using StandardSection = StandardSectionOf<Viewed>;
 
 // Local: std::uint16_t, or std::uint32_t in a block of one giant cell.
-template <class Local>
+template <class Local, template <class> class Array = Viewed>
 struct PolyhedralSection {
     Index half_edge_begin = 0, entry_begin = 0; // first local half-edge, first entry
     Index inner_corners = 0;                    // corners below this are of inner faces (between two cells here)
     Index far_corner = 0;                       // corners from here on: tail faces whose owner is not in the section
     Index inner_faces = 0;                      // faces below this are inner; the others are tail faces
-    std::vector<Local> cell;                    // local cells, ascending; empty means all cells of the block
+    Array<Local> cell;                          // local cells, ascending; empty means all cells of the block
     // By corner of a stored loop:
-    std::vector<Local> vertex; // origin of the half-edge on side 0, target on side 1
-    std::vector<Local> edge;   // local edge from this corner to the next
+    Array<Local> vertex; // origin of the half-edge on side 0, target on side 1
+    Array<Local> edge;   // local edge from this corner to the next
     // By face:
-    std::vector<Local> face_begin;               // first corner of the face; one more at the end
-    std::vector<std::array<Local, 2>> face_cell; // cell of the section by side; twice the same for a tail face
-    std::vector<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
-    std::vector<Local> face_rank;                // number of faces that start before each word of face_start
+    Array<Local> face_begin;               // first corner of the face; one more at the end
+    Array<std::array<Local, 2>> face_cell; // cell of the section by side; twice the same for a tail face
+    Array<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
+    Array<Local> face_rank;                // number of faces that start before each word of face_start
     // By cell of the section:
-    std::vector<Local> cell_face_begin; // first index in cell_face; one more at the end
-    std::vector<Local> cell_face;       // 2 * face + side, in the order of the mesh's faces
+    Array<Local> cell_face_begin; // first index in cell_face; one more at the end
+    Array<Local> cell_face;       // 2 * face + side, in the order of the mesh's faces
 
     [[nodiscard]] Index count() const {
         return cell_face_begin.empty() ? 0 : static_cast<Index>(cell_face_begin.size() - 1);
@@ -98,16 +128,18 @@ struct PolyhedralSection {
     }
 };
 
-struct Block {
+template <template <class> class Array>
+struct BlockOf {
     Index cell_begin = 0, cell_count = 0;
     Index half_edge_count = 0;
-    Index standard_half_edges = 0;               // number of half-edges of standard cells, which come first
-    Index edge_begin = 0, edge_count = 0;        // id of the first owned edge; number of local edges
-    Index vertex_begin = 0, vertex_count = 0;    // vertex_begin + local vertex is a "slot", unique in the mesh
-    Index own_vertex_begin = 0;                  // first mesh vertex that this block is the first to have
-    std::vector<Index> ghost_vertex, ghost_edge; // mesh-wide ids of the ghosts, which are the first local ids
-    std::vector<StandardSection> standard;
-    std::variant<PolyhedralSection<std::uint16_t>, PolyhedralSection<std::uint32_t>> polyhedra;
+    Index standard_half_edges = 0;            // number of half-edges of standard cells, which come first
+    Index edge_begin = 0, edge_count = 0;     // id of the first owned edge; number of local edges
+    Index vertex_begin = 0, vertex_count = 0; // vertex_begin + local vertex is a "slot", unique in the mesh
+    Index own_vertex_begin = 0;               // first mesh vertex that this block is the first to have
+    // Mesh-wide ids of the ghosts, which are the first local ids, ascending.
+    std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
+    std::vector<StandardSectionOf<Array>> standard;
+    std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
 
     [[nodiscard]] Index vertex(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
@@ -140,7 +172,25 @@ struct Block {
     }
 };
 
+using Block = BlockOf<Viewed>;
+
 // Returns the local half-edge that is `steps` after the given one in its face.
-[[nodiscard]] Index turn(const Block& block, Index local_half_edge, Index steps);
+template <template <class> class Array>
+[[nodiscard]] Index turn(const BlockOf<Array>& block, Index local_half_edge, Index steps) {
+    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size()) {
+        const auto& section = block.standard[s];
+        const StandardShape& shape = *section.shape;
+        const Index of_cell = (local_half_edge - section.half_edge_begin) % shape.half_edges;
+        const Index begin = shape.face_begin[shape.face[of_cell]], n = shape.face_size(shape.face[of_cell]);
+        return local_half_edge - of_cell + begin + (of_cell - begin + steps) % n;
+    }
+    return block.with([&](const auto& polyhedra) {
+        const Index local = local_half_edge - polyhedra.half_edge_begin;
+        const Index corner = polyhedra.corner(local), side = polyhedra.side(local), face = polyhedra.face(corner);
+        const Index begin = polyhedra.face_begin[face], n = polyhedra.face_begin[face + 1] - begin;
+        const Index forward = side == 0 ? steps % n : n - steps % n;
+        return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
+    });
+}
 
 } // namespace ciel

@@ -8,29 +8,39 @@
 
 namespace ciel {
 
-template <class Local>
+template <class Local, template <class> class Array = Viewed>
 struct AroundArrays {
     static constexpr Local end_of_list = std::numeric_limits<Local>::max();
 
-    std::vector<Local> first_entry; // by local vertex: its first entry, or end_of_list
-    std::vector<Local> next_entry;  // by corner of the PolyhedralSection: next entry of the vertex, or end_of_list
+    Array<Local> first_entry; // by local vertex: its first entry, or end_of_list
+    Array<Local> next_entry;  // by corner of the PolyhedralSection: next entry of the vertex, or end_of_list
     // border_vertex: local vertices that other blocks have too, ascending. The blocks of such a vertex form a ring:
     // each leads to the next higher block, the last to the first. border_block: the next block in the ring, as an index
-    // into BlockAround::neighbour. border_place: index of the vertex in border_vertex of that block.
-    std::vector<Local> border_vertex, border_block, border_place;
+    // into BlockAroundOf::neighbour. border_place: index of the vertex in border_vertex of that block.
+    Array<Local> border_vertex, border_block, border_place;
 };
 
-struct BlockAround {
-    std::vector<Index> neighbour;                       // blocks that come next in a ring, ascending
-    std::vector<std::vector<std::uint16_t>> next_entry; // by standard section and corner, as in AroundArrays
-    std::variant<AroundArrays<std::uint16_t>, AroundArrays<std::uint32_t>> arrays;
+template <template <class> class Array>
+struct BlockAroundOf {
+    std::vector<Index> neighbour;                 // blocks that come next in a ring, ascending
+    std::vector<Array<std::uint16_t>> next_entry; // by standard section and corner, as in AroundArrays
+    std::variant<AroundArrays<std::uint16_t, Array>, AroundArrays<std::uint32_t, Array>> arrays;
 
-    [[nodiscard]] Index border_place_of(Index local_vertex) const; // index in border_vertex; none if not shared
+    // Returns the index in border_vertex; none if no other block has the vertex.
+    [[nodiscard]] Index border_place_of(Index local_vertex) const {
+        return with([&](const auto& all) {
+            const auto found = std::ranges::lower_bound(all.border_vertex, local_vertex);
+            return found != all.border_vertex.end() && *found == local_vertex
+                       ? static_cast<Index>(found - all.border_vertex.begin())
+                       : none;
+        });
+    }
     template <class F>
     decltype(auto) with(F&& f) const {
         return std::visit(std::forward<F>(f), arrays);
     }
 };
+using BlockAround = BlockAroundOf<Viewed>;
 
 // Calls f(PolyhedralSection, AroundArrays) of a block, whose ids have the same size.
 template <class F>

@@ -56,10 +56,10 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// Returns true when 16 bits are enough for each kind of local id: entries (blocks.hpp), half-edges of standard cells
+// Returns true when 16 bits are enough for each kind of local id: entries (block.hpp), half-edges of standard cells
 // and the references to twins after them, sides of faces, vertices, and edges.
 bool BlockBuilder::fits_16_bits() const {
-    constexpr std::size_t limit = BlockMates::no_mate;
+    constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
     for (const Index cell : polyhedra_) is_polyhedron[cell] = 1;
     std::size_t entries = 0, half_edges = 0;
@@ -95,17 +95,17 @@ void BlockBuilder::fill(BuiltBlock& built) {
     fill_polyhedra<Local>(loops_, polyhedra_, built, anchor_);
     set_standard_mates(built);
     Index entries = 0;
-    for (StandardSection& section : built.block.standard) {
+    for (StandardSectionOf<Owned>& section : built.block.standard) {
         section.entry_begin = entries;
         entries += static_cast<Index>(section.vertex.size());
     }
-    std::get<PolyhedralSection<Local>>(built.block.polyhedra).entry_begin = entries;
+    std::get<PolyhedralSection<Local, Owned>>(built.block.polyhedra).entry_begin = entries;
     list_entries<Local>(built.block, built.around);
 }
 
 template <const StandardShape& shape>
 void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> cells) {
-    StandardSection& section = built.block.standard.emplace_back();
+    StandardSectionOf<Owned>& section = built.block.standard.emplace_back();
     section.shape = &shape;
     section.cells = static_cast<Index>(cells.size());
     section.half_edge_begin = built.block.half_edge_count;
@@ -150,7 +150,7 @@ void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edg
 }
 
 void BlockBuilder::set_standard_mates(BuiltBlock& built) {
-    for (const StandardSection& section : built.block.standard) {
+    for (const StandardSectionOf<Owned>& section : built.block.standard) {
         const StandardShape& shape = *section.shape;
         const auto type =
             static_cast<std::size_t>(std::ranges::find(standard_types, shape.type) - standard_types.begin());
@@ -165,7 +165,7 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built) {
                 if (other < built.block.standard_half_edges) {
                     mates.push_back(static_cast<std::uint16_t>(turn(built.block, other, steps)));
                 } else if (side == 0 && loops_.is_boundary(loop)) {
-                    mates.push_back(BlockMates::no_mate);
+                    mates.push_back(no_mate);
                 } else {
                     mates.push_back(static_cast<std::uint16_t>(built.block.standard_half_edges + built.tails.size()));
                     built.tails.push_back({loops_.mesh_face[loop], side, anchor_[loop][side], steps, other});
@@ -178,9 +178,9 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built) {
 
 // Links the entries of each vertex into a list. Goes from the last entry to the first, so that each list ascends.
 template <class Local>
-void BlockBuilder::list_entries(const Block& block, BlockAround& around) {
-    auto& arrays = around.arrays.emplace<AroundArrays<Local>>();
-    constexpr Local end = AroundArrays<Local>::end_of_list;
+void BlockBuilder::list_entries(const BlockOf<Owned>& block, BlockAroundOf<Owned>& around) {
+    auto& arrays = around.arrays.emplace<AroundArrays<Local, Owned>>();
+    constexpr Local end = AroundArrays<Local, Owned>::end_of_list;
     arrays.first_entry.assign(block.vertex_count, end);
     const auto link = [&](const auto& vertex, auto& next_entry, Index entry_begin) {
         next_entry.resize(vertex.size());
@@ -189,28 +189,11 @@ void BlockBuilder::list_entries(const Block& block, BlockAround& around) {
             arrays.first_entry[vertex[k]] = static_cast<Local>(entry_begin + k);
         }
     };
-    const auto& polyhedra = std::get<PolyhedralSection<Local>>(block.polyhedra);
+    const auto& polyhedra = std::get<PolyhedralSection<Local, Owned>>(block.polyhedra);
     link(polyhedra.vertex, arrays.next_entry, polyhedra.entry_begin);
     around.next_entry.resize(block.standard.size());
     for (std::size_t i = block.standard.size(); i-- > 0;)
         link(block.standard[i].vertex, around.next_entry[i], block.standard[i].entry_begin);
-}
-
-Index turn(const Block& block, Index h, Index steps) {
-    if (const std::size_t s = block.section_of_half_edge(h); s < block.standard.size()) {
-        const StandardSection& section = block.standard[s];
-        const StandardShape& shape = *section.shape;
-        const Index of_cell = (h - section.half_edge_begin) % shape.half_edges;
-        const Index begin = shape.face_begin[shape.face[of_cell]], n = shape.face_size(shape.face[of_cell]);
-        return h - of_cell + begin + (of_cell - begin + steps) % n;
-    }
-    return block.with([&](const auto& polyhedra) {
-        const Index local = h - polyhedra.half_edge_begin;
-        const Index corner = polyhedra.corner(local), side = polyhedra.side(local), face = polyhedra.face(corner);
-        const Index begin = polyhedra.face_begin[face], n = polyhedra.face_begin[face + 1] - begin;
-        const Index forward = side == 0 ? steps % n : n - steps % n;
-        return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
-    });
 }
 
 } // namespace ciel

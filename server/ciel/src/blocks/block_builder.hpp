@@ -10,9 +10,9 @@ namespace ciel {
 
 // A block before link_blocks, with tables that only link_blocks needs.
 struct BuiltBlock {
-    Block block; // ghost and owned vertices and edges are not yet separated
-    BlockAround around;
-    BlockMates mates;
+    BlockOf<Owned> block; // ghost and owned vertices and edges are not yet separated
+    BlockAroundOf<Owned> around;
+    BlockMatesOf<Owned> mates;
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
     // A side of a face whose mate belongs in a BlockMates::twin: the mate is in another block or section, or does
@@ -51,7 +51,7 @@ private:
     void set_anchors(std::span<const Recognised> cells, Index half_edge_begin);
     void set_standard_mates(BuiltBlock& built);
     template <class Local>
-    void list_entries(const Block& block, BlockAround& around);
+    void list_entries(const BlockOf<Owned>& block, BlockAroundOf<Owned>& around);
 
     BlockLoops loops_;
     std::array<std::vector<Recognised>, 4> standard_; // by index in standard_types

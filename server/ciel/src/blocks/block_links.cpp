@@ -44,11 +44,7 @@ public:
         number_edges();
         for_blocks(built_.size(), [&](Index b) { renumber_edges(b); });
         join_twins();
-        for (BuiltBlock& b : built_) {
-            out_.block.push_back(std::move(b.block));
-            out_.around.push_back(std::move(b.around));
-            out_.mates.push_back(std::move(b.mates));
-        }
+        write_records();
     }
 
 private:
@@ -72,7 +68,8 @@ private:
     void renumber_edges(Index b);
     void join_twins();
     [[nodiscard]] HalfEdge turn_in_mesh(HalfEdge h, Index steps) const;
-    static void name_twins(std::span<const HalfEdge> twins, BlockMates& mates);
+    void write_records();
+    static void name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& mates);
 
     const FaceMeshView& mesh_;
     std::vector<BuiltBlock>& built_;
@@ -102,7 +99,7 @@ void Linker::count_half_edges() {
 void Linker::own_vertices() {
     Index owned = 0;
     for (BuiltBlock& b : built_) {
-        Block& block = b.block;
+        BlockOf<Owned>& block = b.block;
         block.own_vertex_begin = owned;
         const auto first = std::ranges::lower_bound(b.vertices, owned);
         block.ghost_vertex.assign(b.vertices.begin(), first);
@@ -145,8 +142,8 @@ void Linker::ring_vertices() {
 // Sets the neighbors of a block around its vertices, border_block and border_place. `next`: slot -> next slot of the
 // same vertex around its ring.
 void Linker::link_border(Index b, std::span<const Index> next) {
-    const Block& block = built_[b].block;
-    BlockAround& around = built_[b].around;
+    const BlockOf<Owned>& block = built_[b].block;
+    BlockAroundOf<Owned>& around = built_[b].around;
     const auto block_with = [&](Index slot) {
         const auto after =
             std::ranges::upper_bound(built_, slot, {}, [](const BuiltBlock& one) { return one.block.vertex_begin; });
@@ -177,7 +174,7 @@ void Linker::link_border(Index b, std::span<const Index> next) {
 std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_edges() const {
     std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
     for_blocks(built_.size(), [&](Index b) {
-        const Block& block = built_[b].block;
+        const BlockOf<Owned>& block = built_[b].block;
         built_[b].around.with([&](const auto& arrays) {
             std::vector<std::uint8_t> border(block.vertex_count, 0);
             for (const auto v : arrays.border_vertex) border[v] = 1;
@@ -242,23 +239,23 @@ void Linker::number_edges() {
     new_edge_.resize(built_.size());
     std::uint64_t edges = 0;
     for (Index b = 0; b < built_.size(); ++b) {
-        Block& block = built_[b].block;
+        BlockOf<Owned>& block = built_[b].block;
         new_edge_[b].assign(block.edge_count, 0);
         for (const Owner& ghost : ghosts_[b]) new_edge_[b][ghost.edge] = none;
         Index owned = 0;
         for (Index& e : new_edge_[b])
             if (e != none) e = owned++;
         block.edge_begin = static_cast<Index>(edges);
-        out_.edge_begin.push_back(block.edge_begin);
+        out_.numbers.edge.push_back(block.edge_begin);
         edges += owned;
     }
-    out_.edge_begin.push_back(static_cast<Index>(edges));
+    out_.numbers.edge.push_back(static_cast<Index>(edges));
     if (edges >= none) fail("the mesh has more than 4,294,967,294 edges; split the dataset");
     out_.counts.edges = edges;
 }
 
 void Linker::renumber_edges(Index b) {
-    Block& block = built_[b].block;
+    BlockOf<Owned>& block = built_[b].block;
     std::vector<std::pair<Index, Index>> ghosts; // of each ghost edge: (mesh-wide id, old local id)
     for (const Owner& ghost : ghosts_[b])
         ghosts.emplace_back(built_[ghost.block].block.edge_begin + new_edge_[ghost.block][ghost.owner_edge],
@@ -275,7 +272,7 @@ void Linker::renumber_edges(Index b) {
     const auto renumber = [&](auto& edges) {
         for (auto& e : edges) e = static_cast<std::decay_t<decltype(e)>>(renumbered[e]);
     };
-    for (StandardSection& section : block.standard) renumber(section.edge);
+    for (StandardSectionOf<Owned>& section : block.standard) renumber(section.edge);
     std::visit([&](auto& polyhedra) { renumber(polyhedra.edge); }, block.polyhedra);
 }
 
@@ -301,7 +298,7 @@ HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
 }
 
 // Sets the neighbors of a block across its faces, and the twins.
-void Linker::name_twins(std::span<const HalfEdge> twins, BlockMates& mates) {
+void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& mates) {
     for (const HalfEdge twin : twins)
         if (twin != no_half_edge) mates.neighbour.push_back(block_of(twin));
     sort_once(mates.neighbour);
@@ -317,6 +314,36 @@ void Linker::name_twins(std::span<const HalfEdge> twins, BlockMates& mates) {
             }
         },
         mates.arrays);
+}
+
+// Moves the blocks to their records, and views them there.
+void Linker::write_records() {
+    const std::size_t count = built_.size();
+    for (const BuiltBlock& b : built_) {
+        out_.numbers.cell.push_back(b.block.cell_begin);
+        out_.numbers.vertex.push_back(b.block.own_vertex_begin);
+        out_.numbers.slot.push_back(b.block.vertex_begin);
+    }
+    if (count > 0) {
+        const BlockOf<Owned>& last = built_.back().block;
+        out_.numbers.cell.push_back(last.cell_begin + last.cell_count);
+        out_.numbers.vertex.push_back(last.own_vertex_begin + last.vertex_count -
+                                      static_cast<Index>(last.ghost_vertex.size()));
+        out_.numbers.slot.push_back(last.vertex_begin + last.vertex_count);
+    }
+    out_.records.resize(count);
+    out_.block.resize(count);
+    out_.around.resize(count);
+    out_.mates.resize(count);
+    for_blocks(count, [&](Index b) {
+        const BuiltBlock built = std::move(built_[b]);
+        Topology::Blocks::Records& records = out_.records[b];
+        records = {record_of(built.block, b, out_.numbers), record_of(built.block, built.around, b),
+                   record_of(built.block, built.mates, b)};
+        out_.block[b] = view_cells(std::as_bytes(std::span(records.cells)), b, out_.numbers);
+        out_.around[b] = view_around(std::as_bytes(std::span(records.around)), b, out_.numbers, out_.block[b]);
+        out_.mates[b] = view_mates(std::as_bytes(std::span(records.mates)), b, out_.numbers, out_.block[b]);
+    });
 }
 
 } // namespace

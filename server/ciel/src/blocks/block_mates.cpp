@@ -2,16 +2,16 @@
 
 namespace ciel {
 
-template <class Local>
-Index MateArrays<Local>::mate(const PolyhedralSection<Local>& polyhedra, Index h) const {
+template <class Local, template <class> class Array>
+Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& polyhedra, Index h) const {
     const Index bits = mate_bits(h);
     if (bits == escape) {
         std::size_t low = 0, high = mate_escapes.size();
         while (low + 1 < high) {
             const std::size_t middle = (low + high) / 2;
-            (mate_escapes[middle].first <= h ? low : high) = middle;
+            (mate_escapes[middle].half_edge <= h ? low : high) = middle;
         }
-        return mate_escapes[low].second;
+        return mate_escapes[low].mate;
     }
     const Index k = polyhedra.corner(h), own = polyhedra.face(k);
     const std::span<const Local> faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
@@ -28,9 +28,12 @@ Index MateArrays<Local>::mate(const PolyhedralSection<Local>& polyhedra, Index h
     return none;
 }
 
-template struct MateArrays<std::uint16_t>;
-template struct MateArrays<std::uint32_t>;
+template struct MateArrays<std::uint16_t, Owned>;
+template struct MateArrays<std::uint32_t, Owned>;
+template struct MateArrays<std::uint16_t, Viewed>;
+template struct MateArrays<std::uint32_t, Viewed>;
 
+template <>
 HalfEdge BlockMates::twin(Index i) const {
     return std::visit(
         [&](const auto& all) {

@@ -15,7 +15,14 @@ namespace ciel {
 [[nodiscard]] inline Index block_of(HalfEdge h) { return static_cast<Index>(static_cast<std::uint64_t>(h) >> 32); }
 [[nodiscard]] inline Index local_of(HalfEdge h) { return static_cast<Index>(h); }
 
-template <class Local>
+// Stands for a mate on the boundary.
+inline constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
+
+struct MateEscape {
+    Index half_edge, mate; // within the PolyhedralSection; they may exceed 16 bits
+};
+
+template <class Local, template <class> class Array = Viewed>
 struct MateArrays {
     static constexpr Index escape = 15, longest_search = 256;
     static constexpr Local no_block = std::numeric_limits<Local>::max();
@@ -23,33 +30,33 @@ struct MateArrays {
     // Four bits per half-edge of the PolyhedralSection: index of the face with its mate, among the faces of the cell,
     // modulo `escape`. The value `escape` means that the mate is in mate_escapes. It is used where `mate` would search
     // more than longest_search corners or find another half-edge.
-    std::vector<std::uint8_t> mate_face;
-    std::vector<std::pair<Index, Index>> mate_escapes; // (half-edge, mate), sorted; half-edge ids may exceed Local
-    std::vector<Local>
-        twin_block; // by twin: its block as an index into BlockMates::neighbour; no_block on the boundary
+    Array<std::uint8_t> mate_face;
+    Array<MateEscape> mate_escapes; // sorted by half_edge
+    // By twin: its block as an index into BlockMatesOf::neighbour; no_block on the boundary.
+    Array<Local> twin_block;
 
     [[nodiscard]] Index mate_bits(Index half_edge) const {
         return Index{mate_face[half_edge / 2]} >> 4 * (half_edge % 2) & 15U;
     }
     // Returns the half-edge of the same edge in the adjacent face of the cell. In a face that collapsed to a line, the
     // mate may be in the face itself. Both are numbered within the section.
-    [[nodiscard]] Index mate(const PolyhedralSection<Local>& polyhedra, Index half_edge) const;
+    [[nodiscard]] Index mate(const PolyhedralSection<Local, Array>& polyhedra, Index half_edge) const;
 };
 
-struct BlockMates {
-    static constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
-
-    std::vector<Index> neighbour;      // blocks of the twins, ascending; the block itself for a twin in another section
-    std::vector<Index> twin_half_edge; // mates that are in other blocks or sections: local numbers there
-    Index twin_begin = 0;              // twin of the first tail face of the PolyhedralSection
+template <template <class> class Array>
+struct BlockMatesOf {
+    std::vector<Index> neighbour; // blocks of the twins, ascending; the block itself for a twin in another section
+    Array<Index> twin_half_edge;  // mates that are in other blocks or sections: local numbers there
+    Index twin_begin = 0;         // twin of the first tail face of the PolyhedralSection
     // By standard section, cell and face: the mate of the first half-edge of the face. If the mate is in a standard
     // section of the block: its local half-edge. Otherwise Block::standard_half_edges + a twin, or no_mate on the
     // boundary.
-    std::vector<std::vector<std::uint16_t>> mate;
-    std::variant<MateArrays<std::uint16_t>, MateArrays<std::uint32_t>> arrays;
+    std::vector<Array<std::uint16_t>> mate;
+    std::variant<MateArrays<std::uint16_t, Array>, MateArrays<std::uint32_t, Array>> arrays;
 
     [[nodiscard]] HalfEdge twin(Index i) const; // no_half_edge on the boundary
 };
+using BlockMates = BlockMatesOf<Viewed>;
 
 // Calls f(PolyhedralSection, MateArrays) of a block, whose ids have the same size.
 template <class F>

@@ -2,8 +2,7 @@
 // around its vertices (block_around.hpp), and the mates of its half-edges (block_mates.hpp).
 #pragma once
 
-#include "blocks/block_around.hpp"
-#include "blocks/block_mates.hpp"
+#include "blocks/block_records.hpp"
 
 namespace ciel {
 
@@ -16,10 +15,14 @@ struct BorderVertex {
 };
 
 struct Topology::Blocks {
+    BlockNumbers numbers;
+    struct Records {
+        RecordBytes cells, around, mates;
+    };
+    std::vector<Records> records; // what the views of each block lie in
     std::vector<Block> block;
     std::vector<BlockAround> around;
     std::vector<BlockMates> mates;
-    std::vector<Index> edge_begin; // block -> id of its first owned edge; one more at the end
     TopologyCounts counts;
 
     [[nodiscard]] Index block_of_cell(Index cell) const;

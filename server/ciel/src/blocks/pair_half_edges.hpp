@@ -13,8 +13,8 @@ public:
     // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Then any pairing of
     // opposite directions is valid, and pairs in different faces are preferred. Returns false if a half-edge has no
     // mate, because the cell is not closed.
-    template <class Local, class Paired>
-    [[nodiscard]] bool run(const PolyhedralSection<Local>& section, Index cell, Paired&& paired) {
+    template <class Section, class Paired> // Section: a PolyhedralSection
+    [[nodiscard]] bool run(const Section& section, Index cell, Paired&& paired) {
         waiting_.clear();
         touched_.clear();
         const auto faces = section.faces_of(cell);

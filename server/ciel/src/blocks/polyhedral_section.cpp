@@ -12,8 +12,9 @@ template <class Local>
 class Filler {
 public:
     Filler(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built)
-        : loops_(loops), cells_(cells), built_(built), out_(std::get<PolyhedralSection<Local>>(built.block.polyhedra)),
-          mates_(std::get<MateArrays<Local>>(built.mates.arrays)) {}
+        : loops_(loops), cells_(cells), built_(built),
+          out_(std::get<PolyhedralSection<Local, Owned>>(built.block.polyhedra)),
+          mates_(std::get<MateArrays<Local, Owned>>(built.mates.arrays)) {}
 
     void run(std::span<std::array<Index, 2>> anchor) {
         out_.half_edge_begin = built_.block.half_edge_count;
@@ -44,8 +45,8 @@ private:
     const BlockLoops& loops_;
     std::span<const Index> cells_;
     BuiltBlock& built_;
-    PolyhedralSection<Local>& out_;
-    MateArrays<Local>& mates_;
+    PolyhedralSection<Local, Owned>& out_;
+    MateArrays<Local, Owned>& mates_;
     std::vector<Index> section_cell_; // local cell -> its index in the section, or none
     std::vector<Index> face_of_;      // loop of the block -> face of the section, or none
     std::vector<Index> loop_of_;      // face of the section -> loop of the block
@@ -131,7 +132,7 @@ void Filler<Local>::pair() {
         if (!pairs.run(out_, cell, [this](Index h, Index mate, Index mate_face) { set_mate(h, mate, mate_face); }))
             fail("the mesh is damaged: cell " + std::to_string(loops_.cell_begin + cells_[cell]) +
                  " is not closed; import it again");
-    std::ranges::sort(mates_.mate_escapes);
+    std::ranges::sort(mates_.mate_escapes, {}, &MateEscape::half_edge);
 }
 
 // Stores the mate of half-edge h. `mate_face`: index of the face of the mate among the faces of the cell. Uses four
@@ -146,7 +147,7 @@ void Filler<Local>::set_mate(Index h, Index mate, Index mate_face) {
     put(mate_face % mates_.escape);
     if (mates_.mate(out_, h) == mate) return;
     put(mates_.escape);
-    mates_.mate_escapes.emplace_back(h, mate);
+    mates_.mate_escapes.push_back({h, mate});
 }
 
 template <class Local>
@@ -161,8 +162,8 @@ void Filler<Local>::shrink() {
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor) {
-    built.block.polyhedra.emplace<PolyhedralSection<Local>>();
-    built.mates.arrays.emplace<MateArrays<Local>>();
+    built.block.polyhedra.emplace<PolyhedralSection<Local, Owned>>();
+    built.mates.arrays.emplace<MateArrays<Local, Owned>>();
     if (!cells.empty()) Filler<Local>(loops, cells, built).run(anchor);
 }
 

@@ -68,31 +68,6 @@ std::size_t bytes(const Vectors&... vectors) {
     return (std::size_t{0} + ... + (vectors.capacity() * sizeof(vectors[0])));
 }
 
-std::size_t bytes_of(const Block& block) {
-    std::size_t sum = sizeof(Block) + bytes(block.ghost_vertex, block.ghost_edge, block.standard);
-    for (const StandardSection& section : block.standard)
-        sum += bytes(section.cell, section.vertex, section.edge, section.group_parts);
-    return sum + block.with([](const auto& all) {
-        return bytes(all.cell, all.vertex, all.edge, all.face_begin, all.face_cell, all.face_start, all.face_rank,
-                     all.cell_face_begin, all.cell_face);
-    });
-}
-
-std::size_t bytes_of(const BlockAround& around) {
-    std::size_t sum = sizeof(BlockAround) + bytes(around.neighbour, around.next_entry);
-    for (const auto& of_section : around.next_entry) sum += bytes(of_section);
-    return sum + around.with([](const auto& all) {
-        return bytes(all.first_entry, all.next_entry, all.border_vertex, all.border_block, all.border_place);
-    });
-}
-
-std::size_t bytes_of(const BlockMates& mates) {
-    std::size_t sum = sizeof(BlockMates) + bytes(mates.neighbour, mates.twin_half_edge, mates.mate);
-    for (const auto& of_section : mates.mate) sum += bytes(of_section);
-    return sum + std::visit([](const auto& all) { return bytes(all.mate_face, all.mate_escapes, all.twin_block); },
-                            mates.arrays);
-}
-
 } // namespace
 
 Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::make_unique<Blocks>()) {
@@ -122,10 +97,13 @@ const TopologyCounts& Topology::counts() const { return blocks_->counts; }
 Index Topology::block_count() const { return static_cast<Index>(blocks_->block.size()); }
 
 std::size_t Topology::memory_bytes() const {
-    std::size_t sum = sizeof(Blocks) + bytes(blocks_->edge_begin);
-    for (const Block& block : blocks_->block) sum += bytes_of(block);
-    for (const BlockAround& around : blocks_->around) sum += bytes_of(around);
-    for (const BlockMates& mates : blocks_->mates) sum += bytes_of(mates);
+    const Blocks& all = *blocks_;
+    std::size_t sum = sizeof(Blocks) + bytes(all.numbers.cell, all.numbers.vertex, all.numbers.edge, all.numbers.slot,
+                                             all.records, all.block, all.around, all.mates);
+    for (const Blocks::Records& records : all.records) sum += bytes(records.cells, records.around, records.mates);
+    for (const Block& block : all.block) sum += bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard);
+    for (const BlockAround& around : all.around) sum += bytes(around.neighbour, around.next_entry);
+    for (const BlockMates& mates : all.mates) sum += bytes(mates.neighbour, mates.mate);
     return sum;
 }
 

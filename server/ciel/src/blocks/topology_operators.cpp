@@ -102,7 +102,7 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
         const StandardShape& shape = *block.standard[s].shape;
         const auto [i, k] = place_of(block.standard[s], local);
         const std::uint16_t mate = mates.mate[s][i * shape.faces + shape.face[k]];
-        if (mate == BlockMates::no_mate) return no_half_edge;
+        if (mate == no_mate) return no_half_edge;
         const HalfEdge first = mate < block.standard_half_edges ? half_edge_in(block_of(h), mate)
                                                                 : mates.twin(mate - block.standard_half_edges);
         const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);

@@ -115,10 +115,11 @@ void Writer::write_normals(Index b) {
 // Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
 // updated. Ghosts ascend by mesh-wide id, so `owner` only increases.
 Index Writer::point_of_ghost(Index edge, Index& owner) const {
-    if (blocks_.edge_begin[owner + 1] <= edge)
-        owner = static_cast<Index>(std::ranges::upper_bound(blocks_.edge_begin, edge) - blocks_.edge_begin.begin() - 1);
+    if (blocks_.numbers.edge[owner + 1] <= edge)
+        owner =
+            static_cast<Index>(std::ranges::upper_bound(blocks_.numbers.edge, edge) - blocks_.numbers.edge.begin() - 1);
     const ActiveBlock& cut = cut_[owner];
-    const auto local = edge - blocks_.edge_begin[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
+    const auto local = edge - blocks_.numbers.edge[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 

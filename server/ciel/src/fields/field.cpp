@@ -48,12 +48,15 @@ CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range
 template <class F>
 void for_values(const Block& block, std::span<const float> values, F&& f) {
     std::array<float, 256> some;
-    const std::size_t ghosts = block.ghost_vertex.size();
-    for (std::size_t begin = 0; begin < ghosts; begin += some.size()) {
-        const std::size_t count = std::min(some.size(), ghosts - begin);
-        for (std::size_t i = 0; i < count; ++i) some[i] = values[block.ghost_vertex[begin + i]];
+    std::size_t count = 0;
+    block.ghost_vertex.for_each([&](Index vertex) {
+        some[count++] = values[vertex];
+        if (count < some.size()) return;
         f(some.data(), count);
-    }
+        count = 0;
+    });
+    f(some.data(), count);
+    const std::size_t ghosts = block.ghost_vertex.size();
     f(values.data() + block.own_vertex_begin, block.vertex_count - ghosts);
 }
 
@@ -105,7 +108,7 @@ void Field::Data::take_in(Index b) const {
     if (taken[b].load(std::memory_order_relaxed)) return;
     const Block& block = topology->blocks().block[b];
     float* to = local.get() + block.vertex_begin;
-    for (const Index vertex : block.ghost_vertex) *to++ = values[vertex];
+    block.ghost_vertex.for_each([&](Index vertex) { *to++ = values[vertex]; });
     const std::span own = values.subspan(block.own_vertex_begin, block.vertex_count - block.ghost_vertex.size());
     to = std::ranges::copy(own, to).out;
     if (gaps[b] != 0)

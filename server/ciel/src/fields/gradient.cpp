@@ -165,9 +165,7 @@ void Pass::ask_neighbours(Index b) {
 void Pass::sum_inside(Index b) {
     const Block& block = blocks_.block[b];
     Scratch& scratch = scratch_of_this_thread();
-    const BlockSampler sampler(mesh_, block, field_.of_block(b));
-    scratch.sample.resize(block.vertex_count);
-    for (Index v = 0; v < block.vertex_count; ++v) scratch.sample[v] = sampler(v);
+    BlockSampler(mesh_, block, field_.of_block(b)).all(scratch.sample);
     scratch.sum.assign(block.vertex_count, {});
     cell_[b] = std::make_unique_for_overwrite<CellGradient[]>(block.cell_count);
     const std::span<const std::uint8_t> state = states(block);

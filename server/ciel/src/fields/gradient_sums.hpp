@@ -36,6 +36,19 @@ public:
         return {p[0], p[1], p[2], values_[local]};
     }
 
+    // Sets out[local vertex] for all vertices of the block.
+    void all(std::vector<Sample>& out) const {
+        out.resize(block_.vertex_count);
+        std::size_t local = 0;
+        const auto add = [&](Index vertex) {
+            const float* p = &mesh_.positions[3 * std::size_t{vertex}];
+            out[local] = {p[0], p[1], p[2], values_[local]};
+            ++local;
+        };
+        block_.ghost_vertex.for_each(add);
+        for (Index vertex = block_.own_vertex_begin; local < out.size(); ++vertex) add(vertex);
+    }
+
 private:
     const FaceMeshView& mesh_;
     const Block& block_;

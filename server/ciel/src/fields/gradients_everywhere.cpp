@@ -43,9 +43,8 @@ private:
 
 void Everywhere::sum_inside(Index b) {
     const Block& block = blocks_.block[b];
-    const BlockSampler sampler(mesh_, block, field_.of_block(b));
-    std::vector<Sample> samples(block.vertex_count);
-    for (Index v = 0; v < block.vertex_count; ++v) samples[v] = sampler(v);
+    std::vector<Sample> samples;
+    BlockSampler(mesh_, block, field_.of_block(b)).all(samples);
     const auto sample = [&](Index v) { return samples[v]; };
     std::vector<GradientSum> sum(block.vertex_count);
     CellGradient* cell = &cell_[block.cell_begin];

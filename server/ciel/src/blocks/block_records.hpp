@@ -1,0 +1,32 @@
+// A block's three records: what the builder's tables become, and what the kernel reads afterwards. A record has no
+// pointer, no position and no mesh-wide number: another block is an index into the record's list of neighbors, whose
+// entries are distances between block numbers. Local order is mesh order.
+#pragma once
+
+#include "blocks/block_around.hpp"
+#include "blocks/block_mates.hpp"
+#include "blocks/record.hpp"
+
+namespace ciel {
+
+// Where the numbers of the blocks begin in the mesh; one more at the end.
+struct BlockNumbers {
+    std::vector<Index> cell, vertex, edge; // a block's first cell; its first owned vertex; its first owned edge
+    std::vector<Index> slot;               // the sum of vertex_count of the blocks before (Block::vertex_begin)
+
+    [[nodiscard]] std::size_t block_count() const { return cell.empty() ? 0 : cell.size() - 1; }
+};
+
+[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumbers& numbers);
+[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, const BlockAroundOf<Owned>& around, Index number);
+[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, const BlockMatesOf<Owned>& mates, Index number);
+
+// View the records of block `number`. The arrays stay in the record, which must outlive the view. Throw Error if the
+// record does not have the sections of its kind.
+[[nodiscard]] Block view_cells(std::span<const std::byte> record, Index number, const BlockNumbers& numbers);
+[[nodiscard]] BlockAround view_around(std::span<const std::byte> record, Index number, const BlockNumbers& numbers,
+                                      const Block& block);
+[[nodiscard]] BlockMates view_mates(std::span<const std::byte> record, Index number, const BlockNumbers& numbers,
+                                    const Block& block);
+
+} // namespace ciel

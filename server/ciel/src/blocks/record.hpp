@@ -1,0 +1,74 @@
+// A record: one kind of a block's data as bytes, the same in memory, in a file and in a message. Little-endian.
+//
+// It begins with 16 bytes: the kind (u32), the version of the kind (u16), the number of sections (u16), and the length
+// of the record in bytes (u64). The table of sections follows, 16 bytes each: id (u16), flags (u16; bit 0: critical),
+// bytes of an element (u32), number of elements (u32), and offset in units of 8 bytes (u32). Then come the arrays, each
+// at a multiple of 8 bytes, with zeros between. A reader refuses an unknown section that is critical, and skips others.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace ciel {
+
+// Four characters each, the first in the lowest byte.
+enum class RecordKind : std::uint32_t {
+    cells = 0x6c6c6563,  // "cell"
+    around = 0x6e756f72, // "roun"
+    mates = 0x6574616d,  // "mate"
+};
+
+using RecordBytes = std::vector<std::uint64_t>; // words, for their alignment
+
+class RecordWriter {
+public:
+    // Appends a section; an empty array needs none. The array must live until `finish`.
+    template <class T>
+    void add(std::uint16_t id, std::span<const T> array) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        if (!array.empty()) sections_.push_back({id, sizeof(T), std::as_bytes(array)});
+    }
+    [[nodiscard]] RecordBytes finish(RecordKind kind) const;
+
+private:
+    struct Section {
+        std::uint16_t id;
+        std::uint32_t element;
+        std::span<const std::byte> bytes;
+    };
+    std::vector<Section> sections_;
+};
+
+// Borrows the bytes, which must begin at a multiple of 8 and may be in a mapped file.
+class RecordView {
+public:
+    // `largest_id`: sections with greater ids are unknown. Throws Error for another kind, a newer version, sections
+    // that overlap the end, are given twice or are unknown and critical.
+    RecordView(std::span<const std::byte> bytes, RecordKind kind, std::uint16_t largest_id);
+
+    // Returns a section's array; empty if the record does not have it. Throws Error if its elements have another size.
+    template <class T>
+    [[nodiscard]] std::span<const T> get(std::uint16_t id) const {
+        const std::span<const std::byte> found = find(id, sizeof(T));
+        return {reinterpret_cast<const T*>(found.data()), found.size() / sizeof(T)};
+    }
+    // Returns the size of the section's elements in bytes; 0 if the record does not have it.
+    [[nodiscard]] std::size_t element_size(std::uint16_t id) const;
+
+private:
+    struct Entry {
+        std::uint16_t id, flags;
+        std::uint32_t element, count, offset;
+    };
+    [[nodiscard]] std::span<const std::byte> find(std::uint16_t id, std::size_t element) const;
+
+    std::span<const std::byte> bytes_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace ciel
