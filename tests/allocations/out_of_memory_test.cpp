@@ -310,7 +310,7 @@ TEST_P(OnDemandOutOfMemory, Extrema) {
 
 // CellRanges that failed to build must be built by the next call. Without the ranges, extraction is correct but slow.
 TEST_P(OnDemandOutOfMemory, RangesOfCells) {
-    const Block& block = data.topology.blocks().block[0];
+    const Block& block = data.topology.blocks().cells(0);
     const std::vector<float> values = random_field(block.vertex_count, 5);
     const auto twice = [&](CellRanges& ranges) {
         ranges.resize(1);

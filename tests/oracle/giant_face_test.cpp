@@ -147,8 +147,8 @@ TEST(GiantFace, AMateIsFoundInAFewStepsOrListed) {
     for (const Polyhedra& input : {prism(), spindle(true), giant_cell(56)}) {
         const KernelMesh mesh(input);
         const Topology::Blocks& blocks = mesh.topology.blocks();
-        for (std::size_t b = 0; b < blocks.block.size(); ++b)
-            with_mates(blocks.block[b], blocks.mates[b], [&](const auto& polyhedra, const auto& mates) {
+        for (Index b = 0; b < blocks.count(); ++b)
+            with_mates(blocks.cells(b), blocks.mates(b), [&](const auto& polyhedra, const auto& mates) {
                 for (Index h = 0; h < polyhedra.vertex.size() + polyhedra.inner_corners; ++h) {
                     const Index bits = mates.mate_bits(h);
                     if (bits == mates.escape) continue;

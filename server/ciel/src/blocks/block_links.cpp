@@ -31,6 +31,34 @@ Index place_in(std::span<const Index> sorted, Index block) {
     return static_cast<Index>(std::ranges::lower_bound(sorted, block) - sorted.begin());
 }
 
+class RecordsInMemory final : public RecordSource {
+public:
+    explicit RecordsInMemory(std::size_t blocks) : records_(blocks) {}
+
+    void set(Index block, std::array<RecordBytes, 3> records) { records_[block] = std::move(records); }
+    std::span<const std::byte> record(Index block, RecordKind kind) override {
+        const auto& [cells, around, mates] = records_[block];
+        switch (kind) {
+        case RecordKind::cells:
+            return std::as_bytes(std::span(cells));
+        case RecordKind::around:
+            return std::as_bytes(std::span(around));
+        case RecordKind::mates:
+            break;
+        }
+        return std::as_bytes(std::span(mates));
+    }
+    std::size_t memory_bytes() const override {
+        std::size_t sum = records_.capacity() * sizeof(records_[0]);
+        for (const auto& of_block : records_)
+            for (const RecordBytes& one : of_block) sum += one.capacity() * sizeof(one[0]);
+        return sum;
+    }
+
+private:
+    std::vector<std::array<RecordBytes, 3>> records_;
+};
+
 class Linker {
 public:
     Linker(const FaceMeshView& mesh, std::vector<BuiltBlock>& built, Topology::Blocks& out)
@@ -316,7 +344,7 @@ void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& ma
         mates.arrays);
 }
 
-// Moves the blocks to their records, and views them there.
+// Moves the blocks to their records.
 void Linker::write_records() {
     const std::size_t count = built_.size();
     for (const BuiltBlock& b : built_) {
@@ -331,19 +359,14 @@ void Linker::write_records() {
                                       static_cast<Index>(last.ghost_vertex.size()));
         out_.numbers.slot.push_back(last.vertex_begin + last.vertex_count);
     }
-    out_.records.resize(count);
-    out_.block.resize(count);
-    out_.around.resize(count);
-    out_.mates.resize(count);
+    auto records = std::make_unique<RecordsInMemory>(count);
     for_blocks(count, [&](Index b) {
         const BuiltBlock built = std::move(built_[b]);
-        Topology::Blocks::Records& records = out_.records[b];
-        records = {record_of(built.block, b, out_.numbers), record_of(built.block, built.around, b),
-                   record_of(built.block, built.mates, b)};
-        out_.block[b] = view_cells(std::as_bytes(std::span(records.cells)), b, out_.numbers);
-        out_.around[b] = view_around(std::as_bytes(std::span(records.around)), b, out_.numbers, out_.block[b]);
-        out_.mates[b] = view_mates(std::as_bytes(std::span(records.mates)), b, out_.numbers, out_.block[b]);
+        records->set(b, {record_of(built.block, b, out_.numbers), record_of(built.block, built.around, b),
+                         record_of(built.block, built.mates, b)});
     });
+    out_.source = std::move(records);
+    out_.begin();
 }
 
 } // namespace

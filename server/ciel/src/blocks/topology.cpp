@@ -94,22 +94,30 @@ Topology::Topology(Topology&&) noexcept = default;
 Topology& Topology::operator=(Topology&&) noexcept = default;
 
 const TopologyCounts& Topology::counts() const { return blocks_->counts; }
-Index Topology::block_count() const { return static_cast<Index>(blocks_->block.size()); }
+Index Topology::block_count() const { return blocks_->count(); }
 
-std::size_t Topology::memory_bytes() const {
-    const Blocks& all = *blocks_;
-    std::size_t sum = sizeof(Blocks) + bytes(all.numbers.cell, all.numbers.vertex, all.numbers.edge, all.numbers.slot,
-                                             all.records, all.block, all.around, all.mates);
-    for (const Blocks::Records& records : all.records) sum += bytes(records.cells, records.around, records.mates);
-    for (const Block& block : all.block) sum += bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard);
-    for (const BlockAround& around : all.around) sum += bytes(around.neighbour, around.next_entry);
-    for (const BlockMates& mates : all.mates) sum += bytes(mates.neighbour, mates.mate);
+std::size_t Topology::memory_bytes() const { return blocks_->memory_bytes(); }
+
+void Topology::Blocks::begin() {
+    cells_.resize(count());
+    around_.resize(count());
+    mates_.resize(count());
+}
+
+std::size_t Topology::Blocks::memory_bytes() const {
+    std::size_t sum = sizeof(Blocks) + bytes(numbers.cell, numbers.vertex, numbers.edge, numbers.slot) +
+                      3 * sizeof(void*) * numbers.block_count() + source->memory_bytes();
+    cells_.for_each([&](const Block& block) {
+        sum += sizeof(Block) + bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard);
+    });
+    around_.for_each(
+        [&](const BlockAround& around) { sum += sizeof(BlockAround) + bytes(around.neighbour, around.next_entry); });
+    mates_.for_each([&](const BlockMates& mates) { sum += sizeof(BlockMates) + bytes(mates.neighbour, mates.mate); });
     return sum;
 }
 
 Index Topology::Blocks::block_of_cell(Index cell) const {
-    const auto after = std::ranges::upper_bound(block, cell, {}, &Block::cell_begin);
-    return static_cast<Index>(after - block.begin() - 1);
+    return static_cast<Index>(std::ranges::upper_bound(numbers.cell, cell) - numbers.cell.begin() - 1);
 }
 
 } // namespace ciel

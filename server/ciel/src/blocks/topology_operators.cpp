@@ -46,7 +46,7 @@ Index first_at_entry(const Block& block, Index entry) {
 } // namespace
 
 Index Topology::vertex(HalfEdge h) const {
-    const Block& block = blocks_->block[block_of(h)];
+    const Block& block = blocks_->cells(block_of(h));
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -62,7 +62,7 @@ Index Topology::vertex(HalfEdge h) const {
 }
 
 Index Topology::edge(HalfEdge h) const {
-    const Block& block = blocks_->block[block_of(h)];
+    const Block& block = blocks_->cells(block_of(h));
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -75,18 +75,18 @@ Index Topology::edge(HalfEdge h) const {
 }
 
 HalfEdge Topology::next_around_face(HalfEdge h) const {
-    return half_edge_in(block_of(h), turn(blocks_->block[block_of(h)], local_of(h), 1));
+    return half_edge_in(block_of(h), turn(blocks_->cells(block_of(h)), local_of(h), 1));
 }
 
 HalfEdge Topology::mate_face(HalfEdge h) const {
-    const Block& block = blocks_->block[block_of(h)];
+    const Block& block = blocks_->cells(block_of(h));
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
         const Index k = place_of(section, local).half_edge;
         return half_edge_in(block_of(h), local - k + section.shape->mate[k]);
     }
-    const Index mate = with_mates(block, blocks_->mates[block_of(h)], [&](const auto& polyhedra, const auto& mates) {
+    const Index mate = with_mates(block, blocks_->mates(block_of(h)), [&](const auto& polyhedra, const auto& mates) {
         return polyhedra.half_edge_begin + mates.mate(polyhedra, local - polyhedra.half_edge_begin);
     });
     return half_edge_in(block_of(h), mate);
@@ -95,8 +95,8 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
 // Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
 // the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
-    const Block& block = blocks_->block[block_of(h)];
-    const BlockMates& mates = blocks_->mates[block_of(h)];
+    const Block& block = blocks_->cells(block_of(h));
+    const BlockMates& mates = blocks_->mates(block_of(h));
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardShape& shape = *block.standard[s].shape;
@@ -126,7 +126,7 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
 // corner. At a corner of a stored loop: the half-edge that leaves along the loop, then the one that leaves against it.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Index b = block_of(h);
-    const Block& block = blocks_->block[b];
+    const Block& block = blocks_->cells(b);
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -135,9 +135,9 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
         if (shape.next_at_corner[k] != StandardShape::end_of_list)
             return half_edge_in(b, local - k + shape.next_at_corner[k]);
         const Index corner = i * shape.corners + shape.origin[k];
-        return blocks_->first_after(b, blocks_->around[b].next_entry[s][corner], section.vertex[corner]);
+        return blocks_->first_after(b, blocks_->around(b).next_entry[s][corner], section.vertex[corner]);
     }
-    return with_around(block, blocks_->around[b], [&](const auto& polyhedra, const auto& around) {
+    return with_around(block, blocks_->around(b), [&](const auto& polyhedra, const auto& around) {
         const Index of_section = local - polyhedra.half_edge_begin;
         const Index segment = polyhedra.corner(of_section), side = polyhedra.side(of_section);
         const Index face = polyhedra.face(segment);
@@ -157,7 +157,7 @@ HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
 }
 
 Index Topology::cell(HalfEdge h) const {
-    const Block& block = blocks_->block[block_of(h)];
+    const Block& block = blocks_->cells(block_of(h));
     const Index local = local_of(h);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size())
         return block.cell_begin + block.standard[s].local_cell(place_of(block.standard[s], local).cell);
@@ -175,7 +175,7 @@ HalfEdge Topology::half_edge_begin(Index cell) const {
 
 std::vector<HalfEdge> Topology::half_edges(Index cell) const {
     const Index b = blocks_->block_of_cell(cell);
-    const Block& block = blocks_->block[b];
+    const Block& block = blocks_->cells(b);
     std::vector<HalfEdge> out;
     const auto place = [local = cell - block.cell_begin](const auto& section) {
         if (section.cell.empty()) return local < section.count() ? local : none;
@@ -199,30 +199,26 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
 }
 
 BlockVertex Topology::Blocks::first_with(Index vertex) const {
-    const auto after = std::ranges::upper_bound(block, vertex, {}, &Block::own_vertex_begin);
-    if (after == block.begin()) return {none, none};
-    const Block& owner = *(after - 1);
-    const auto ghosts = static_cast<Index>(owner.ghost_vertex.size());
-    const Index local = ghosts + vertex - owner.own_vertex_begin;
-    if (local >= owner.vertex_count) return {none, none};
-    return {static_cast<Index>(after - 1 - block.begin()), local};
+    if (numbers.vertex.empty() || vertex >= numbers.vertex.back()) return {none, none};
+    const auto b = static_cast<Index>(std::ranges::upper_bound(numbers.vertex, vertex) - numbers.vertex.begin() - 1);
+    return {b, static_cast<Index>(cells(b).ghost_vertex.size()) + vertex - numbers.vertex[b]};
 }
 
 HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
-    const Index entry = around[at.block].with([&](const auto& all) {
+    const Index entry = around(at.block).with([&](const auto& all) {
         const auto first = all.first_entry[at.vertex];
         return first == all.end_of_list ? none : Index{first};
     });
-    return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(block[at.block], entry));
+    return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(cells(at.block), entry));
 }
 
 HalfEdge Topology::Blocks::first_after(Index b, Index entry, Index local_vertex) const {
-    const bool at_end = around[b].with([&](const auto& all) { return entry == Index{all.end_of_list}; });
-    return at_end ? first_after_block({b, local_vertex}) : half_edge_in(b, first_at_entry(block[b], entry));
+    const bool at_end = around(b).with([&](const auto& all) { return entry == Index{all.end_of_list}; });
+    return at_end ? first_after_block({b, local_vertex}) : half_edge_in(b, first_at_entry(cells(b), entry));
 }
 
 HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
-    const Index place = around[start.block].border_place_of(start.vertex);
+    const Index place = around(start.block).border_place_of(start.vertex);
     if (place == none) return first_at(start);
     BorderVertex at{start.block, place};
     do {
@@ -234,7 +230,7 @@ HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
 }
 
 HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
-    return half_edge_in(block_of(h), turn(block[block_of(h)], local_of(h), face_size - steps));
+    return half_edge_in(block_of(h), turn(cells(block_of(h)), local_of(h), face_size - steps));
 }
 
 } // namespace ciel

@@ -19,7 +19,7 @@ public:
                 const std::span<const float> values = field_->of_block(static_cast<Index>(b));
                 CutScratch& scratch = scratch_of_this_thread();
                 (void)classify(values, threshold, scratch, cut_[b]);
-                cut_block(topology_.blocks().block[b],
+                cut_block(topology_.blocks().cells(b),
                           {values, field_->gaps[b] != 0, threshold, nu, decider_, {}, true}, scratch, cut_[b]);
             }
         });

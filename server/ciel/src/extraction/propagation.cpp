@@ -13,7 +13,8 @@ namespace {
 
 void count_half_edges(const Topology& topology, std::vector<Index>& out) {
     out.assign(topology.counts().cells, 0);
-    for (const Block& block : topology.blocks().block) {
+    for (Index b = 0; b < topology.block_count(); ++b) {
+        const Block& block = topology.blocks().cells(b);
         for (const StandardSection& section : block.standard)
             for (Index i = 0; i < section.count(); ++i)
                 out[block.cell_begin + section.local_cell(i)] = section.shape->half_edges;
@@ -79,7 +80,7 @@ void Propagation::turn(HalfEdge h) {
     is_stale_[b] = 1;
     if (is_listed_[cell]) return;
     is_listed_[cell] = 1;
-    cells_[b].push_back(cell - topology_->blocks().block[b].cell_begin);
+    cells_[b].push_back(cell - topology_->blocks().numbers.cell[b]);
 }
 
 // Step 2 of Algorithm 2: calls pass(h) for each active edge that fails keep(h), and removes the edge. Edges that `pass`
@@ -145,7 +146,7 @@ void Propagation::list_blocks(std::vector<Index>& out) const {
 
 bool Propagation::settle(Index b) {
     if (is_stale_[b] == 0) return false;
-    const Index begin = topology_->blocks().block[b].cell_begin;
+    const Index begin = topology_->blocks().numbers.cell[b];
     std::erase_if(cells_[b], [&](Index local) {
         const Index cell = begin + local;
         const bool is_active = low_half_edges_[cell] != 0 && low_half_edges_[cell] != half_edges_[cell];

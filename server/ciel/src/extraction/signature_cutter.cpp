@@ -32,7 +32,7 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
 }
 
 void SignatureCutter::update_block(Index b, float threshold, double nu) {
-    const Block& block = topology_.blocks().block[b];
+    const Block& block = topology_.blocks().cells(b);
     ActiveBlock& cut = cut_[b];
     CutScratch& scratch = scratch_of_this_thread();
     const std::span<const float> values = field_->of_block(b);

@@ -27,7 +27,7 @@ public:
                      [this](std::size_t begin, std::size_t end) {
                          static thread_local std::vector<Index> point;
                          for (std::size_t i = begin; i < end; ++i) {
-                             const Block& block = blocks_.block[active_[i]];
+                             const Block& block = blocks_.cells(active_[i]);
                              write_points(active_[i], block);
                              if (normals_ == Normals::gradient) write_normals(active_[i]);
                              write_polygons(active_[i], block, point);
@@ -119,7 +119,7 @@ Index Writer::point_of_ghost(Index edge, Index& owner) const {
         owner =
             static_cast<Index>(std::ranges::upper_bound(blocks_.numbers.edge, edge) - blocks_.numbers.edge.begin() - 1);
     const ActiveBlock& cut = cut_[owner];
-    const auto local = edge - blocks_.numbers.edge[owner] + static_cast<Index>(blocks_.block[owner].ghost_edge.size());
+    const auto local = edge - blocks_.numbers.edge[owner] + static_cast<Index>(blocks_.cells(owner).ghost_edge.size());
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 

@@ -22,7 +22,7 @@ public:
     // call.
     [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Data& field, Extraction how, Index b,
                                     double nu, std::optional<std::span<const Index>> cells) {
-        const Block& block = field.topology->blocks().block[b];
+        const Block& block = field.topology->blocks().cells(b);
         const std::span<const float> values = field.of_block(b);
         BlockValues in{
             values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};

@@ -58,9 +58,9 @@ private:
 void Field::Data::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
     std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
-    parallel_for(all.block.size(), 8, [&](std::size_t begin, std::size_t end) {
+    parallel_for(all.count(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b)
-            RuleOut(all.block[b], of_block(static_cast<Index>(b)), not_minimum, not_maximum).run();
+            RuleOut(all.cells(static_cast<Index>(b)), of_block(static_cast<Index>(b)), not_minimum, not_maximum).run();
     });
     for (Index v = 0; v < values.size(); ++v) {
         if (!std::isfinite(values[v]) || topology->half_edge_of_vertex(v) == no_half_edge) continue;

@@ -83,30 +83,30 @@ Field::Field(const Topology& topology, std::span<const float> values, std::share
     if (values.size() != topology.counts().vertices)
         fail("a field must hold one value per vertex (" + std::to_string(topology.counts().vertices) + "), not " +
              std::to_string(values.size()));
-    const std::vector<Block>& all = topology.blocks().block;
+    const Topology::Blocks& all = topology.blocks();
     Data& out = *data_;
     out.topology = &topology;
     out.values = values;
     out.keep_alive = std::move(keep_alive);
-    const std::size_t slots = all.empty() ? 0 : std::size_t{all.back().vertex_begin} + all.back().vertex_count;
-    out.local = std::make_unique_for_overwrite<float[]>(slots); // untouched pages take no memory
-    out.taken = std::make_unique<std::atomic<bool>[]>(all.size());
-    out.low.resize(all.size());
-    out.high.resize(all.size());
-    out.gaps.resize(all.size());
-    out.ranges.resize(all.size());
-    parallel_for(all.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) range_of_block(all[b], static_cast<Index>(b), out);
+    out.local = std::make_unique_for_overwrite<float[]>(all.slot_count()); // untouched pages take no memory
+    out.taken = std::make_unique<std::atomic<bool>[]>(all.count());
+    out.low.resize(all.count());
+    out.high.resize(all.count());
+    out.gaps.resize(all.count());
+    out.ranges.resize(all.count());
+    parallel_for(all.count(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            range_of_block(all.cells(static_cast<Index>(b)), static_cast<Index>(b), out);
     });
-    const float low = all.empty() ? infinity : *std::ranges::min_element(out.low);
-    const float high = all.empty() ? -infinity : *std::ranges::max_element(out.high);
+    const float low = all.count() == 0 ? infinity : *std::ranges::min_element(out.low);
+    const float high = all.count() == 0 ? -infinity : *std::ranges::max_element(out.high);
     if (low <= high) out.range = {low, high};
 }
 
 void Field::Data::take_in(Index b) const {
     const Locked lock(take_in_mutex[b % take_in_mutex.size()]);
     if (taken[b].load(std::memory_order_relaxed)) return;
-    const Block& block = topology->blocks().block[b];
+    const Block& block = topology->blocks().cells(b);
     float* to = local.get() + block.vertex_begin;
     block.ghost_vertex.for_each([&](Index vertex) { *to++ = values[vertex]; });
     const std::span own = values.subspan(block.own_vertex_begin, block.vertex_count - block.ghost_vertex.size());

@@ -35,8 +35,8 @@ struct Field::Data {
 
     [[nodiscard]] std::span<const float> of_block(Index block) const {
         if (!taken[block].load(std::memory_order_acquire)) take_in(block);
-        const Block& b = topology->blocks().block[block];
-        return {local.get() + b.vertex_begin, b.vertex_count};
+        const std::vector<Index>& slot = topology->blocks().numbers.slot;
+        return {local.get() + slot[block], slot[block + 1] - slot[block]};
     }
     void make_extrema() const; // sets minima and maxima at the first call
 

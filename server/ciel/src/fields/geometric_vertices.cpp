@@ -131,9 +131,10 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     for (Index face = 0; face < mesh_.face_count(); ++face)
         if (mesh_.neighbour[face] == none)
             for (const Index v : mesh_.loop(face)) flag[v] = 1;
-    const std::vector<Block>& blocks = topology.blocks().block;
-    parallel_for(blocks.size(), 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) ReflexCorners(mesh_, blocks[b], margin, flag).run();
+    const Topology::Blocks& blocks = topology.blocks();
+    parallel_for(blocks.count(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b)
+            ReflexCorners(mesh_, blocks.cells(static_cast<Index>(b)), margin, flag).run();
     });
     found_.vertices.clear(); // a call that ran out of memory may have left some
     for (Index v = 0; v < flag.size(); ++v)

@@ -40,15 +40,15 @@ struct AddSolved {
     GradientSum sum;
 
     [[nodiscard]] BlockSampler sampler(Index b) const {
-        return {mesh, field.topology->blocks().block[b], field.of_block(b)};
+        return {mesh, field.topology->blocks().cells(b), field.of_block(b)};
     }
     template <const StandardShape& shape>
     void standard(Index b, const StandardSection& section, Index i, Index) {
         sum.add(cell_gradient<shape>(&section.vertex[i * shape.corners], sampler(b)));
     }
     void polyhedron(Index b, Index i, Index) {
-        field.topology->blocks().block[b].with([&](const auto& polyhedra) {
-            scratch.polyhedron.begin(field.topology->blocks().block[b], polyhedra);
+        field.topology->blocks().cells(b).with([&](const auto& polyhedra) {
+            scratch.polyhedron.begin(field.topology->blocks().cells(b), polyhedra);
             sum.add(scratch.polyhedron.solve(polyhedra, i, sampler(b)));
         });
     }
@@ -70,7 +70,7 @@ public:
         for (Index b = 0; b < busy_.size(); ++b)
             if (busy_[b] != 0) busy.push_back(b);
         if (busy.empty()) return;
-        cell_.resize(blocks_.block.size());
+        cell_.resize(blocks_.count());
         for_each(busy, [this](Index b) { sum_inside(b); });
         for_each(active, [this](Index b) { sum_at_border(b); });
         for_each(busy, [this](Index b) { settle(b); });
@@ -110,7 +110,7 @@ private:
 };
 
 void Pass::want(Index b, const ActiveBlock& cut) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     if (gradient_[b] == nullptr) gradient_[b] = std::make_unique_for_overwrite<Vec3f[]>(block.vertex_count);
     const std::span<std::uint8_t> state = states(block);
     std::vector<Index>& found = scratch_of_this_thread().wanted;
@@ -130,10 +130,10 @@ void Pass::want(Index b, const ActiveBlock& cut) {
 }
 
 void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     Scratch& scratch = scratch_of_this_thread();
     for (const Index v : vertices) {
-        const Index place = blocks_.around[b].border_place_of(v);
+        const Index place = blocks_.around(b).border_place_of(v);
         if (place == none)
             scratch.ring.assign(1, {b, v});
         else
@@ -147,14 +147,14 @@ void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
 }
 
 void Pass::ask_neighbours(Index b) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     const std::span<std::uint8_t> state = states(block);
-    blocks_.around[b].with([&](const auto& arrays) {
+    blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
             if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
                 continue;
             for (BorderVertex at = blocks_.next_in_ring({b, place}); at.block != b; at = blocks_.next_in_ring(at)) {
-                std::atomic_ref(states(blocks_.block[at.block])[blocks_.vertex_at(at)])
+                std::atomic_ref(states(blocks_.cells(at.block))[blocks_.vertex_at(at)])
                     .fetch_or(asked_by_neighbour, std::memory_order_relaxed);
                 mark_busy(at.block);
             }
@@ -163,7 +163,7 @@ void Pass::ask_neighbours(Index b) {
 }
 
 void Pass::sum_inside(Index b) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     Scratch& scratch = scratch_of_this_thread();
     BlockSampler(mesh_, block, field_.of_block(b)).all(scratch.sample);
     scratch.sum.assign(block.vertex_count, {});
@@ -222,10 +222,10 @@ void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<cons
 
 void Pass::sum_at_border(Index b) {
     if (busy_[b] == 0) return;
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     Scratch& scratch = scratch_of_this_thread();
     const std::span<const std::uint8_t> state = states(block);
-    blocks_.around[b].with([&](const auto& arrays) {
+    blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
             const Index v = arrays.border_vertex[place];
             if ((state[v] & wanted) == 0) continue;
@@ -238,7 +238,7 @@ void Pass::sum_at_border(Index b) {
 }
 
 void Pass::settle(Index b) {
-    for (std::uint8_t& state : states(blocks_.block[b]))
+    for (std::uint8_t& state : states(blocks_.cells(b)))
         state = static_cast<std::uint8_t>((state & (wanted | known)) != 0 ? known : 0);
 }
 
@@ -248,9 +248,9 @@ void GradientCache::make_at(const FaceMeshView& mesh, const Field::Data& field, 
                             std::span<const ActiveBlock> cut) {
     if (blocks.empty()) return;
     const Locked lock(mutex_);
-    const Block& last = field.topology->blocks().block.back();
-    state_.resize(std::size_t{last.vertex_begin} + last.vertex_count);
-    vertex_.resize(field.topology->blocks().block.size());
+    const Topology::Blocks& all = field.topology->blocks();
+    state_.resize(all.slot_count());
+    vertex_.resize(all.count());
     busy_.assign(vertex_.size(), 0);
     if (!settled_)
         for (std::uint8_t& state : state_) state &= known;

@@ -84,8 +84,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
                       Visit&& visit) {
     const auto standard = [&]<const StandardShape & shape>() {
         for (const BlockVertex at : ring) {
-            const Block& block = blocks.block[at.block];
-            const BlockAround& around = blocks.around[at.block];
+            const Block& block = blocks.cells(at.block);
+            const BlockAround& around = blocks.around(at.block);
             Index place = 0;
             for (std::size_t s = 0; s < block.standard.size(); ++s) {
                 const StandardSection& section = block.standard[s];
@@ -107,8 +107,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     standard.template operator()<wedge_shape>();
     standard.template operator()<pyramid_shape>();
     for (const BlockVertex at : ring) {
-        const Block& block = blocks.block[at.block];
-        const BlockAround& around = blocks.around[at.block];
+        const Block& block = blocks.cells(at.block);
+        const BlockAround& around = blocks.around(at.block);
         with_around(block, around, [&](const auto& polyhedra, const auto& arrays) {
             scratch.clear();
             for (Index entry = first_entry_from(block, around, at.vertex, polyhedra.entry_begin);

@@ -27,7 +27,7 @@ public:
 private:
     template <class F>
     void for_blocks(F&& body) {
-        parallel_for(blocks_.block.size(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
+        parallel_for(blocks_.count(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end; ++b) body(static_cast<Index>(b));
         });
     }
@@ -42,7 +42,7 @@ private:
 };
 
 void Everywhere::sum_inside(Index b) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     std::vector<Sample> samples;
     BlockSampler(mesh_, block, field_.of_block(b)).all(samples);
     const auto sample = [&](Index v) { return samples[v]; };
@@ -72,14 +72,14 @@ void Everywhere::sum_inside(Index b) {
 }
 
 void Everywhere::sum_at_border(Index b) {
-    const Block& block = blocks_.block[b];
+    const Block& block = blocks_.cells(b);
     std::vector<BlockVertex> ring;
     std::vector<Index> scratch;
-    blocks_.around[b].with([&](const auto& arrays) {
+    blocks_.around(b).with([&](const auto& arrays) {
         const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
         for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
             list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);
-            AddStored add([this](Index other) { return &cell_[blocks_.block[other].cell_begin]; });
+            AddStored add([this](Index other) { return &cell_[blocks_.numbers.cell[other]]; });
             for_cells_around(blocks_, ring, scratch, add);
             out_[block.vertex(*v)] = add.sum.mean();
         }
