@@ -3,9 +3,12 @@
 #pragma once
 
 #include "ciel/face_mesh.hpp"
+#include "ciel/record_source.hpp"
 
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace ciel {
 
@@ -29,6 +32,10 @@ public:
     // Throws Error when the mesh breaks the contract of FaceMeshView.
     explicit Topology(const FaceMeshView& mesh, Options options);
     explicit Topology(const FaceMeshView& mesh) : Topology(mesh, Options{}) {}
+    // A topology that was built elsewhere: `tables` is what tables() returned there, `source` gives its records. Reads
+    // no record. Throws Error when the tables are damaged. The operators, and all that uses a block, then throw Error
+    // when a record is damaged.
+    Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source);
     ~Topology();
     Topology(Topology&&) noexcept;
     Topology& operator=(Topology&&) noexcept;
@@ -55,6 +62,11 @@ public:
     [[nodiscard]] Index block_count() const;
     // Returns the size of all tables of the topology, without positions and fields.
     [[nodiscard]] std::size_t memory_bytes() const;
+
+    // Return the bytes from which a Topology like this can be made: the tables of all blocks, and a record of a block,
+    // which lives as long as this Topology. Little-endian; formats: src/blocks/record.hpp.
+    [[nodiscard]] std::vector<std::uint64_t> tables() const;
+    [[nodiscard]] std::span<const std::byte> record(Index block, RecordKind kind) const;
 
     struct Blocks; // defined in src/blocks/blocks.hpp, for the kernel only
     [[nodiscard]] const Blocks& blocks() const { return *blocks_; }

@@ -44,10 +44,12 @@ public:
         case RecordKind::around:
             return std::as_bytes(std::span(around));
         case RecordKind::mates:
+        case RecordKind::tables:
             break;
         }
         return std::as_bytes(std::span(mates));
     }
+    bool is_trusted() const override { return true; }
     std::size_t memory_bytes() const override {
         std::size_t sum = records_.capacity() * sizeof(records_[0]);
         for (const auto& of_block : records_)
@@ -277,7 +279,7 @@ void Linker::number_edges() {
         out_.numbers.edge.push_back(block.edge_begin);
         edges += owned;
     }
-    out_.numbers.edge.push_back(static_cast<Index>(edges));
+    if (!built_.empty()) out_.numbers.edge.push_back(static_cast<Index>(edges));
     if (edges >= none) fail("the mesh has more than 4,294,967,294 edges; split the dataset");
     out_.counts.edges = edges;
 }
@@ -351,6 +353,9 @@ void Linker::write_records() {
         out_.numbers.cell.push_back(b.block.cell_begin);
         out_.numbers.vertex.push_back(b.block.own_vertex_begin);
         out_.numbers.slot.push_back(b.block.vertex_begin);
+        out_.numbers.half_edges.push_back(b.block.half_edge_count);
+        out_.numbers.border_vertices.push_back(
+            b.around.with([](const auto& all) { return static_cast<Index>(all.border_vertex.size()); }));
     }
     if (count > 0) {
         const BlockOf<Owned>& last = built_.back().block;

@@ -1,6 +1,6 @@
-// A block's three records: what the builder's tables become, and what the kernel reads afterwards. A record has no
-// pointer, no position and no mesh-wide number: another block is an index into the record's list of neighbors, whose
-// entries are distances between block numbers. Local order is mesh order.
+// A block's three records (not in the paper): what the builder's tables become, and what the kernel reads afterwards. A
+// record has no pointer, no position and no mesh-wide number: another block is an index into the record's list of
+// neighbors, whose entries are distances between block numbers. Local order is mesh order.
 #pragma once
 
 #include "blocks/block_around.hpp"
@@ -13,6 +13,8 @@ namespace ciel {
 struct BlockNumbers {
     std::vector<Index> cell, vertex, edge; // a block's first cell; its first owned vertex; its first owned edge
     std::vector<Index> slot;               // the sum of vertex_count of the blocks before (Block::vertex_begin)
+    // By block: its numbers of half-edges and of border vertices, with which links from other blocks are compared.
+    std::vector<Index> half_edges, border_vertices;
 
     [[nodiscard]] std::size_t block_count() const { return cell.empty() ? 0 : cell.size() - 1; }
 };

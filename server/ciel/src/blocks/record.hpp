@@ -1,4 +1,5 @@
 // A record: one kind of a block's data as bytes, the same in memory, in a file and in a message. Little-endian.
+// Not in the paper.
 //
 // It begins with 16 bytes: the kind (u32), the version of the kind (u16), the number of sections (u16), and the length
 // of the record in bytes (u64). The table of sections follows, 16 bytes each: id (u16), flags (u16; bit 0: critical),
@@ -6,7 +7,7 @@
 // at a multiple of 8 bytes, with zeros between. A reader refuses an unknown section that is critical, and skips others.
 #pragma once
 
-#include "ciel/types.hpp"
+#include "ciel/record_source.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,13 +16,6 @@
 #include <vector>
 
 namespace ciel {
-
-// Four characters each, the first in the lowest byte.
-enum class RecordKind : std::uint32_t {
-    cells = 0x6c6c6563,  // "cell"
-    around = 0x6e756f72, // "roun"
-    mates = 0x6574616d,  // "mate"
-};
 
 using RecordBytes = std::vector<std::uint64_t>; // words, for their alignment
 

@@ -1,11 +1,14 @@
 #include "ciel/topology.hpp"
 
 #include "blocks/block_links.hpp"
+#include "blocks/block_tables.hpp"
 #include "blocks/blocks.hpp"
+#include "blocks/check_records.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/standard_shapes.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace ciel {
 
@@ -89,9 +92,22 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
     counts.components = count_components(mesh);
 }
 
+Topology::Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source)
+    : blocks_(std::make_unique<Blocks>()) {
+    read_tables(tables, blocks_->numbers, blocks_->counts);
+    blocks_->source = std::move(source);
+    blocks_->begin();
+}
+
 Topology::~Topology() = default;
 Topology::Topology(Topology&&) noexcept = default;
 Topology& Topology::operator=(Topology&&) noexcept = default;
+
+std::vector<std::uint64_t> Topology::tables() const { return tables_of(blocks_->numbers, blocks_->counts); }
+
+std::span<const std::byte> Topology::record(Index block, RecordKind kind) const {
+    return blocks_->source->record(block, kind);
+}
 
 const TopologyCounts& Topology::counts() const { return blocks_->counts; }
 Index Topology::block_count() const { return blocks_->count(); }
@@ -102,11 +118,44 @@ void Topology::Blocks::begin() {
     cells_.resize(count());
     around_.resize(count());
     mates_.resize(count());
+    is_trusted_ = source->is_trusted();
+}
+
+// The blocks of a ring ascend, but for one step from the last to the first. So a walk ends if it does not pass its
+// start.
+void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
+    const bool onwards =
+        at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;
+    if (!onwards || cells(at.block).vertex(vertex_at(at)) != cells(next.block).vertex(vertex_at(next)))
+        fail("the blocks " + std::to_string(at.block) + " and " + std::to_string(next.block) +
+             " of the mesh do not agree on a vertex; import the dataset again");
+}
+
+Block Topology::Blocks::read_cells(Index b) const {
+    Block block = view_cells(source->record(b, RecordKind::cells), b, numbers);
+    if (!is_trusted_) check_cells(block, b, numbers);
+    return block;
+}
+
+BlockAround Topology::Blocks::read_around(Index b) const {
+    const Block& block = cells(b);
+    BlockAround around = view_around(source->record(b, RecordKind::around), b, numbers, block);
+    if (!is_trusted_) check_around(block, around, b, numbers);
+    return around;
+}
+
+BlockMates Topology::Blocks::read_mates(Index b) const {
+    const Block& block = cells(b);
+    BlockMates mates = view_mates(source->record(b, RecordKind::mates), b, numbers, block);
+    if (!is_trusted_) check_mates(block, mates, b, numbers);
+    return mates;
 }
 
 std::size_t Topology::Blocks::memory_bytes() const {
-    std::size_t sum = sizeof(Blocks) + bytes(numbers.cell, numbers.vertex, numbers.edge, numbers.slot) +
-                      3 * sizeof(void*) * numbers.block_count() + source->memory_bytes();
+    std::size_t sum =
+        sizeof(Blocks) +
+        bytes(numbers.cell, numbers.vertex, numbers.edge, numbers.slot, numbers.half_edges, numbers.border_vertices) +
+        3 * sizeof(void*) * numbers.block_count() + source->memory_bytes();
     cells_.for_each([&](const Block& block) {
         sum += sizeof(Block) + bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard);
     });

@@ -2,6 +2,7 @@
 #include "blocks/blocks.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace ciel {
 
@@ -87,8 +88,12 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
         return half_edge_in(block_of(h), local - k + section.shape->mate[k]);
     }
     const Index mate = with_mates(block, blocks_->mates(block_of(h)), [&](const auto& polyhedra, const auto& mates) {
-        return polyhedra.half_edge_begin + mates.mate(polyhedra, local - polyhedra.half_edge_begin);
+        const Index found = mates.mate(polyhedra, local - polyhedra.half_edge_begin);
+        return found == none ? none : polyhedra.half_edge_begin + found;
     });
+    if (mate == none)
+        fail("block " + std::to_string(block_of(h)) +
+             " of the mesh is damaged: a mate is not found; import the dataset again");
     return half_edge_in(block_of(h), mate);
 }
 
@@ -105,6 +110,7 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
         if (mate == no_mate) return no_half_edge;
         const HalfEdge first = mate < block.standard_half_edges ? half_edge_in(block_of(h), mate)
                                                                 : mates.twin(mate - block.standard_half_edges);
+        if (first == no_half_edge) return first;
         const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
         return blocks_->turn_back(first, steps, n);
     }
@@ -222,7 +228,7 @@ HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
     if (place == none) return first_at(start);
     BorderVertex at{start.block, place};
     do {
-        at = next_in_ring(at);
+        at = next_in_ring(at, start.block);
         const HalfEdge h = first_at({at.block, vertex_at(at)});
         if (h != no_half_edge) return h;
     } while (at.block != start.block);

@@ -1,4 +1,4 @@
-// Views that are made when a block is touched for the first time.
+// Views that are made when a block is touched for the first time. Not in the paper.
 #pragma once
 
 #include "ciel/threads.hpp"

@@ -5,6 +5,7 @@
 #include "parallel/grain.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace ciel {
 
@@ -12,6 +13,11 @@ namespace {
 
 constexpr std::size_t most_blocks_per_task = 4;
 constexpr Index ahead = 8; // prefetch distance in points
+
+[[noreturn]] void refuse_ghost(Index owner) {
+    fail("block " + std::to_string(owner) +
+         " of the mesh does not have an edge that another block shares with it; import the dataset again");
+}
 
 class Writer {
 public:
@@ -46,7 +52,10 @@ private:
     void write_points(Index b, const Block& block);
     void write_normals(Index b);
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
-    [[nodiscard]] Index point_of_ghost(Index edge, Index& owner) const;
+    struct Owner {
+        Index block = 0, edge_end = 0, ghosts = 0; // edge_end: id after the edges that the block owns
+    };
+    [[nodiscard]] Index point_of_ghost(Index edge, Owner& owner) const;
     void list_ranges();
     void drop_unused_points();
 
@@ -113,13 +122,20 @@ void Writer::write_normals(Index b) {
 }
 
 // Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
-// updated. Ghosts ascend by mesh-wide id, so `owner` only increases.
-Index Writer::point_of_ghost(Index edge, Index& owner) const {
-    if (blocks_.numbers.edge[owner + 1] <= edge)
-        owner =
-            static_cast<Index>(std::ranges::upper_bound(blocks_.numbers.edge, edge) - blocks_.numbers.edge.begin() - 1);
-    const ActiveBlock& cut = cut_[owner];
-    const auto local = edge - blocks_.numbers.edge[owner] + static_cast<Index>(blocks_.cells(owner).ghost_edge.size());
+// updated. Ghosts ascend by mesh-wide id, so `owner` only increases. Throws Error if the owner has no point there: its
+// record and that of the block contradict each other.
+Index Writer::point_of_ghost(Index edge, Owner& owner) const {
+    if (edge >= owner.edge_end) {
+        const std::vector<Index>& begin = blocks_.numbers.edge;
+        owner.block = static_cast<Index>(std::ranges::upper_bound(begin, edge) - begin.begin() - 1);
+        owner.edge_end = begin[owner.block + 1];
+        if (!std::ranges::binary_search(active_, owner.block)) refuse_ghost(owner.block);
+        owner.ghosts = static_cast<Index>(blocks_.cells(owner.block).ghost_edge.size());
+    }
+    const ActiveBlock& cut = cut_[owner.block];
+    const Index local = edge - blocks_.numbers.edge[owner.block] + owner.ghosts;
+    if ((cut.active[local / 64] >> local % 64 & 1) == 0) [[unlikely]]
+        refuse_ghost(owner.block);
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
@@ -127,7 +143,8 @@ Index Writer::point_of_ghost(Index edge, Index& owner) const {
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const ActiveBlock& cut = cut_[b];
     point.resize(64 * cut.active.size());
-    Index owner = 0, i = 0;
+    Owner owner;
+    Index i = 0;
     for (std::size_t w = 0; w < cut.active.size(); ++w)
         for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1, ++i) {
             const auto edge = static_cast<Index>(64 * w) + static_cast<Index>(std::countr_zero(bits));

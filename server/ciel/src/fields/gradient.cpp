@@ -153,7 +153,8 @@ void Pass::ask_neighbours(Index b) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
             if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
                 continue;
-            for (BorderVertex at = blocks_.next_in_ring({b, place}); at.block != b; at = blocks_.next_in_ring(at)) {
+            for (BorderVertex at = blocks_.next_in_ring({b, place}, b); at.block != b;
+                 at = blocks_.next_in_ring(at, b)) {
                 std::atomic_ref(states(blocks_.cells(at.block))[blocks_.vertex_at(at)])
                     .fetch_or(asked_by_neighbour, std::memory_order_relaxed);
                 mark_busy(at.block);

@@ -70,7 +70,7 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
     do {
         if (!out.empty() && at.block < out[lowest].block) lowest = out.size();
         out.push_back({at.block, blocks.vertex_at(at)});
-        at = blocks.next_in_ring(at);
+        at = blocks.next_in_ring(at, start);
     } while (at.block != start);
     std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(lowest), out.end());
 }

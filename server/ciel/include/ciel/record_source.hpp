@@ -1,0 +1,38 @@
+// Records: the bytes of a mesh's blocks, of which a Topology is a view (paper, section 2.2). They may lie in memory, in
+// a mapped file, or in a file that is read.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace ciel {
+
+// A block has one record of each kind. `cells`: what surfaces, slices and pictures need. `around`: what leads around a
+// vertex, for gradients. `mates`: for the operators and propagation. The values are four characters each, as in files.
+enum class RecordKind : std::uint32_t {
+    cells = 0x6c6c6563,  // "cell"
+    around = 0x6e756f72, // "roun"
+    mates = 0x6574616d,  // "mate"
+    tables = 0x6c626174, // "tabl": of all blocks; Topology::tables
+};
+
+class RecordSource {
+public:
+    RecordSource() = default;
+    RecordSource(const RecordSource&) = delete;
+    RecordSource& operator=(const RecordSource&) = delete;
+    virtual ~RecordSource() = default;
+
+    // Returns the bytes of a record. They begin at a multiple of 8 and stay as they are and where they are as long as
+    // the source. Called from any thread. Throws Error when they cannot be read.
+    [[nodiscard]] virtual std::span<const std::byte> record(Index block, RecordKind kind) = 0;
+    // Returns whether the bytes come from this process. If not, each record is checked when it is first used.
+    [[nodiscard]] virtual bool is_trusted() const { return false; }
+    // Returns the memory of the records that is the process's own; mapped bytes are not.
+    [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
+};
+
+} // namespace ciel

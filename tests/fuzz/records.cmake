@@ -1,0 +1,1 @@
+ciel_fuzz(records LINKS ciel PACKAGES test_support)

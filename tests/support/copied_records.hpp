@@ -1,0 +1,81 @@
+// A topology's records as they would come from a file, and everything that reads them.
+#pragma once
+
+#include "ciel/extract.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace ciel::test {
+
+class CopiedRecords final : public RecordSource {
+public:
+    using Bytes = std::vector<std::uint64_t>;
+
+    explicit CopiedRecords(const Topology& topology);
+    std::span<const std::byte> record(Index block, RecordKind kind) override;
+    [[nodiscard]] std::size_t memory_bytes() const override { return 0; }
+
+    Bytes tables;
+    std::map<std::pair<Index, RecordKind>, Bytes> records;
+    int reads = 0;
+};
+
+inline CopiedRecords::CopiedRecords(const Topology& topology) : tables(topology.tables()) {
+    for (Index b = 0; b < topology.block_count(); ++b)
+        for (const RecordKind kind : {RecordKind::cells, RecordKind::around, RecordKind::mates}) {
+            const auto bytes = topology.record(b, kind);
+            Bytes& copy = records[{b, kind}];
+            copy.resize(bytes.size() / sizeof(copy[0]));
+            std::memcpy(copy.data(), bytes.data(), bytes.size());
+        }
+}
+
+inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind kind) {
+    ++reads;
+    return std::as_bytes(std::span(records.at({block, kind})));
+}
+
+// Returns the topology that the records make, which owns them.
+[[nodiscard]] inline Topology read_back(std::unique_ptr<CopiedRecords> copied) {
+    const CopiedRecords::Bytes tables = copied->tables;
+    return {std::as_bytes(std::span(tables)), std::move(copied)};
+}
+
+// Returns the results of the six operators for all half-edges.
+[[nodiscard]] inline std::vector<std::uint64_t> all_operators(const Topology& topology) {
+    std::vector<std::uint64_t> found;
+    const auto add = [&found](auto... ids) { (found.push_back(static_cast<std::uint64_t>(ids)), ...); };
+    for (Index cell = 0; cell < topology.counts().cells; ++cell)
+        for (const HalfEdge h : topology.half_edges(cell))
+            add(h, topology.vertex(h), topology.edge(h), topology.next_around_face(h), topology.next_around_vertex(h),
+                topology.mate_face(h), topology.mate_polyhedron(h), topology.cell(h));
+    return found;
+}
+
+// Extracts three surfaces with each algorithm, with gradient normals. Returns the last.
+[[nodiscard]] inline Surface cut_in_all_ways(const Topology& topology, const FaceMeshView& mesh,
+                                             std::span<const float> values) {
+    const Field field(topology, values, nullptr);
+    Surface surface;
+    for (const Algorithm algorithm : {Algorithm::naive, Algorithm::signatures, Algorithm::propagation}) {
+        Query query(topology, mesh, algorithm);
+        query.set_field(field);
+        for (const double nu : {0.3, 0.6, 0.45}) query.extract(nu, true, surface);
+    }
+    return surface;
+}
+
+// Returns whether an error about records ends with one of the advices that are given.
+[[nodiscard]] inline bool says_what_to_do(std::string_view sentence) {
+    constexpr std::array<std::string_view, 3> advice{"; import the dataset again", ". Update CIEL",
+                                                     "; split the dataset"};
+    return std::any_of(advice.begin(), advice.end(), [&](std::string_view end) { return sentence.ends_with(end); });
+}
+
+} // namespace ciel::test
