@@ -118,7 +118,7 @@ void VolumeBuffers::upload_boundary(const SlabMesh& mesh, const std::vector<std:
     for (const std::vector<Index>& list : lists) {
         boundary_of_slab_.push_back({indices.size(), static_cast<GLsizei>(list.size()), 0});
         boundary_ranges_.push_back(boxed_ranges_of(boundary_of_slab_.back(), list,
-                                                  [&](Index i) -> const Vec3f& { return mesh.vertices[i].position; }));
+                                                   [&](Index i) -> const Vec3f& { return mesh.vertices[i].position; }));
         indices.insert(indices.end(), list.begin(), list.end());
     }
     gl_.BindVertexArray(boundary_.array);
