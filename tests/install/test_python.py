@@ -245,7 +245,7 @@ def test_meshio_meshes_give_the_surface_of_their_cells(python, tmp_path):
         values = np.linalg.norm(points - 3, axis=1)
         wanted = cm.contour(cm.Mesh.from_cells(points, types, offsets, connectivity), values, 2)
         skin = ("triangle", cells[:7, :3])
-        meshio.write({str(tmp_path / "box.msh")!r}, meshio.Mesh(points, [skin, ("hexahedron", cells)]), file_format="gmsh")
+        meshio.write({str(tmp_path / "box.msh")!r}, meshio.Mesh(points, [skin, ("hexahedron", cells)]), file_format="gmsh22")
         read = meshio.read({str(tmp_path / "box.msh")!r})
         assert [block.type for block in read.cells] == ["triangle", "hexahedron"]
         mesh = cm.from_meshio(read)

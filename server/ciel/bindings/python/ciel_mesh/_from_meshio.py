@@ -62,6 +62,8 @@ def from_meshio(mesh):
     stream_length = 0
     for block in mesh.cells:
         number, count = _type_of(block.type), len(block.data)
+        if count == 0:
+            continue
         types.append(numpy.full(count, number, numpy.uint8))
         if number == POLYHEDRON:
             stream, begins = _face_stream(block.data)
@@ -74,7 +76,7 @@ def from_meshio(mesh):
             sizes.append(numpy.full(count, rows.shape[1], numpy.int64))
             nodes.append(rows.ravel())
             locations.append(numpy.full(count, -1, numpy.int64))
-    if sum(len(block) for block in types) == 0:
+    if not types:
         raise ValueError("the mesh has no cells; read or make cells first")
     faces = {}
     if streams:
