@@ -15,6 +15,7 @@ public:
     // mate, because the cell is not closed.
     template <class Section, class Paired> // Section: a PolyhedralSection
     [[nodiscard]] bool run(const Section& section, Index cell, Paired&& paired) {
+        for (const Index edge : touched_) open_[edge] = none; // a call that ran out of memory may have left some
         waiting_.clear();
         touched_.clear();
         const auto faces = section.faces_of(cell);
