@@ -18,9 +18,6 @@ class FrameQueue:
         self._end: str | None = None  # why no more frames come
         self._changed = asyncio.Condition()
 
-    def __len__(self) -> int:
-        return len(self._frames)
-
     async def put(self, frame: Frame) -> None:
         """Adds a frame. Raises BufferError if the frames would exceed the limit; one frame always fits."""
         async with self._changed:
