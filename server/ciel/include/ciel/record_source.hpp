@@ -16,7 +16,6 @@ enum class RecordKind : std::uint32_t {
     cells = 0x6c6c6563,  // "cell"
     around = 0x6e756f72, // "roun"
     mates = 0x6574616d,  // "mate"
-    tables = 0x6c626174, // "tabl": of all blocks; Topology::tables
 };
 
 class RecordSource {

@@ -17,6 +17,7 @@
 #include "ciel/topology.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <span>
 #include <type_traits>
@@ -52,6 +53,13 @@ struct Ghosts {
         for (const auto [neighbour, index] : wide) f(begin[neighbour] + index);
     }
 };
+
+// The types of standard cells, in the order of their sections.
+inline constexpr std::array<CellType, 4> standard_types{CellType::tetrahedron, CellType::hexahedron, CellType::wedge,
+                                                        CellType::pyramid};
+[[nodiscard]] inline std::size_t place_of_type(CellType type) {
+    return static_cast<std::size_t>(std::ranges::find(standard_types, type) - standard_types.begin());
+}
 
 template <template <class> class Array>
 struct StandardSectionOf {

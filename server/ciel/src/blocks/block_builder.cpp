@@ -4,13 +4,6 @@
 
 namespace ciel {
 
-namespace {
-
-constexpr std::array<CellType, 4> standard_types{CellType::tetrahedron, CellType::hexahedron, CellType::wedge,
-                                                 CellType::pyramid};
-
-} // namespace
-
 BuiltBlock BlockBuilder::build(Index cell_begin, Index cell_end) {
     loops_.gather(cell_begin, cell_end);
     anchor_.assign(loops_.loop_count(), {none, none});
@@ -49,8 +42,7 @@ void BlockBuilder::sort_cells() {
         bool fits = false;
         with_shape(type, [&]<const StandardShape & shape>() { fits = recognise<shape>(loops_, cell, found); });
         if (fits)
-            standard_[static_cast<std::size_t>(std::ranges::find(standard_types, type) - standard_types.begin())]
-                .push_back({cell, found});
+            standard_[place_of_type(type)].push_back({cell, found});
         else
             polyhedra_.push_back(cell);
     }
@@ -152,8 +144,7 @@ void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edg
 void BlockBuilder::set_standard_mates(BuiltBlock& built) {
     for (const StandardSectionOf<Owned>& section : built.block.standard) {
         const StandardShape& shape = *section.shape;
-        const auto type =
-            static_cast<std::size_t>(std::ranges::find(standard_types, shape.type) - standard_types.begin());
+        const std::size_t type = place_of_type(shape.type);
         std::vector<std::uint16_t>& mates = built.mates.mate.emplace_back();
         mates.reserve(standard_[type].size() * shape.faces);
         Index first = section.half_edge_begin;

@@ -44,7 +44,6 @@ public:
         case RecordKind::around:
             return std::as_bytes(std::span(around));
         case RecordKind::mates:
-        case RecordKind::tables:
             break;
         }
         return std::as_bytes(std::span(mates));

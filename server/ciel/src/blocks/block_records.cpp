@@ -1,5 +1,6 @@
 #include "blocks/block_records.hpp"
 
+#include <iterator>
 #include <string>
 
 namespace ciel {
@@ -36,12 +37,9 @@ enum Id : std::uint16_t {
     id_edge = 64,
     id_group_parts = 72,
     id_next_entry = 80,
-    id_mate = 88,
-    id_end = 96
+    id_mate = 88
 };
 
-constexpr std::array<CellType, 4> standard_types{CellType::tetrahedron, CellType::hexahedron, CellType::wedge,
-                                                 CellType::pyramid};
 constexpr std::uint16_t of_polyhedra = 4;
 
 struct Counts {
@@ -49,10 +47,6 @@ struct Counts {
 };
 
 std::uint16_t type_id(Id first, std::size_t type) { return static_cast<std::uint16_t>(first + type); }
-
-std::size_t type_of(const StandardShape& shape) {
-    return static_cast<std::size_t>(std::ranges::find(standard_types, shape.type) - standard_types.begin());
-}
 
 template <class T>
 std::span<const T> span_of(const std::vector<T>& vector) {
@@ -90,8 +84,8 @@ std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> 
     return owners;
 }
 
-// Adds the section of ghosts: (neighbor, index among what it owns), of 16 bits each if all fit. `kept`: receives the
-// array, which must live until the record is finished.
+// The section of ghosts: (neighbor, index among what it owns), of 16 bits each if all fit, else of 32. Must live until
+// the record is finished.
 struct NamedGhosts {
     std::vector<std::array<std::uint16_t, 2>> narrow;
     std::vector<std::array<std::uint32_t, 2>> wide;
@@ -132,10 +126,9 @@ Ghosts view_ghosts(const RecordView& record, std::uint16_t id, std::span<const I
 
 RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumbers& numbers) {
     return block.with([&]<class Local>(const PolyhedralSection<Local, Owned>& polyhedra) {
-        std::vector<Index> neighbours = owners_of(block.ghost_vertex, numbers.vertex);
-        for (const Index owner : owners_of(block.ghost_edge, numbers.edge)) neighbours.push_back(owner);
-        std::ranges::sort(neighbours);
-        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        std::vector<Index> neighbours;
+        std::ranges::set_union(owners_of(block.ghost_vertex, numbers.vertex), owners_of(block.ghost_edge, numbers.edge),
+                               std::back_inserter(neighbours));
         const auto away = distances(neighbours, number);
         const NamedGhosts vertices(block.ghost_vertex, neighbours, numbers.vertex);
         const NamedGhosts edges(block.ghost_edge, neighbours, numbers.edge);
@@ -147,7 +140,7 @@ RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumb
         vertices.add_to(writer, id_ghost_vertex);
         edges.add_to(writer, id_ghost_edge);
         for (const StandardSectionOf<Owned>& section : block.standard) {
-            const std::size_t type = type_of(*section.shape);
+            const std::size_t type = place_of_type(section.shape->type);
             writer.add(type_id(id_cell, type), span_of(section.cell));
             writer.add(type_id(id_vertex, type), span_of(section.vertex));
             writer.add(type_id(id_edge, type), span_of(section.edge));
@@ -171,7 +164,7 @@ RecordBytes record_of(const BlockOf<Owned>& block, const BlockAroundOf<Owned>& a
     RecordWriter writer;
     writer.add(id_neighbour, span_of(away));
     for (std::size_t s = 0; s < block.standard.size(); ++s)
-        writer.add(type_id(id_next_entry, type_of(*block.standard[s].shape)), span_of(around.next_entry[s]));
+        writer.add(type_id(id_next_entry, place_of_type(block.standard[s].shape->type)), span_of(around.next_entry[s]));
     return around.with([&](const auto& all) {
         writer.add(type_id(id_next_entry, of_polyhedra), span_of(all.next_entry));
         writer.add(id_first_entry, span_of(all.first_entry));
@@ -188,7 +181,7 @@ RecordBytes record_of(const BlockOf<Owned>& block, const BlockMatesOf<Owned>& ma
     writer.add(id_neighbour, span_of(away));
     writer.add(id_twin_counts, std::span(&mates.twin_begin, 1));
     for (std::size_t s = 0; s < block.standard.size(); ++s)
-        writer.add(type_id(id_mate, type_of(*block.standard[s].shape)), span_of(mates.mate[s]));
+        writer.add(type_id(id_mate, place_of_type(block.standard[s].shape->type)), span_of(mates.mate[s]));
     writer.add(id_twin_half_edge, span_of(mates.twin_half_edge));
     return std::visit(
         [&](const auto& all) {
@@ -237,7 +230,7 @@ void view_standard(const RecordView& record, std::size_t type, Block& block, Ind
 } // namespace
 
 Block view_cells(std::span<const std::byte> bytes, Index number, const BlockNumbers& numbers) {
-    const RecordView record(bytes, RecordKind::cells, id_end);
+    const RecordView record(bytes, RecordKind::cells);
     const auto list = record.get<Index>(id_counts);
     if (list.size() != sizeof(Counts) / sizeof(Index)) refuse("it has no counts");
     const Counts counts{list[0], list[1], list[2], list[3], list[4], list[5]};
@@ -267,16 +260,18 @@ Block view_cells(std::span<const std::byte> bytes, Index number, const BlockNumb
         of_size(std::uint32_t{});
     else
         of_size(std::uint16_t{});
+    record.check_all_known();
     return block;
 }
 
 BlockAround view_around(std::span<const std::byte> bytes, Index number, const BlockNumbers& numbers,
                         const Block& block) {
-    const RecordView record(bytes, RecordKind::around, id_end);
+    const RecordView record(bytes, RecordKind::around);
     BlockAround around;
     around.neighbour = blocks_at(record.get<std::int32_t>(id_neighbour), number, numbers.block_count());
     for (const StandardSection& section : block.standard)
-        around.next_entry.push_back(record.get<std::uint16_t>(type_id(id_next_entry, type_of(*section.shape))));
+        around.next_entry.push_back(
+            record.get<std::uint16_t>(type_id(id_next_entry, place_of_type(section.shape->type))));
     block.with([&]<class Local>(const PolyhedralSection<Local>&) {
         auto& all = around.arrays.emplace<AroundArrays<Local>>();
         all.next_entry = record.get<Local>(type_id(id_next_entry, of_polyhedra));
@@ -285,11 +280,12 @@ BlockAround view_around(std::span<const std::byte> bytes, Index number, const Bl
         all.border_block = record.get<Local>(id_border_block);
         all.border_place = record.get<Local>(id_border_place);
     });
+    record.check_all_known();
     return around;
 }
 
 BlockMates view_mates(std::span<const std::byte> bytes, Index number, const BlockNumbers& numbers, const Block& block) {
-    const RecordView record(bytes, RecordKind::mates, id_end);
+    const RecordView record(bytes, RecordKind::mates);
     const auto counts = record.get<Index>(id_twin_counts);
     if (counts.size() != 1) refuse("it has no counts");
     BlockMates mates;
@@ -297,13 +293,14 @@ BlockMates view_mates(std::span<const std::byte> bytes, Index number, const Bloc
     mates.neighbour = blocks_at(record.get<std::int32_t>(id_neighbour), number, numbers.block_count());
     mates.twin_half_edge = record.get<Index>(id_twin_half_edge);
     for (const StandardSection& section : block.standard)
-        mates.mate.push_back(record.get<std::uint16_t>(type_id(id_mate, type_of(*section.shape))));
+        mates.mate.push_back(record.get<std::uint16_t>(type_id(id_mate, place_of_type(section.shape->type))));
     block.with([&]<class Local>(const PolyhedralSection<Local>&) {
         auto& all = mates.arrays.emplace<MateArrays<Local>>();
         all.mate_face = record.get<std::uint8_t>(id_mate_face);
         all.mate_escapes = record.get<MateEscape>(id_mate_escape);
         all.twin_block = record.get<Local>(id_twin_block);
     });
+    record.check_all_known();
     return mates;
 }
 

@@ -7,16 +7,9 @@ namespace ciel {
 namespace {
 
 // Ids of sections. They never change their meaning.
-enum Id : std::uint16_t {
-    id_counts = 1,
-    id_cell,
-    id_vertex,
-    id_edge,
-    id_slot,
-    id_half_edges,
-    id_border_vertices,
-    id_end
-};
+enum Id : std::uint16_t { id_counts = 1, id_cell, id_vertex, id_edge, id_slot, id_half_edges, id_border_vertices };
+
+constexpr auto kind = static_cast<RecordKind>(0x6c626174); // "tabl"; not one that a block has
 
 [[noreturn]] void refuse(const char* what) {
     fail(std::string("the index of the blocks is damaged: ") + what + "; import the dataset again");
@@ -48,11 +41,11 @@ RecordBytes tables_of(const BlockNumbers& numbers, const TopologyCounts& counts)
     writer.add(id_slot, std::span<const std::uint64_t>(slot));
     writer.add(id_half_edges, std::span<const Index>(numbers.half_edges));
     writer.add(id_border_vertices, std::span<const Index>(numbers.border_vertices));
-    return writer.finish(RecordKind::tables);
+    return writer.finish(kind);
 }
 
 void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, TopologyCounts& counts) {
-    const RecordView record(bytes, RecordKind::tables, id_end - 1);
+    const RecordView record(bytes, kind);
     const auto list = record.get<std::uint64_t>(id_counts);
     if (list.size() != 7) refuse("it has no counts");
     counts = {list[0], list[1], list[2], list[3], list[4], list[5], list[6]};
@@ -61,6 +54,7 @@ void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, Topolo
     numbers = {};
     if (half_edges.empty()) {
         if (counts.cells != 0) refuse("it has no blocks");
+        record.check_all_known();
         return;
     }
     numbers.half_edges.assign(half_edges.begin(), half_edges.end());
@@ -69,6 +63,7 @@ void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, Topolo
     numbers.vertex = read_prefix(record, id_vertex, half_edges.size());
     numbers.edge = read_prefix(record, id_edge, half_edges.size());
     numbers.slot = read_prefix(record, id_slot, half_edges.size());
+    record.check_all_known();
     std::uint64_t sum = 0;
     for (const Index of_block : half_edges) sum += of_block;
     if (sum != counts.half_edges || numbers.cell.back() != counts.cells || numbers.edge.back() != counts.edges ||

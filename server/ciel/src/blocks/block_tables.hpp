@@ -5,7 +5,7 @@
 
 namespace ciel {
 
-// A record of the kind `tables`. Sections: 1: the members of TopologyCounts (u64); by block and one more: 2: first
+// A record of the kind "tabl". Sections: 1: the members of TopologyCounts (u64); by block and one more: 2: first
 // cell, 3: first owned vertex, 4: first owned edge, 5: sum of the vertex counts of the blocks before (u64 each); by
 // block: 6: half-edges, 7: border vertices (u32 each).
 [[nodiscard]] RecordBytes tables_of(const BlockNumbers& numbers, const TopologyCounts& counts);

@@ -52,7 +52,7 @@ RecordBytes RecordWriter::finish(RecordKind kind) const {
     return out;
 }
 
-RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind, std::uint16_t largest_id) : bytes_(bytes) {
+RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind) : bytes_(bytes) {
     static_assert(sizeof(Entry) == entry_bytes);
     Header header{};
     if (bytes.size() < header_bytes) refuse("it has " + std::to_string(bytes.size()) + " bytes");
@@ -64,18 +64,23 @@ RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind, std::u
     const std::size_t table = header_bytes + entry_bytes * std::size_t{header.sections};
     if (header.bytes != bytes.size() || table > bytes.size()) refuse("it is cut off");
     entries_.resize(header.sections);
+    known_.resize(header.sections);
     if (!entries_.empty()) std::memcpy(entries_.data(), bytes.data() + header_bytes, entry_bytes * entries_.size());
     for (const Entry& entry : entries_) {
         const std::uint64_t begin = std::uint64_t{entry.offset} * word;
         const std::uint64_t size = std::uint64_t{entry.element} * entry.count;
         if (entry.element == 0 || begin < table || begin > bytes.size() || size > bytes.size() - begin)
             refuse("section " + std::to_string(entry.id) + " goes beyond its end");
-        if (entry.id > largest_id && (entry.flags & critical) != 0)
-            fail("a record of a block has the section " + std::to_string(entry.id) +
-                 ", which this program does not know. Update CIEL");
         if (std::ranges::count(entries_, entry.id, &Entry::id) > 1)
             refuse("section " + std::to_string(entry.id) + " is given twice");
     }
+}
+
+void RecordView::check_all_known() const {
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (!known_[i] && (entries_[i].flags & critical) != 0)
+            fail("a record of a block has the section " + std::to_string(entries_[i].id) +
+                 ", which this program does not know. Update CIEL");
 }
 
 std::size_t RecordView::element_size(std::uint16_t id) const {
@@ -88,6 +93,7 @@ std::span<const std::byte> RecordView::find(std::uint16_t id, std::size_t elemen
     if (found == entries_.end()) return {};
     if (found->element != element)
         refuse("an element of section " + std::to_string(id) + " has " + std::to_string(found->element) + " bytes");
+    known_[static_cast<std::size_t>(found - entries_.begin())] = true;
     return bytes_.subspan(std::size_t{found->offset} * word, std::size_t{found->element} * found->count);
 }
 

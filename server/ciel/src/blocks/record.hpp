@@ -41,9 +41,8 @@ private:
 // Borrows the bytes, which must begin at a multiple of 8 and may be in a mapped file.
 class RecordView {
 public:
-    // `largest_id`: sections with greater ids are unknown. Throws Error for another kind, a newer version, sections
-    // that overlap the end, are given twice or are unknown and critical.
-    RecordView(std::span<const std::byte> bytes, RecordKind kind, std::uint16_t largest_id);
+    // Throws Error for another kind, a newer version, and sections that overlap the end or are given twice.
+    RecordView(std::span<const std::byte> bytes, RecordKind kind);
 
     // Returns a section's array; empty if the record does not have it. Throws Error if its elements have another size.
     template <class T>
@@ -53,6 +52,8 @@ public:
     }
     // Returns the size of the section's elements in bytes; 0 if the record does not have it.
     [[nodiscard]] std::size_t element_size(std::uint16_t id) const;
+    // Call after the last `get`. Throws Error if a critical section was not asked for: this program does not know it.
+    void check_all_known() const;
 
 private:
     struct Entry {
@@ -63,6 +64,7 @@ private:
 
     std::span<const std::byte> bytes_;
     std::vector<Entry> entries_;
+    mutable std::vector<bool> known_; // by entry: `get` has returned it
 };
 
 } // namespace ciel
