@@ -63,9 +63,11 @@ TEST_F(MeshFaces, FacesAtALevelAreThoseOfOneSide) {
     std::vector<float> heights;
     for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
         heights.push_back(mesh.positions[std::size_t{3} * vertex + 2] + static_cast<float>(mesh.origin[2]));
-    EXPECT_EQ(boundary_faces_at(mesh, heights, 3, 1e-6).size(), 9U);
-    EXPECT_EQ(boundary_faces_at(mesh, heights, 1, 1e-6).size(), 0U) << "a level between layers of cells";
-    EXPECT_EQ(boundary_faces_at(mesh, heights, 3.5, 0.5 + 1e-6).size(), 9U);
+    const Topology topology(mesh);
+    const Field field(topology, heights, nullptr);
+    EXPECT_EQ(boundary_faces_at(mesh, field, 3, 1e-6).size(), 9U);
+    EXPECT_EQ(boundary_faces_at(mesh, field, 1, 1e-6).size(), 0U) << "a level between layers of cells";
+    EXPECT_EQ(boundary_faces_at(mesh, field, 3.5, 0.5 + 1e-6).size(), 9U);
 }
 
 TEST_F(MeshFaces, AFaceIsFoundByThreeOfItsVertices) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ciel/array_view.hpp"
+#include "ciel/block_ranges.hpp"
 #include "ciel/mesh.hpp"
 
 #include <memory>
@@ -28,19 +29,31 @@ public:
     // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
     // The iso-surface at 0 is a slice.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
+    // Makes such distances on the vertices of a topology. points: their positions; faces are not used. boxes: what
+    // block_boxes returned for these positions. Computes the distances in a block when the block is cut, so a plane
+    // that crosses few blocks costs little. `keep_alive` owns the positions. The topology must outlive the field.
+    // Throws Error when the topology, the points and the boxes have other numbers of vertices or blocks.
+    [[nodiscard]] static Field plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin,
+                                     const Vec3d& normal, const BlockBoxes& boxes,
+                                     std::shared_ptr<const void> keep_alive);
     // Uses one value per vertex in the topology's vertex order, without a copy. `keep_alive` owns the values, which
     // must not change while the field lives. The topology must outlive the field. Throws Error on another number of
     // values.
     Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive);
+    // Likewise, with ranges that block_ranges returned for these values. Reads no value and no block. Throws Error on
+    // another number of blocks.
+    Field(const Topology& topology, std::span<const float> values, BlockRanges ranges,
+          std::shared_ptr<const void> keep_alive);
     ~Field();
     Field(const Field&);
     Field& operator=(const Field&);
     Field(Field&&) noexcept;
     Field& operator=(Field&&) noexcept;
 
-    [[nodiscard]] const Mesh* mesh() const; // null if the field was made from a Topology
-    [[nodiscard]] std::span<const float> values() const;
-    [[nodiscard]] std::array<float, 2> range() const; // [min, max] of the finite values; {0, 0} when there are none
+    [[nodiscard]] const Mesh* mesh() const;              // null if the field was made from a Topology
+    [[nodiscard]] std::span<const float> values() const; // empty for a plane on the vertices of a topology
+    [[nodiscard]] float value(Index vertex) const;       // in the topology's vertex order
+    [[nodiscard]] std::array<float, 2> range() const;    // [min, max] of the finite values; {0, 0} when there are none
 
     // Returns the vertices that are strict local minima under the order (value, vertex id), sorted in that order
     // (paper, section 2.2). Vertices without a value are neither minima nor neighbours.
@@ -61,6 +74,7 @@ public:
     [[nodiscard]] const Data& data() const { return *data_; }
 
 private:
+    Field() = default;
     Field(const Mesh& mesh, const std::shared_ptr<const std::vector<float>>& stored);
     std::shared_ptr<Data> data_;
 };

@@ -7,6 +7,8 @@
 #include "ciel/field.hpp"
 #include "ciel/threads.hpp"
 
+#include <functional>
+
 namespace ciel {
 
 // Candidates for extrema in one mesh at fixed positions, valid for all directions. The first call of `find` computes
@@ -14,7 +16,9 @@ namespace ciel {
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
-        : mesh_(mesh), keep_alive_(std::move(keep_alive)) {}
+        : mesh_([mesh, keep_alive = std::move(keep_alive)] { return mesh; }) {}
+    // Calls `mesh` in the first call of `find`. Its arrays must live as long as the function.
+    explicit GeometricVertices(std::function<FaceMeshView()> mesh) : mesh_(std::move(mesh)) {}
 
     struct Found {
         // Ids in ascending order: boundary vertices, and interior vertices with a reflex or flat corner.
@@ -27,8 +31,7 @@ public:
     [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:
-    FaceMeshView mesh_;
-    std::shared_ptr<const void> keep_alive_;
+    std::function<FaceMeshView()> mesh_;
     mutable Mutex mutex_;
     mutable bool made_ = false;
     mutable Found found_;

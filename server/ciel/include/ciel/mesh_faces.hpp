@@ -16,9 +16,9 @@ namespace ciel {
                                                 std::span<const std::uint8_t> kept = {});
 
 // Returns the boundary faces that lie in the level set of `level`: each vertex's value differs from it by at most
-// `tolerance`. `values`: one per vertex.
-[[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, std::span<const float> values,
-                                                      double level, double tolerance);
+// `tolerance`. The field is on the mesh's vertices.
+[[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level,
+                                                      double tolerance);
 
 // Returns the first of the faces `ids` that has all of these vertices, or `none`.
 [[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, const Ids& ids, std::span<const Index> vertices);

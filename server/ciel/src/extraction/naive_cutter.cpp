@@ -20,7 +20,8 @@ public:
                 CutScratch& scratch = scratch_of_this_thread();
                 (void)classify(values, threshold, scratch, cut_[b]);
                 cut_block(topology_.blocks().cells(b),
-                          {values, field_->gaps[b] != 0, threshold, nu, decider_, {}, true}, scratch, cut_[b]);
+                          {values, field_->has_gaps(static_cast<Index>(b)), threshold, nu, decider_, {}, true}, scratch,
+                          cut_[b]);
             }
         });
         active_.clear();

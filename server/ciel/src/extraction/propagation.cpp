@@ -48,7 +48,7 @@ void Propagation::restart() {
     is_stale_.assign(cells_.size(), 0);
 }
 
-float Propagation::value(Index vertex) const { return field_->values[vertex]; }
+float Propagation::value(Index vertex) const { return field_->value(vertex); }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 

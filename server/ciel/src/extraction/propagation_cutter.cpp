@@ -42,7 +42,7 @@ void PropagationCutter::update_block(Index b, double nu) {
     CutScratch& scratch = scratch_of_this_thread();
     const float threshold = propagation_.threshold();
     (void)classify(values, threshold, scratch, cut);
-    cut_cells(topology_.blocks().cells(b), {values, field_->gaps[b] != 0, threshold, nu, decider_, {}},
+    cut_cells(topology_.blocks().cells(b), {values, field_->has_gaps(b), threshold, nu, decider_, {}},
               propagation_.cells(b), scratch, cut);
     cut.known = !cut.decided;
 }

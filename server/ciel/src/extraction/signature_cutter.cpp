@@ -24,7 +24,7 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
     const float threshold = threshold_of(nu);
     active_.clear();
     for (Index b = 0; b < cut_.size(); ++b)
-        if (field_->low[b] < threshold && field_->high[b] >= threshold) active_.push_back(b);
+        if (field_->crosses(b, threshold)) active_.push_back(b);
     parallel_for(active_.size(), fair_grain(active_.size(), 2), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold, nu);
     });
@@ -36,7 +36,7 @@ void SignatureCutter::update_block(Index b, float threshold, double nu) {
     ActiveBlock& cut = cut_[b];
     CutScratch& scratch = scratch_of_this_thread();
     const std::span<const float> values = field_->of_block(b);
-    const bool gaps = field_->gaps[b] != 0;
+    const bool gaps = field_->has_gaps(b);
     if (classify(values, threshold, scratch, cut) && !gaps) return;
     cut.known = false; // remains false if cut_block throws
     cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);

@@ -25,7 +25,7 @@ public:
         const Block& block = field.topology->blocks().cells(b);
         const std::span<const float> values = field.of_block(b);
         BlockValues in{
-            values, field.gaps[b] != 0, threshold_of(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};
+            values, field.has_gaps(b), threshold_of(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};
         if (how.algorithm == Algorithm::signatures) in.ranges = field.ranges.of(block, b, values);
         CutScratch& scratch = scratch_of_this_thread();
         if (cells)
@@ -79,7 +79,7 @@ struct Pass {
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b)
                 for (std::size_t i = 0; i < values.size(); ++i) {
                     const float threshold = threshold_of(values[i]);
-                    if (how.algorithm == Algorithm::naive || (blocks.low[b] < threshold && blocks.high[b] >= threshold))
+                    if (how.algorithm == Algorithm::naive || blocks.crosses(static_cast<Index>(b), threshold))
                         cut(static_cast<Index>(b), i, {});
                 }
         });

@@ -57,13 +57,13 @@ private:
 // Sets minima and maxima. Tests all vertices by visiting all edges.
 void Field::Data::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
-    std::vector<std::uint8_t> not_minimum(values.size(), 0), not_maximum(values.size(), 0);
+    std::vector<std::uint8_t> not_minimum(topology->counts().vertices, 0), not_maximum(not_minimum);
     parallel_for(all.count(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b)
             RuleOut(all.cells(static_cast<Index>(b)), of_block(static_cast<Index>(b)), not_minimum, not_maximum).run();
     });
-    for (Index v = 0; v < values.size(); ++v) {
-        if (!std::isfinite(values[v]) || topology->half_edge_of_vertex(v) == no_half_edge) continue;
+    for (Index v = 0; v < not_minimum.size(); ++v) {
+        if (!std::isfinite(value(v)) || topology->half_edge_of_vertex(v) == no_half_edge) continue;
         if (!not_minimum[v]) minima.push_back(v);
         if (!not_maximum[v]) maxima.push_back(v);
     }
@@ -82,11 +82,11 @@ bool Field::Data::find_geometric_extrema() const {
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = where.vertices[i];
             const HalfEdge start = topology->half_edge_of_vertex(v);
-            if (start == no_half_edge || !std::isfinite(values[v])) sides[i] = 3;
+            if (start == no_half_edge || !std::isfinite(value(v))) sides[i] = 3;
             for (HalfEdge h = start; sides[i] != 3;) {
                 const Index other = topology->vertex(h);
-                if (std::isfinite(values[other]))
-                    sides[i] |= std::pair(values[other], other) < std::pair(values[v], v) ? 1 : 2;
+                if (const float there = value(other); std::isfinite(there))
+                    sides[i] |= std::pair(there, other) < std::pair(value(v), v) ? 1 : 2;
                 h = topology->next_around_vertex(h);
                 if (h == start) break;
             }
@@ -105,7 +105,7 @@ void Field::Data::make_extrema() const {
     minima.clear();
     maxima.clear();
     if (!find_geometric_extrema()) find_extrema();
-    const auto below = [this](Index a, Index b) { return values[a] != values[b] ? values[a] < values[b] : a < b; };
+    const auto below = [this](Index a, Index b) { return std::pair(value(a), a) < std::pair(value(b), b); };
     std::ranges::sort(minima, below);
     std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
     extrema_made = true;

@@ -6,6 +6,7 @@
 #include "ciel/field.hpp"
 #include "fields/cell_ranges.hpp"
 #include "fields/gradient.hpp"
+#include "fields/plane_distance.hpp"
 
 #include <optional>
 
@@ -15,9 +16,9 @@ struct Field::Data {
     std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
     const Topology* topology = nullptr;
     std::span<const float> values;
+    std::optional<PlaneDistance> plane; // if set, there are no values: they are computed
     std::shared_ptr<const void> keep_alive;
-    std::vector<float> low, high;   // by block: [min, max] of finite values; low > high if none
-    std::vector<std::uint8_t> gaps; // by block: 1 if a vertex has no value
+    BlockRanges of_blocks;
     std::array<float, 2> range{};
 
     // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
@@ -33,12 +34,18 @@ struct Field::Data {
     mutable CellRanges ranges;
     mutable GradientCache gradients;
 
+    [[nodiscard]] float value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
+    [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; } // a vertex has no value
+    [[nodiscard]] bool crosses(Index block, float threshold) const {
+        return of_blocks.low[block] < threshold && of_blocks.high[block] >= threshold;
+    }
     [[nodiscard]] std::span<const float> of_block(Index block) const {
         if (!taken[block].load(std::memory_order_acquire)) take_in(block);
         const std::vector<Index>& slot = topology->blocks().numbers.slot;
         return {local.get() + slot[block], slot[block + 1] - slot[block]};
     }
-    void make_extrema() const; // sets minima and maxima at the first call
+    void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
+    void make_extrema() const;                                // sets minima and maxima at the first call
 
 private:
     void take_in(Index block) const;

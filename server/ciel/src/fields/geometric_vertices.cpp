@@ -120,21 +120,22 @@ private:
 const GeometricVertices::Found& GeometricVertices::find(const Topology& topology) const {
     const Locked lock(mutex_);
     if (made_) return found_;
+    const FaceMeshView mesh = mesh_();
     double largest = 0;
-    for (std::size_t i = 0; i + 2 < mesh_.positions.size(); i += 3) {
-        const Vec3d p{mesh_.positions[i], mesh_.positions[i + 1], mesh_.positions[i + 2]};
+    for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {
+        const Vec3d p{mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]};
         largest = std::max(largest, dot_of(p, p));
     }
     found_.largest_distance = 4 * std::sqrt(largest);
     const double margin = found_.largest_distance * std::numeric_limits<float>::epsilon();
-    std::vector<std::uint8_t> flag(mesh_.vertex_count(), 0);
-    for (Index face = 0; face < mesh_.face_count(); ++face)
-        if (mesh_.neighbour[face] == none)
-            for (const Index v : mesh_.loop(face)) flag[v] = 1;
+    std::vector<std::uint8_t> flag(mesh.vertex_count(), 0);
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == none)
+            for (const Index v : mesh.loop(face)) flag[v] = 1;
     const Topology::Blocks& blocks = topology.blocks();
     parallel_for(blocks.count(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b)
-            ReflexCorners(mesh_, blocks.cells(static_cast<Index>(b)), margin, flag).run();
+            ReflexCorners(mesh, blocks.cells(static_cast<Index>(b)), margin, flag).run();
     });
     found_.vertices.clear(); // a call that ran out of memory may have left some
     for (Index v = 0; v < flag.size(); ++v)

@@ -26,12 +26,11 @@ std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> i
     return faces;
 }
 
-std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, std::span<const float> values, double level,
-                                        double tolerance) {
+std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level, double tolerance) {
     std::vector<CellFace> faces;
     for (Index face = 0; face < mesh.face_count(); ++face)
         if (mesh.neighbour[face] == none && std::ranges::all_of(mesh.loop(face), [&](Index vertex) {
-                return std::abs(values[vertex] - level) <= tolerance;
+                return std::abs(field.value(vertex) - level) <= tolerance;
             }))
             faces.push_back({face, mesh.owner[face]});
     return faces;
