@@ -11,7 +11,7 @@
 namespace ciel::app {
 namespace {
 
-using store::Chunks;
+using store::LackingRanges;
 using store::Dataset;
 
 struct Options {
@@ -22,7 +22,7 @@ struct Options {
 
 int append_dataset(const Options& options) {
     const auto source = Dataset::open(options.from);
-    const auto appended = store::append_dataset(Dataset::open(options.dataset, Chunks::unchecked), *source);
+    const auto appended = store::append_dataset(Dataset::open(options.dataset, LackingRanges::left_out), *source);
     std::cout << appended << " of " << source->steps().size() << " steps appended\n";
     return 0;
 }
@@ -60,7 +60,7 @@ std::string what_differs(const store::StepPlan& plan) {
 }
 
 int append_files(const Options& options) {
-    const auto dataset = Dataset::open(options.dataset, Chunks::unchecked);
+    const auto dataset = Dataset::open(options.dataset, LackingRanges::left_out);
     std::vector<File> files;
     std::vector<store::WantedArray> wanted;
     for (const std::string& argument : options.arrays) {

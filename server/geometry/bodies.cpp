@@ -63,11 +63,10 @@ double length_of_faces(const Patch& patch) { return std::sqrt(patch.area / stati
 } // namespace
 
 std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step) {
-    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
     std::vector<Patch> patches;
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
-        const FacesSize size = size_of_faces(mesh, group.ids);
+        const FacesSize size = size_of_faces(dataset.mesh(step.mesh, step.coordinates), group.ids);
         patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
     }
     return patches;

@@ -118,10 +118,10 @@ void Cut::use_field(const std::string& name, store::ScalarField new_field, Extra
     if (!same_topology) {
         query.reset(); // before the field it reads goes
         field = std::move(new_field);
-        query.emplace(*field.topology, field.mesh, extraction);
+        query.emplace(*field.topology, field.points, extraction);
         query->set_field(*field.field);
     } else { // its vertices may have moved
-        query->set_mesh(new_field.mesh);
+        query->set_mesh(new_field.points);
         query->set_field(*new_field.field);
         field = std::move(new_field);
     }

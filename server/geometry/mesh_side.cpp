@@ -21,8 +21,9 @@ std::optional<double> side_at(double nu, std::array<float, 2> range) {
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
+    const auto mesh = distances.mesh();
     const double most = rounding(distances.field->range());
-    return face_surface(distances.mesh, boundary_faces_at(distances.mesh, *distances.field, nu, most));
+    return face_surface(mesh, boundary_faces_at(mesh, *distances.field, nu, most));
 }
 
 } // namespace ciel::geometry

@@ -54,7 +54,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->time = step.time;
     remark_on_time(scene.time, *geometry);
     geometry->length_units = dataset->info().length_units;
-    geometry->origin = dataset->mesh(step.mesh, step.coordinates).origin;
+    geometry->origin = dataset->points(step.mesh, step.coordinates).origin;
     geometry->first_mesh_bounds = dataset->info().meshes.at(0).bounds;
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);

@@ -148,7 +148,7 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, const FaceM
 
 // Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. Adds a set if none has them.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
-    const Vec3d origin = writer.before()->mesh(mesh, 0).origin;
+    const Vec3d origin = writer.before()->points(mesh, 0).origin;
     std::vector<float> positions(wanted.positions.begin(), wanted.positions.end());
     if (origin != wanted.origin)
         for (std::size_t i = 0; i < positions.size(); ++i)

@@ -3,8 +3,10 @@
 #include "store/cache/chunk_cache.hpp"
 #include "store/cache/mapped_mesh.hpp"
 #include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
 #include "store/format/documents.hpp"
 #include "store/format/layout.hpp"
+#include "store/format/value_ranges.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>
@@ -41,7 +43,7 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
 
 class MappedDataset final : public Dataset {
 public:
-    MappedDataset(fs::path directory, Documents documents, Chunks chunks, const MappedDataset* before)
+    MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, const MappedDataset* before)
         : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)) {
         if (before != nullptr) {
             any_lost_ = before->any_lost_;
@@ -50,15 +52,14 @@ public:
             steps_ = before->steps_;
         }
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
-            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), any_lost_));
+            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
             positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
             info_.meshes.push_back(meshes_[m]->attributes().info);
-            (void)mesh(m, 0);
         }
         layouts_.resize(meshes_.size());
-        for (const MarkedStep& step : marker_.steps) add_step(step, chunks);
+        for (const MarkedStep& step : marker_.steps) add_step(step, lacking);
     }
 
     const fs::path& directory() const override { return directory_; }
@@ -72,7 +73,7 @@ public:
         if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
         if (now.marker.steps.size() == steps_.size()) return nullptr;
-        return std::make_shared<MappedDataset>(directory_, std::move(now), Chunks::checked, this);
+        return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, this);
     }
 
     void check_intact() const override {
@@ -87,18 +88,30 @@ public:
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
-        const MappedMesh& mapped = *at(mesh);
-        const ArrayLayout& positions = positions_[mesh];
-        if (coordinates >= positions.chunks)
-            refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
-        const auto& sums = coordinate_checksums_[mesh];
-        const fs::path file = positions.chunk(coordinates);
-        return mapped.view(
-            chunks_->get(file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
-                         [&](std::span<const float> values) {
-                             if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
-                                 refuse(file, "holds a coordinate that is not finite");
-                         }));
+        return at(mesh)->view(positions(mesh, coordinates));
+    }
+    FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
+        return at(mesh)->view_points(positions(mesh, coordinates));
+    }
+    void verify() const override {
+        for (std::size_t m = 0; m < meshes_.size(); ++m) {
+            for (std::size_t set = 0; set < positions_[m].chunks; ++set) {
+                (void)positions(m, set);
+                (void)block_boxes(m, set);
+            }
+            meshes_[m]->verify();
+        }
+        for (std::size_t step = 0; step < steps_.size(); ++step)
+            for (const auto& [name, array] : steps_[step].arrays)
+                if (!array.lazy || is_written(marker_.steps[step], name)) {
+                    (void)values(name, step);
+                    (void)block_ranges(scalars_of(*find(name)).front(), step);
+                }
+    }
+
+    Topology topology(std::size_t mesh) const override {
+        const MappedMesh& of = *at(mesh);
+        return of.has_blocks() ? of.stored_topology() : Topology(this->mesh(mesh, 0));
     }
 
     std::vector<Group> groups(std::size_t mesh) const override { return at(mesh)->groups(); }
@@ -107,6 +120,25 @@ public:
 
     std::span<const std::int64_t> solver_vertex(std::size_t mesh) const override { return at(mesh)->solver_vertex(); }
     std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
+
+    std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
+        const MarkedStep& marked = marker_.steps.at(step);
+        const auto entry = marked.arrays.find(scalar.array);
+        if (entry == marked.arrays.end()) return std::nullopt;
+        const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
+        auto ranges = stored_ranges(layouts_[marked.mesh].at(scalar.array).directory, entry->second.chunk,
+                                    entry->second.checksum, scalars.size(), *meshes_[marked.mesh]);
+        if (!ranges) return std::nullopt;
+        return std::move((*ranges)[static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin())]);
+    }
+
+    std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const override {
+        const auto& sums = coordinate_checksums_.at(mesh);
+        if (coordinates >= sums.size()) return std::nullopt;
+        auto ranges = stored_ranges(positions_[mesh].directory, coordinates, sums[coordinates], 3, *meshes_[mesh]);
+        if (!ranges) return std::nullopt;
+        return BlockBoxes{std::move((*ranges)[0]), std::move((*ranges)[1]), std::move((*ranges)[2])};
+    }
 
     std::span<const float> values(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
@@ -122,6 +154,33 @@ public:
     }
 
 private:
+    // Returns the positions of a coordinate set, which are checked at the first call.
+    std::span<const float> positions(std::size_t mesh, std::size_t coordinates) const {
+        (void)at(mesh);
+        const ArrayLayout& positions = positions_[mesh];
+        if (coordinates >= positions.chunks)
+            refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
+        const auto& sums = coordinate_checksums_[mesh];
+        const fs::path file = positions.chunk(coordinates);
+        return chunks_->get(
+            file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
+            [&](std::span<const float> values) {
+                if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+                    refuse(file, "holds a coordinate that is not finite");
+            });
+    }
+
+    // Returns the ranges of a chunk with this checksum, which is empty if it is not known.
+    std::optional<ValueRanges> stored_ranges(const fs::path& array, std::uint64_t chunk, const std::string& sum,
+                                             std::size_t scalars, const MappedMesh& mesh) const {
+        if (sum.empty() || !mesh.has_blocks()) return std::nullopt;
+        const auto file = layout::value_ranges(array, chunk);
+        std::error_code error;
+        if (!fs::exists(file, error)) return std::nullopt;
+        return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), info_.id, scalars,
+                                  mesh.block_count(), checksum_number(sum), file);
+    }
+
     const std::shared_ptr<MappedMesh>& at(std::size_t mesh) const {
         if (mesh >= meshes_.size()) refuse(directory_, "has no mesh " + std::to_string(mesh));
         return meshes_[mesh];
@@ -141,27 +200,18 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
-    void add_step(const MarkedStep& marked, Chunks chunks) {
+    void add_step(const MarkedStep& marked, LackingRanges lacking) {
         const std::size_t index = next_step_++;
         const bool is_known = index < steps_.size(); // taken over from the dataset that was refreshed
         if (marked.coordinates >= positions_[marked.mesh].chunks)
             refuse(directory_ / layout::commit_marker,
                    "step " + std::to_string(index) + " names coordinates that do not exist");
-        for (const auto& [name, entry] : marked.arrays) {
-            learn_array(marked.mesh, name, entry.chunk);
-            if (!is_known && chunks == Chunks::checked) check_chunk(marked, name, entry);
-        }
+        for (const auto& [name, entry] : marked.arrays) learn_array(marked.mesh, name, entry.chunk);
         if (is_known) return;
         Step step{marked.time, marked.mesh, marked.coordinates, {}};
         for (const auto& [name, entry] : marked.arrays)
-            step.arrays.emplace(name, array_step(marked, name, entry, chunks));
+            step.arrays.emplace(name, array_step(marked, name, entry, lacking));
         steps_.push_back(std::move(step));
-    }
-
-    void check_chunk(const MarkedStep& step, const std::string& name, const MarkedArray& entry) const {
-        if (entry.lazy && !is_written(step, name)) return;
-        const ArrayLayout& shape = layouts_[step.mesh].at(name);
-        check_file_size(shape.chunk(entry.chunk), shape.chunk_bytes);
     }
 
     void learn_array(std::size_t mesh, const std::string& name, std::uint64_t chunk) {
@@ -201,7 +251,7 @@ private:
     }
 
     ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry,
-                         Chunks chunks) const {
+                         LackingRanges lacking) const {
         const ArrayInfo& array = *find(name);
         ArrayStep result;
         if (entry.statistics) {
@@ -211,7 +261,7 @@ private:
                 refuse(directory_ / layout::commit_marker,
                        "'component_ranges' of '" + name + "' must have one entry per component");
             check_extremes(step, array, result.extremes);
-        } else if (chunks == Chunks::unchecked || (entry.lazy && !is_written(step, name))) {
+        } else if (lacking == LackingRanges::left_out || (entry.lazy && !is_written(step, name))) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             const ArrayLayout& shape = layouts_[step.mesh].at(name);
@@ -238,8 +288,8 @@ private:
 
 } // namespace
 
-std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, Chunks chunks) {
-    return std::make_shared<MappedDataset>(directory, read_documents(directory), chunks, nullptr);
+std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, LackingRanges lacking) {
+    return std::make_shared<MappedDataset>(directory, read_documents(directory), lacking, nullptr);
 }
 
 std::uint64_t items_of(const MeshInfo& mesh, Association association) {

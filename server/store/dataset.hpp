@@ -1,7 +1,7 @@
 // Dataset: NAME.ciel, a Zarr v2 group with raw chunks, opened for reading (format: store/README.md).
 #pragma once
 
-#include "ciel/face_mesh.hpp"
+#include "ciel/block_ranges.hpp"
 #include "store/format/dataset_info.hpp"
 
 #include <cstdint>
@@ -14,10 +14,20 @@
 
 namespace ciel::store {
 
-// How opening a dataset checks the chunk files of its steps. In both cases a chunk is verified at its first use.
-enum class Chunks {
-    checked,  // checks the size of each file; computes ranges that the commit marker lacks
-    unchecked // opens no chunk file; for writers that append to a dataset of many steps
+// What opening a dataset does about ranges that the commit marker lacks, as for steps appended with plain Zarr.
+enum class LackingRanges {
+    computed, // reads those chunks
+    left_out  // leaves them empty; for writers that append to a dataset
+};
+
+// The parsed name of a scalar: a component ("U:x", "A:0", "R:xx") or the magnitude ("U:magnitude") of an array, or an
+// array of one component ("p").
+struct ScalarName {
+    std::string array;
+    std::optional<int> component; // nullopt for a magnitude and for an array of one component
+    bool magnitude = false;
+
+    [[nodiscard]] bool operator==(const ScalarName&) const = default;
 };
 
 // Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans and views from it
@@ -27,9 +37,9 @@ enum class Chunks {
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
-    // `directory` is not a dataset. Verifies the checksums of the topology; chunks are verified at their first use.
+    // `directory` is not a dataset. Arrays and records are read and verified at their first use, not here.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
-                                                       Chunks chunks = Chunks::checked);
+                                                       LackingRanges lacking = LackingRanges::computed);
     virtual ~Dataset() = default;
 
     [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
@@ -45,11 +55,20 @@ public:
     // lost.
     virtual void check_intact() const = 0;
     [[nodiscard]] bool is_intact() const; // false if check_intact would throw
+    // Reads all that is on the disk. Throws Error that names the first file that is damaged.
+    virtual void verify() const = 0;
     // Like check_intact, but first looks for topology files that were truncated or rewritten and not yet found. Makes a
     // stat call per file.
     virtual void check_unchanged() const = 0;
 
+    // Returns the mesh, whose faces are checked at the first call. Throws Error that names the file when they are
+    // damaged.
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Returns the mesh without its faces: face_count() is 0. Reads positions only.
+    [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
+    // mapped. A mesh that was stored without blocks is built here.
+    [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
@@ -61,17 +80,17 @@ public:
     // when the array was not written at this step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual std::span<const float> values(const std::string& array, std::size_t step) const = 0;
 
+    // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
+    // was appended with plain Zarr. Throws Error when they are damaged.
+    [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;
+
+    // Returns the boxes around the vertices of each block; nullopt as for block_ranges.
+    [[nodiscard]] virtual std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const = 0;
+
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
     [[nodiscard]] std::size_t step_at(double time) const; // index of the step whose time is nearest
 };
 
-// The parsed name of a scalar: a component ("U:x", "A:0", "R:xx") or the magnitude ("U:magnitude") of an array, or an
-// array of one component ("p").
-struct ScalarName {
-    std::string array;
-    std::optional<int> component; // nullopt for a magnitude and for an array of one component
-    bool magnitude = false;
-};
 // Returns whether the array has a magnitude: the length of a vector of two or three components, or the Frobenius norm
 // of a tensor (an array with component names).
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
@@ -79,6 +98,11 @@ struct ScalarName {
 // component is.
 [[nodiscard]] float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar);
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, std::span<const float> tuple);
+// Returns that scalar of each tuple. values: the components, interleaved.
+[[nodiscard]] std::vector<float> one_scalar(const ArrayInfo& array, std::span<const float> values,
+                                            const ScalarName& scalar);
+// Returns the scalars of an array, in the order of scalar_names.
+[[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);
 // Throws Error that lists the existing names when there is no scalar `name`.
 [[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);
 [[nodiscard]] std::vector<std::string> scalar_names(const ArrayInfo& array);

@@ -20,15 +20,6 @@ struct KeptField {
 // Estimates the size of a Field: values in block order, which repeat some vertices in several blocks, and gradients.
 std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
 
-std::vector<float> one_scalar(std::span<const float> values, const ArrayInfo& array, const ScalarName& scalar) {
-    const auto components = static_cast<std::size_t>(array.components);
-    if (components == 1) return {values.begin(), values.end()};
-    std::vector<float> result(values.size() / components);
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = scalar_of(array, values.subspan(i * components, components), scalar);
-    return result;
-}
-
 const char* name_of(Association association) {
     switch (association) {
     case Association::point:
@@ -103,7 +94,9 @@ struct LoadedDataset::State {
     struct MeshSlot {
         std::mutex making;
         std::shared_ptr<const Topology> topology;
-        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric; // by index of the coordinate set
+        // By index of the coordinate set:
+        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric;
+        std::map<std::size_t, std::shared_ptr<const BlockBoxes>> boxes;
     };
 
     [[nodiscard]] std::shared_ptr<Dataset> current() const {
@@ -141,7 +134,7 @@ struct LoadedDataset::State {
         const auto values = written(*of, scalar.array, step, wanted);
         auto made = fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
             const ArrayInfo& array = *of->find(scalar.array);
-            return {std::make_shared<std::vector<float>>(one_scalar(values, array, scalar)),
+            return {std::make_shared<std::vector<float>>(one_scalar(array, values, scalar)),
                     values.size_bytes() / static_cast<std::size_t>(array.components)};
         });
         of->check_intact();
@@ -161,28 +154,34 @@ struct LoadedDataset::State {
         const auto kept = slot(at.mesh);
         const std::lock_guard making(kept->making);
         auto& found = kept->geometric[at.coordinates];
-        if (!found) found = std::make_shared<const GeometricVertices>(of->mesh(at.mesh, at.coordinates), of);
+        if (!found)
+            found = std::make_shared<const GeometricVertices>(
+                [of, at_mesh = at.mesh, at_coordinates = at.coordinates] { return of->mesh(at_mesh, at_coordinates); });
         return found;
     }
 
-    // Returns the field cached under `key`, or makes it. `make_values` copies values from the mapped file, because the
-    // kernel reads a value several times and the file may change between two reads.
-    [[nodiscard]] ScalarField field(
-        const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
-        const std::shared_ptr<const Topology>& topology,
-        const std::function<std::shared_ptr<const std::vector<float>>()>& make_values,
-        const std::function<void(Field&)>& prepare = [](Field&) {}) {
+    // Returns the boxes of the mesh's blocks, which are read or made once per coordinate set.
+    [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(const Dataset& of, const Step& at, const Topology& topology) {
+        const auto kept = slot(at.mesh);
+        const std::lock_guard making(kept->making);
+        auto& found = kept->boxes[at.coordinates];
+        if (found) return found;
+        auto stored = of.block_boxes(at.mesh, at.coordinates);
+        if (!stored) stored = block_boxes(topology, of.points(at.mesh, at.coordinates).positions);
+        return found = std::make_shared<const BlockBoxes>(*std::move(stored));
+    }
+
+    // Returns the field cached under `key`, or makes it. `bytes`: its size with all that it keeps alive.
+    [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
+                                    const std::shared_ptr<const Topology>& topology, std::size_t bytes,
+                                    const std::function<Field()>& make) {
         const Step& at = of->steps()[step];
-        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
-            const auto made = make_values();
-            auto made_field = std::make_shared<KeptField>(KeptField{topology, Field(*topology, *made, made)});
-            prepare(made_field->field);
-            return {std::move(made_field), field_bytes(mesh.vertex_count()) + made->size() * sizeof(float)};
+            return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
         // Returns the topology of the field, not `topology`: an earlier refresh may have cached the field.
-        return {kept->topology, {kept, &kept->field}, mesh, of};
+        return {kept->topology, {kept, &kept->field}, of->points(at.mesh, at.coordinates), of, step};
     }
 
     mutable std::mutex mutex;
@@ -191,6 +190,11 @@ struct LoadedDataset::State {
     std::mutex refreshing;
     Cache fields;
 };
+
+FaceMeshView ScalarField::mesh() const {
+    const Step& at = dataset->steps()[step];
+    return dataset->mesh(at.mesh, at.coordinates);
+}
 
 LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
     : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes)) {}
@@ -215,7 +219,7 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     const auto of = state_->current();
     std::shared_ptr<const Topology> made;
     try {
-        made = std::make_shared<const Topology>(of->mesh(mesh, 0));
+        made = std::make_shared<const Topology>(of->topology(mesh));
     } catch (const Error&) { // check_unchanged names the damaged file, which the kernel does not know
         of->check_unchanged();
         throw;
@@ -229,8 +233,16 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const Step& at = State::step_of(*of, step);
     const ScalarName scalar = parse_scalar(*of, name);
     (void)State::written(*of, scalar.array, step, Association::point);
-    return state_->field(of, step, step_key("field", name, step), topology(at.mesh),
-                         [&] { return scalar_values(name, step); });
+    const auto of_mesh = topology(at.mesh);
+    const std::uint64_t vertices = of_mesh->counts().vertices;
+    return state_->field(of, step, step_key("field", name, step), of_mesh,
+                         field_bytes(vertices) + vertices * sizeof(float), [&] {
+                             // A copy, because the kernel reads a value several times and the file may change.
+                             const auto values = scalar_values(name, step);
+                             auto ranges = of->block_ranges(scalar, step);
+                             if (!ranges) ranges = block_ranges(*of_mesh, *values);
+                             return Field(*of_mesh, *values, *std::move(ranges), values);
+                         });
 }
 
 std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
@@ -293,13 +305,13 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     std::ostringstream key; // without the step: steps with the same mesh and coordinates share the field
     key << "plane/" << at.mesh << '/' << at.coordinates << std::hexfloat;
     for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
-    return state_->field(
-        of, step, key.str(), topology(at.mesh),
-        [&] {
-            return std::make_shared<const std::vector<float>>(
-                plane_distance(of->mesh(at.mesh, at.coordinates), origin, normal));
-        },
-        [&](Field& field) { field.set_direction(state_->geometric(of, at), normal); });
+    const auto of_mesh = topology(at.mesh);
+    const auto boxes = state_->boxes(*of, at, *of_mesh);
+    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices), [&] {
+        Field made = Field::plane(*of_mesh, of->points(at.mesh, at.coordinates), origin, normal, *boxes, of);
+        made.set_direction(state_->geometric(of, at), normal);
+        return made;
+    });
 }
 
 std::size_t LoadedDataset::memory_bytes() const {

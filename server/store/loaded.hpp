@@ -10,8 +10,12 @@ namespace ciel::store {
 struct ScalarField {
     std::shared_ptr<const Topology> topology;
     std::shared_ptr<const Field> field;
-    FaceMeshView mesh;
-    std::shared_ptr<const void> keep_alive;
+    FaceMeshView points; // without faces
+    std::shared_ptr<const Dataset> dataset;
+    std::size_t step = 0;
+
+    // Returns the mesh with its faces, which are read and checked at the first call for the mesh.
+    [[nodiscard]] FaceMeshView mesh() const;
 };
 
 // The cells whose values of an array are not NaN or infinite results of the solver. Pictures leave out the other cells.

@@ -1,7 +1,5 @@
 #include "store/mesh_counts.hpp"
 
-#include "ciel/topology.hpp"
-
 #include <algorithm>
 
 namespace ciel::store {
@@ -27,8 +25,8 @@ const char* name_of(std::uint8_t type) {
 
 } // namespace
 
-MeshInfo count_mesh(const FaceMeshView& mesh) {
-    const TopologyCounts counts = Topology(mesh).counts();
+MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology) {
+    const TopologyCounts& counts = topology.counts();
     MeshInfo info;
     info.vertices = counts.vertices;
     info.edges = counts.edges;

@@ -65,6 +65,23 @@ float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const Scal
     return static_cast<float>(magnitude_of(array, tuple));
 }
 
+std::vector<float> one_scalar(const ArrayInfo& array, std::span<const float> values, const ScalarName& scalar) {
+    const auto components = static_cast<std::size_t>(array.components);
+    if (components == 1) return {values.begin(), values.end()};
+    std::vector<float> result(values.size() / components);
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = scalar_of(array, values.subspan(i * components, components), scalar);
+    return result;
+}
+
+std::vector<ScalarName> scalars_of(const ArrayInfo& array) {
+    if (array.components == 1) return {{array.name, std::nullopt, false}};
+    std::vector<ScalarName> scalars;
+    if (has_magnitude(array)) scalars.push_back({array.name, std::nullopt, true});
+    for (int c = 0; c < array.components; ++c) scalars.push_back({array.name, c, false});
+    return scalars;
+}
+
 std::vector<std::string> scalar_names(const ArrayInfo& array) {
     if (array.components == 1) return {array.name};
     std::vector<std::string> names;

@@ -3,7 +3,9 @@
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
+#include "store/format/value_ranges.hpp"
 #include "store/mesh_counts.hpp"
+#include "store/write_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,15 @@ void check_group(const NamedGroup& group, std::size_t limit) {
 
 } // namespace
 
+void write_boxes(const fs::path& directory, const Topology& topology, const std::string& dataset_id,
+                 std::size_t coordinates, std::span<const float> positions) {
+    BlockBoxes boxes = block_boxes(topology, positions);
+    const ValueRanges ranges{std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])};
+    const fs::path file = layout::value_ranges(directory / "positions", coordinates);
+    make_directory(file.parent_path());
+    write_file(file, to_bytes(ranges, dataset_id, checksum_number(std::as_bytes(positions))));
+}
+
 void check_finite(std::span<const float> positions) {
     const auto bad = std::find_if(positions.begin(), positions.end(), [](float v) { return !std::isfinite(v); });
     if (bad != positions.end())
@@ -73,13 +84,15 @@ ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components)
 
 MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::span<const Index> original_vertex,
                           std::span<const Index> original_cell, std::span<const NamedGroup> groups,
-                          const SolverIds& solver) {
+                          const SolverIds& solver, const std::string& dataset_id) {
     check_sizes(mesh, original_vertex, original_cell);
     check_solver_ids(solver, original_vertex.size(), original_cell.size());
     MeshAttributes attributes;
     attributes.origin = mesh.origin;
-    attributes.info = count_mesh(mesh.view());
     for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
+    const Topology topology(mesh.view());
+    attributes.info = count_mesh(mesh.view(), topology);
+    write_blocks(directory, topology, dataset_id, attributes.info.bounds);
 
     const auto write = [&](const std::string& name, ElementType type, std::span<const std::byte> bytes) {
         attributes.checksums[name] = write_whole(directory / name, type, bytes);
@@ -107,6 +120,7 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     make_directory(directory / "positions");
     write_file(layout::chunk(directory / "positions", 0, 3), std::as_bytes(std::span(mesh.positions)));
     attributes.coordinate_checksums.push_back(checksum(std::as_bytes(std::span(mesh.positions))));
+    write_boxes(directory, topology, dataset_id, 0, mesh.positions);
     return attributes;
 }
 

@@ -1,18 +1,24 @@
 // Writes the directory of one mesh of a dataset.
 #pragma once
 
+#include "ciel/topology.hpp"
 #include "store/format/attributes.hpp"
 #include "store/format/zarr_array.hpp"
 #include "store/writer.hpp"
 
 namespace ciel::store {
 
-// Writes the topology, the groups and the positions of a mesh to `directory`. Returns its attributes with checksums;
-// the caller writes them, and the .zarray of the positions. Throws Error when an array has a wrong size, a group has an
-// id out of range, or a coordinate is not finite.
+// Writes the faces, the blocks, the groups and the positions of a mesh to `directory`. Returns its attributes with
+// checksums; the caller writes them, and the .zarray of the positions. Throws Error when an array has a wrong size, a
+// group has an id out of range, or a coordinate is not finite.
 [[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const FaceMesh& mesh,
                                         std::span<const Index> original_vertex, std::span<const Index> original_cell,
-                                        std::span<const NamedGroup> groups, const SolverIds& solver);
+                                        std::span<const NamedGroup> groups, const SolverIds& solver,
+                                        const std::string& dataset_id);
+
+// Writes the boxes of the blocks for one coordinate set to the mesh's directory.
+void write_boxes(const std::filesystem::path& directory, const Topology& topology, const std::string& dataset_id,
+                 std::size_t coordinates, std::span<const float> positions);
 
 void check_finite(std::span<const float> positions);
 

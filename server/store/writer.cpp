@@ -1,12 +1,14 @@
 #include "store/writer.hpp"
 
 #include "store/cache/mapped_file.hpp"
+#include "store/cache/stored_blocks.hpp"
 #include "store/cell_places.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
 #include "store/format/layout.hpp"
 #include "store/format/marker.hpp"
+#include "store/format/value_ranges.hpp"
 #include "store/imported_copy.hpp"
 #include "store/mesh_counts.hpp"
 #include "store/place.hpp"
@@ -108,7 +110,7 @@ void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std:
     auto& sums = attributes.coordinate_checksums;
     for (const auto sets = parse_zarr_array(read_text(document, layout::document_bytes), document).shape[0];
          sums.size() < sets;)
-        sums.push_back(checksum(std::as_bytes(dataset.mesh(mesh, sums.size()).positions)));
+        sums.push_back(checksum(std::as_bytes(dataset.points(mesh, sums.size()).positions)));
 }
 
 } // namespace
@@ -121,6 +123,7 @@ struct Writer::State {
     DatasetInfo info;
     Marker marker;
     std::vector<WrittenMesh> meshes;
+    std::map<std::size_t, std::shared_ptr<const Topology>> topologies; // by mesh, for the ranges of values
     std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
@@ -194,8 +197,33 @@ struct Writer::State {
         under_way->chunks.push_back(layout::chunk(path, row, array.components > 1 ? 3 : 2));
         const auto bytes = std::as_bytes(values);
         put(under_way->chunks.back(), bytes);
+        if (array.association == Association::point) put_ranges(array, values, path, row);
         under_way->arrays.push_back(array);
         step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
+    }
+
+    void put_ranges(const ArrayInfo& array, std::span<const float> values, const fs::path& path, std::uint64_t row) {
+        const auto topology = topology_of(under_way->step.mesh);
+        if (!topology) return;
+        ValueRanges ranges;
+        for (const ScalarName& scalar : scalars_of(array))
+            ranges.push_back(block_ranges(*topology, one_scalar(array, values, scalar)));
+        const fs::path file = layout::value_ranges(path, row);
+        make_directory(file.parent_path());
+        under_way->chunks.push_back(file);
+        put(file, to_bytes(ranges, info.id, checksum_number(std::as_bytes(values))));
+    }
+
+    // Returns the topology of a mesh of the dataset; null if the mesh was stored without blocks.
+    std::shared_ptr<const Topology> topology_of(std::size_t mesh) {
+        std::shared_ptr<const Topology>& found = topologies[mesh];
+        const fs::path path = layout::mesh(directory, mesh);
+        if (!found && fs::exists(layout::block_index(path).parent_path())) {
+            const bool is_ours = !appending() || mesh >= marker.meshes;
+            found = std::make_shared<const Topology>(
+                std::make_shared<const StoredBlocks>(path, info.id)->topology(is_ours));
+        }
+        return found;
     }
 
     void put_documents() const {
@@ -234,7 +262,11 @@ namespace {
 // temporary directory will be deleted.
 void read_again(const Place& place) {
     try {
-        (void)Dataset::open(place.temporary());
+        const auto dataset = Dataset::open(place.temporary());
+        for (std::size_t mesh = 0; mesh < dataset->info().meshes.size(); ++mesh) {
+            (void)dataset->mesh(mesh, 0);
+            (void)dataset->groups(mesh);
+        }
     } catch (const Error& error) {
         std::string what = error.what();
         const std::string folder = place.temporary().string();
@@ -265,7 +297,7 @@ Writer::Writer(const fs::path& directory, const DatasetHeader& header, bool over
     for (const std::string& note : header.notes) info.notes.push_back(valid_utf8(note));
 }
 
-Writer Writer::append(const fs::path& directory) { return append(Dataset::open(directory, Chunks::unchecked)); }
+Writer Writer::append(const fs::path& directory) { return append(Dataset::open(directory, LackingRanges::left_out)); }
 
 Writer Writer::append(std::shared_ptr<Dataset> dataset) {
     auto state = std::make_unique<State>();
@@ -305,6 +337,7 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
     const std::size_t index = state_->meshes.size();
     const fs::path path = layout::mesh(state_->directory, index);
     fs::remove_all(path); // left by an append that did not reach its commit
+    state_->topologies.erase(index);
     std::vector<NamedGroup> named(groups.begin(), groups.end());
     for (NamedGroup& group : named) {
         group.name = valid_utf8(group.name);
@@ -314,7 +347,8 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
             conditions.emplace(valid_utf8(array), valid_utf8(condition));
         group.facts.conditions = std::move(conditions);
     }
-    state_->meshes.push_back({write_mesh(path, mesh, original_vertex, original_cell, named, solver), {}, 0});
+    state_->meshes.push_back(
+        {write_mesh(path, mesh, original_vertex, original_cell, named, solver, state_->info.id), {}, 0});
     return index;
 }
 
@@ -329,6 +363,8 @@ std::size_t Writer::add_coordinates(std::size_t mesh, std::span<const float> pos
     const auto bytes = std::as_bytes(positions);
     state_->put(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", index, 3), bytes);
     attributes.coordinate_checksums.push_back(checksum(bytes));
+    if (const auto topology = state_->topology_of(mesh))
+        write_boxes(layout::mesh(state_->directory, mesh), *topology, state_->info.id, index, positions);
     extend_bounds(attributes.info.bounds, attributes.origin, positions);
     return index;
 }

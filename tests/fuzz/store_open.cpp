@@ -47,7 +47,7 @@ void use(const fs::path& directory) {
         for (const store::ScalarField& scalar :
              {loaded.scalar("p", step), loaded.scalar("U:magnitude", step), loaded.plane(step, {1, 1, 1}, {0, 0, 1})})
             for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
-                Query query(*scalar.topology, scalar.mesh, algorithm);
+                Query query(*scalar.topology, scalar.points, algorithm);
                 query.set_field(*scalar.field);
                 Surface surface;
                 for (const double nu : {3.5, 0.0, 13.0}) query.extract(nu, true, surface);

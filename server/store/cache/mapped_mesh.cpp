@@ -83,7 +83,7 @@ void check_group(const Group& group, const MappedFile& file, std::uint64_t limit
 
 } // namespace
 
-MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
+MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost)
     : directory_(std::move(directory)), any_lost_(std::move(any_lost)) {
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
@@ -92,29 +92,38 @@ MappedMesh::MappedMesh(std::filesystem::path directory, AnyLost any_lost)
         if (attributes_.checksums.contains(name)) map(name, type_of(name));
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
-    vertex_count_ = original_vertex().size();
+    for (const char* group : {"faces", "groups"}) verified_[group];
+    vertex_count_ = array("original_vertex").as<Index>().size();
     const std::uint64_t faces = array("owner").as<Index>().size();
     if (vertex_count_ == 0 || cell_count() == 0 || faces == 0)
         refuse(directory_, std::string("is an empty mesh") + damaged);
     if (vertex_count_ >= none || cell_count() >= none || faces >= none)
         refuse(directory_, "has more than 4,294,967,294 vertices, faces or cells, the most that a mesh can have");
-    const auto expect = [&](const char* name, std::size_t have, std::size_t want) {
-        if (have != want)
-            refuse(array(name).path(),
-                   "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed" + damaged);
-    };
+    check_sizes(faces);
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
+    std::error_code error;
+    if (std::filesystem::exists(layout::block_index(directory_).parent_path(), error))
+        blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, any_lost_);
+}
+
+void MappedMesh::check_sizes(std::uint64_t faces) const {
     if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
         attributes_.info.faces != faces)
-        refuse(attributes,
+        refuse(directory_ / layout::attributes_document,
                std::string("declares other numbers of vertices, faces or cells than the arrays hold") + damaged);
-    expect("original_cell", original_cell().size(), cell_count());
-    expect("neighbour", array("neighbour").as<Index>().size(), faces);
-    expect("face_offset", array("face_offset").as<std::uint64_t>().size(), faces + 1);
-    if (!solver_vertex().empty()) expect("solver_vertex", solver_vertex().size(), vertex_count_);
-    if (!solver_cell().empty()) expect("solver_cell", solver_cell().size(), cell_count());
-    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
-    verify_checksums();
-    verify_indices();
+    const auto expect = [&](const char* name, std::uint64_t want) {
+        const auto found = arrays_.find(name);
+        if (found == arrays_.end()) return;
+        const std::uint64_t have = found->second.bytes().size() / element_bytes(type_of(name));
+        if (have != want)
+            refuse(found->second.path(),
+                   "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed" + damaged);
+    };
+    expect("original_cell", cell_count());
+    expect("neighbour", faces);
+    expect("face_offset", faces + 1);
+    expect("solver_vertex", vertex_count_);
+    expect("solver_cell", cell_count());
 }
 
 void MappedMesh::map(const std::string& name, ElementType type) {
@@ -125,6 +134,7 @@ void MappedMesh::map(const std::string& name, ElementType type) {
         refuse(document, std::string("is not the one-chunk array that '") + name + "' must be" + damaged);
     arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
     keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
+    verified_[name];
 }
 
 void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
@@ -135,16 +145,14 @@ void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
         {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
 }
 
-void MappedMesh::verify_checksums() const {
-    std::vector<std::pair<const std::string*, const MappedFile*>> all;
-    for (const auto& [name, file] : arrays_) all.emplace_back(&name, &file);
-    parallel_for(all.size(), 1, [&](std::size_t begin, std::size_t end) {
+void MappedMesh::verify_checksums(const std::vector<std::string>& names) const {
+    parallel_for(names.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const auto& [name, file] = all[i];
-            if (!attributes_.checksums.contains(*name))
-                refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + *name + "'" + damaged);
-            if (!has_its_checksum(*name, *file))
-                refuse(file->path(), std::string("does not match its checksum") + damaged);
+            const MappedFile& file = array(names[i]);
+            if (!attributes_.checksums.contains(names[i]))
+                refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + names[i] + "'" + damaged);
+            if (!has_its_checksum(names[i], file))
+                refuse(file.path(), std::string("does not match its checksum") + damaged);
         }
     });
 }
@@ -162,9 +170,9 @@ void MappedMesh::verify_boundary() const {
                                                              damaged);
 }
 
-void MappedMesh::verify_indices() const {
-    const std::uint64_t faces = array("owner").as<Index>().size();
-    std::vector<std::function<void()>> checks{
+void MappedMesh::verify_faces() const {
+    verify_checksums({"cell_types", "face_offset", "face_vertex", "owner", "neighbour"});
+    const std::vector<std::function<void()>> checks{
         [&] { check_below(array("face_vertex"), vertex_count_, "vertices"); },
         [&] { check_offsets(array("face_offset"), array("face_vertex").as<Index>().size()); },
         [&] { check_owners(array("owner"), cell_count()); },
@@ -176,17 +184,45 @@ void MappedMesh::verify_indices() const {
             if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
                 refuse(array("cell_types").path(), std::string("names a cell type that does not exist") + damaged);
         }};
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-        checks.emplace_back([&, i] {
-            check_group(groups_[i], array("groups/" + std::to_string(i)),
-                        groups_[i].of == Group::Of::faces ? faces : cell_count());
-        });
     parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) checks[i]();
     });
 }
 
+void MappedMesh::verify_groups() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < groups_.size(); ++i) names.push_back("groups/" + std::to_string(i));
+    verify_checksums(names);
+    const std::uint64_t faces = array("owner").as<Index>().size();
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+        check_group(groups_[i], array(names[i]), groups_[i].of == Group::Of::faces ? faces : cell_count());
+}
+
+const std::vector<Group>& MappedMesh::groups() const {
+    verified_.at("groups").once([this] { verify_groups(); });
+    return groups_;
+}
+
+void MappedMesh::verify() const {
+    verified_.at("faces").once([this] { verify_faces(); });
+    (void)groups();
+    (void)original_vertex();
+    (void)original_cell();
+    (void)solver_vertex();
+    (void)solver_cell();
+    if (!blocks_) return;
+    for (const RecordKind kind : record_kinds)
+        parallel_for(blocks_->block_count(), 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) (void)blocks_->read(static_cast<Index>(b), kind);
+        });
+}
+
+FaceMeshView MappedMesh::view_points(std::span<const float> positions) const {
+    return face_mesh_view(attributes_.origin, positions, cell_types(), {}, {}, {}, {});
+}
+
 FaceMeshView MappedMesh::view(std::span<const float> positions) const {
+    verified_.at("faces").once([this] { verify_faces(); });
     return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
                           array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),
                           {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
@@ -210,10 +246,12 @@ void MappedMesh::check_unchanged() {
         file.accept_touch(); // before the checksum, so that a write during it is found by the next call
         if (!has_its_checksum(name, file)) file.refuse();
     }
+    if (blocks_) blocks_->check_unchanged();
 }
 
 void MappedMesh::check_intact() const {
     for (const auto& [name, file] : arrays_) file.check_intact();
+    if (blocks_) blocks_->check_intact();
 }
 
 } // namespace ciel::store

@@ -1,10 +1,13 @@
-// MappedMesh: the topology arrays of one mesh, mapped and verified. All refreshes of a dataset share it.
+// MappedMesh: the arrays of one mesh, mapped, and its blocks. All refreshes of a dataset share it.
 #pragma once
 
 #include "store/cache/mapped_file.hpp"
+#include "store/cache/stored_blocks.hpp"
 #include "store/format/attributes.hpp"
 #include "store/format/zarr_array.hpp"
 
+#include <atomic>
+#include <map>
 #include <mutex>
 
 namespace ciel::store {
@@ -13,22 +16,31 @@ class MappedMesh {
 public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;
-    // Maps the arrays of a mesh except positions and values. Verifies their checksums, and that all indices are in
-    // range. Throws Error that names the file. Files may change afterwards, so views check each index that they read.
-    MappedMesh(std::filesystem::path directory, AnyLost any_lost);
+    // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Reads no array. Throws
+    // Error that names the file when one is missing, has a wrong size, or is not of this dataset.
+    MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }
     [[nodiscard]] std::uint64_t vertex_count() const { return vertex_count_; }
     [[nodiscard]] std::uint64_t cell_count() const { return cell_types().size(); }
-    [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
-    [[nodiscard]] std::span<const Index> original_vertex() const { return array("original_vertex").as<Index>(); }
-    [[nodiscard]] std::span<const Index> original_cell() const { return array("original_cell").as<Index>(); }
+    // Each array is compared with its checksum, and its indices with what they point into, when it is first asked for.
+    // Throw Error that names the file. Files may change afterwards, so views check each index that they read.
+    [[nodiscard]] const std::vector<Group>& groups() const;
+    [[nodiscard]] std::span<const Index> original_vertex() const { return ids<Index>("original_vertex"); }
+    [[nodiscard]] std::span<const Index> original_cell() const { return ids<Index>("original_cell"); }
     // Ids that the solver gave to vertices and cells, -1 where it gave none; empty if the source has no such ids.
-    [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return optional_array("solver_vertex"); }
-    [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return optional_array("solver_cell"); }
+    [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
+    [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
     // Returns the mesh with these positions, which are offsets from its origin.
     [[nodiscard]] FaceMeshView view(std::span<const float> positions) const;
+    // Returns the mesh without its faces. Reads no array.
+    [[nodiscard]] FaceMeshView view_points(std::span<const float> positions) const;
+    // A CIEL that stored no blocks may have written the mesh.
+    [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
+    [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
+    [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
+    void verify() const; // reads all arrays and records; throws Error at the first that is damaged
     // Throws Error when a file has shrunk, or was written to and no longer has its checksum. Makes a stat call per
     // file.
     void check_unchanged();
@@ -36,9 +48,13 @@ public:
 
 private:
     [[nodiscard]] const MappedFile& array(const std::string& name) const { return arrays_.at(name); }
-    [[nodiscard]] std::span<const std::int64_t> optional_array(const std::string& name) const {
+    // Returns an array of ids that are no indices; empty if the mesh does not have the array.
+    template <typename T>
+    [[nodiscard]] std::span<const T> ids(const std::string& name) const {
         const auto found = arrays_.find(name);
-        return found == arrays_.end() ? std::span<const std::int64_t>() : found->second.as<std::int64_t>();
+        if (found == arrays_.end()) return {};
+        verified_.at(name).once([&] { verify_checksums({name}); });
+        return found->second.as<T>();
     }
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
     // Throws the Error of views when an index of this array is out of range or contradicts another array. Any thread.
@@ -55,9 +71,11 @@ private:
     [[nodiscard]] const ArrayKeeper* keeper(const std::string& name) const { return &keepers_.at(name); }
     void map(const std::string& name, ElementType type);
     void map_group(std::size_t index, std::uint64_t faces);
-    void verify_checksums() const;
+    void check_sizes(std::uint64_t faces) const;
+    void verify_checksums(const std::vector<std::string>& names) const;
     [[nodiscard]] bool has_its_checksum(const std::string& name, const MappedFile& file) const;
-    void verify_indices() const;
+    void verify_faces() const;
+    void verify_groups() const;
     void verify_boundary() const;
 
     std::filesystem::path directory_;
@@ -68,6 +86,25 @@ private:
     std::map<std::string, MappedFile> arrays_; // by name; groups as "groups/<index>"
     std::map<std::string, Keeper> keepers_;    // with the keys of arrays_
     std::vector<Group> groups_;
+    std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
+
+    // Runs a check until it has passed once. Thread-safe.
+    class Verified {
+    public:
+        template <typename Check>
+        void once(Check&& check) {
+            if (done_.load(std::memory_order_acquire)) return;
+            const std::lock_guard lock(checking_);
+            if (done_.load(std::memory_order_relaxed)) return;
+            check();
+            done_.store(true, std::memory_order_release);
+        }
+
+    private:
+        std::mutex checking_;
+        std::atomic<bool> done_ = false;
+    };
+    mutable std::map<std::string, Verified> verified_; // by name of an array of ids; "faces"; "groups"
 };
 
 } // namespace ciel::store

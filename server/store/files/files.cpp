@@ -78,33 +78,73 @@ void refuse_errno(const std::filesystem::path& file, const std::string& what_fai
     refuse(file, what_failed + " (" + std::strerror(number) + ")");
 }
 
-std::string read_text(const std::filesystem::path& file, std::size_t limit) {
+namespace {
+struct stat status_of(const Descriptor& file, const std::filesystem::path& path) {
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) refuse_errno(path, "cannot be examined");
+    return status;
+}
+} // namespace
+
+InputFile::InputFile(const std::filesystem::path& file)
     // O_NONBLOCK: if the file was replaced by a FIFO, opening it must not block.
-    const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (in.get() < 0) {
+    : path_(file), in_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    if (in_.get() < 0) {
         if (errno == ENOENT) refuse(file, "is missing");
         refuse_errno(file, "cannot be opened");
     }
-    struct stat status {};
-    if (::fstat(in.get(), &status) != 0) refuse_errno(file, "cannot be examined");
+    const struct stat status = status_of(in_, file);
     if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
-    if (static_cast<std::size_t>(status.st_size) > limit)
-        refuse(file, "is longer than " + std::to_string(limit) + " bytes, the limit for a file of its kind");
-    std::string text(static_cast<std::size_t>(status.st_size), '\0');
+    size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+bool InputFile::is_deleted() const { return status_of(in_, path_).st_nlink == 0; }
+
+std::array<std::int64_t, 2> InputFile::changed_at() const {
+    const struct stat status = status_of(in_, path_);
+    const auto nanoseconds = [](const timespec& time) {
+        return std::int64_t{time.tv_sec} * 1'000'000'000 + std::int64_t{time.tv_nsec};
+    };
+    return {nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+}
+
+std::size_t InputFile::read_some(std::uint64_t offset, std::span<std::byte> to) const {
     std::size_t filled = 0;
-    while (filled < text.size()) {
-        const ssize_t got = ::read(in.get(), text.data() + filled, text.size() - filled);
+    while (filled < to.size()) {
+        const ssize_t got =
+            ::pread(in_.get(), to.data() + filled, to.size() - filled, static_cast<off_t>(offset + filled));
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) refuse_errno(file, "cannot be read");
+        if (got < 0) refuse_errno(path_, "cannot be read");
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
-    text.resize(filled);
+    return filled;
+}
+
+void InputFile::read(std::uint64_t offset, std::span<std::byte> to) const {
+    if (read_some(offset, to) < to.size())
+        refuse(path_, "has shrunk while it was open; restore it, and replace files of a dataset instead of truncating "
+                      "them");
+}
+
+std::string read_text(const std::filesystem::path& file, std::size_t limit) {
+    const InputFile in(file);
+    if (in.size() > limit)
+        refuse(file, "is longer than " + std::to_string(limit) + " bytes, the limit for a file of its kind");
+    std::string text(in.size(), '\0');
+    text.resize(in.read_some(0, std::as_writable_bytes(std::span(text))));
     return text;
 }
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     write_all(create(file), file, bytes);
+}
+
+NewFile::NewFile(const std::filesystem::path& file) : path_(file), out_(create(file)) {}
+
+void NewFile::append(std::span<const std::byte> bytes) {
+    write_all(out_, path_, bytes);
+    size_ += bytes.size();
 }
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {

@@ -4,7 +4,9 @@
 
 #include "ciel/types.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <span>
@@ -65,6 +67,41 @@ public:
 
 private:
     int fd_;
+};
+
+// A new file that is written from its begin to its end, without flushing it to the disk. Not thread-safe.
+class NewFile {
+public:
+    explicit NewFile(const std::filesystem::path& file);
+    void append(std::span<const std::byte> bytes);
+    [[nodiscard]] std::uint64_t size() const { return size_; } // in bytes, so far
+
+private:
+    std::filesystem::path path_;
+    Descriptor out_;
+    std::uint64_t size_ = 0;
+};
+
+// A file that is read at any place. Thread-safe. It stays open when its path is given to another file.
+class InputFile {
+public:
+    // Throws FileError when the file is missing, cannot be opened, or is not a regular file.
+    explicit InputFile(const std::filesystem::path& file);
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::uint64_t size() const { return size_; } // in bytes, when it was opened
+    // Returns the times of the last changes of its content and of its status, in nanoseconds. They differ from earlier
+    // ones if the content may have changed, and when the file is deleted.
+    [[nodiscard]] std::array<std::int64_t, 2> changed_at() const;
+    [[nodiscard]] bool is_deleted() const; // no path leads to it any more, so no other program can change it
+    // Fills `to` with the bytes from `offset` on. Throws FileError when the file has fewer bytes or cannot be read.
+    void read(std::uint64_t offset, std::span<std::byte> to) const;
+    // Like read, but stops at the end of the file. Returns the number of bytes.
+    std::size_t read_some(std::uint64_t offset, std::span<std::byte> to) const;
+
+private:
+    std::filesystem::path path_;
+    Descriptor in_;
+    std::uint64_t size_ = 0;
 };
 
 // Locks a directory until `lock` is destroyed or the process ends. Returns false when the directory is locked already.

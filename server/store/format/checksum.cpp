@@ -10,11 +10,19 @@ constexpr std::string_view prefix = "xxh3:";
 constexpr std::string_view digits = "0123456789abcdef";
 } // namespace
 
+std::uint64_t checksum_number(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
 std::string checksum(std::span<const std::byte> bytes) {
-    const XXH64_hash_t hash = XXH3_64bits(bytes.data(), bytes.size());
+    const std::uint64_t hash = checksum_number(bytes);
     std::string text(prefix);
     for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15];
     return text;
+}
+
+std::uint64_t checksum_number(const std::string& text) {
+    std::uint64_t hash = 0;
+    for (const char digit : text.substr(prefix.size())) hash = hash << 4 | digits.find(digit);
+    return hash;
 }
 
 bool is_checksum(const std::string& text) {

@@ -1,13 +1,16 @@
-// XXH3-64 of a file's bytes, as the store writes it: "xxh3:" and 16 hexadecimal digits.
+// XXH3-64 of bytes. In documents it is written as "xxh3:" and 16 hexadecimal digits.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
 namespace ciel::store {
 
+[[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
+[[nodiscard]] std::uint64_t checksum_number(const std::string& text); // of what `checksum` returned
 [[nodiscard]] bool is_checksum(const std::string& text);
 
 } // namespace ciel::store

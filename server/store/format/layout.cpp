@@ -26,6 +26,17 @@ std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t fi
     return array / name;
 }
 
+std::filesystem::path block_index(const std::filesystem::path& mesh) { return mesh / "blocks" / "index"; }
+
+std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number) {
+    const char* const folder = kind == RecordKind::cells ? "cells" : kind == RecordKind::around ? "around" : "mates";
+    return mesh / "blocks" / folder / std::to_string(number);
+}
+
+std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk) {
+    return array / "ranges" / std::to_string(chunk);
+}
+
 std::string encode_name(const std::string& name) {
     constexpr const char* digits = "0123456789ABCDEF";
     std::string encoded;

@@ -1,6 +1,8 @@
 // Names and paths of the files inside NAME.ciel (format: store/README.md).
 #pragma once
 
+#include "ciel/record_source.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +12,7 @@
 namespace ciel::store::layout {
 
 inline constexpr int format_version = 1;
+inline constexpr std::uint16_t records_version = 2; // of the index and the files of records
 inline constexpr const char* commit_marker = "steps.json";
 inline constexpr const char* group_document = ".zgroup";
 inline constexpr const char* attributes_document = ".zattrs";
@@ -18,6 +21,8 @@ inline constexpr const char* array_document = ".zarray";
 // Largest accepted sizes of the text files, in bytes. They protect against damaged and hostile files.
 inline constexpr std::size_t document_bytes = std::size_t{1} << 24;
 inline constexpr std::size_t marker_bytes = std::size_t{1} << 28;
+inline constexpr std::size_t ranges_bytes = std::size_t{1} << 32;
+inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 
 [[nodiscard]] std::filesystem::path mesh(const std::filesystem::path& dataset, std::size_t mesh);
 [[nodiscard]] std::filesystem::path face_or_cell_group(const std::filesystem::path& mesh, std::size_t index);
@@ -26,9 +31,16 @@ inline constexpr std::size_t marker_bytes = std::size_t{1} << 28;
 // 3, "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
+// The ranges of one chunk of an array. `array`: its directory.
+[[nodiscard]] std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk);
+
 // Returns the directory name of an array: each byte but A-Z a-z 0-9 _ - becomes %XX. A long name is truncated and ends
 // in its hash.
 [[nodiscard]] std::string encode_name(const std::string& name);
+
+// The folder of a mesh's blocks, the index in it, and the file `number` of the records of one kind.
+[[nodiscard]] std::filesystem::path block_index(const std::filesystem::path& mesh);
+[[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number);
 
 // Topology arrays that every mesh has. Each is one chunk.
 inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     "face_vertex",  "owner",

@@ -38,7 +38,7 @@ protected:
         writer.finish();
     }
 
-    [[nodiscard]] std::shared_ptr<Dataset> open() const { return Dataset::open(directory, Chunks::unchecked); }
+    [[nodiscard]] std::shared_ptr<Dataset> open() const { return Dataset::open(directory, LackingRanges::left_out); }
     AppendedStep append(double time, const std::vector<WantedArray>& wanted,
                         const std::vector<std::vector<float>>& values) const {
         return append_step(open(), time, wanted, [&](std::size_t i) { return std::span<const float>(values[i]); });

@@ -150,6 +150,7 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
     test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
     EXPECT_THROW(Writer(scratch / "a.ciel", {}), Error);
     const auto before = Dataset::open(scratch / "a.ciel");
+    (void)before->mesh(0, 0);
     {
         Writer writer(scratch / "a.ciel", {}, true);
         add_box(writer, test::box(2, 1, 1));
@@ -157,7 +158,7 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
         writer.finish();
     }
     EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 2U);
-    EXPECT_EQ(before->mesh(0, 0).cell_count(), 1U) << "what was open stays";
+    EXPECT_EQ(before->mesh(0, 0).cell_count(), 1U) << "what was read stays";
     EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
     fs::create_directory(scratch / "photos");
     test::overwrite_file(scratch / "photos" / "cat.jpg", "cat");

@@ -107,7 +107,7 @@ TEST_F(LoadedTest, AFieldOutlivesItsDataset) {
     }
     fs::remove_all(directory);
     EXPECT_EQ(kept.field->values()[1], 1003);
-    EXPECT_EQ(kept.mesh.vertex_count(), 27U);
+    EXPECT_EQ(kept.points.vertex_count(), 27U);
 }
 
 TEST_F(LoadedTest, PlanesAreDistances) {

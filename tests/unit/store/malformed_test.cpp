@@ -148,6 +148,36 @@ const std::vector<Malformed> table{
     {"too few names of components",
      edit("meshes/0/arrays/U/.zattrs", [](json& j) { j["ciel"]["component_names"] = {"xx"}; }), "arrays/U/.zattrs",
      "must have one name per component"},
+    {"no index of blocks", remove("meshes/0/blocks/index"), "blocks/index", "is missing"},
+    {"index of blocks cut off", resize("meshes/0/blocks/index", -8), "blocks/index", "does not match its checksum"},
+    {"index of blocks empty", write("meshes/0/blocks/index", ""), "blocks/index", "is too short"},
+    {"index of blocks damaged", flip("meshes/0/blocks/index", 200), "blocks/index", "does not match its checksum"},
+    {"index of blocks that is something else", flip("meshes/0/blocks/index", 1), "blocks/index",
+     "does not begin as such a file"},
+    {"index of blocks of a newer version", flip("meshes/0/blocks/index", 13), "blocks/index", "newer CIEL"},
+    {"index of blocks of another dataset", flip("meshes/0/blocks/index", 16), "blocks/index", "another dataset"},
+    {"no records", remove("meshes/0/blocks/mates/0"), "blocks/mates/0", "is missing"},
+    {"records cut off", resize("meshes/0/blocks/cells/0", -8), "blocks/cells/0", "bytes where"},
+    {"records of another dataset", flip("meshes/0/blocks/around/0", 16), "blocks/around/0", "another dataset"},
+    {"records of another kind",
+     [](const fs::path& d) {
+         const fs::path blocks = d / "meshes/0/blocks";
+         std::string records = test::read_file(blocks / "cells/0");
+         records.replace(8, 4, "mate");
+         test::overwrite_file(blocks / "cells/0", records);
+     },
+     "blocks/cells/0", "does not begin as such a file"},
+    {"a record damaged", flip("meshes/0/blocks/cells/0", 100), "blocks/cells/0", "checksum of block 0"},
+    {"ranges damaged", flip("meshes/0/arrays/p/ranges/0", 150), "arrays/p/ranges/0", "does not match its checksum"},
+    {"ranges cut off", resize("meshes/0/arrays/U/ranges/1", -8), "arrays/U/ranges/1", "does not match its checksum"},
+    {"ranges of another dataset", flip("meshes/0/arrays/p/ranges/2", 20), "arrays/p/ranges/2", "another dataset"},
+    {"ranges of another array",
+     [](const fs::path& d) {
+         fs::copy_file(d / "meshes/0/arrays/U/ranges/0", d / "meshes/0/arrays/p/ranges/0",
+                       fs::copy_options::overwrite_existing);
+     },
+     "arrays/p/ranges/0", "belongs to another array"},
+    {"boxes damaged", flip("meshes/0/positions/ranges/0", 140), "positions/ranges/0", "does not match its checksum"},
     {"another number of boundary faces",
      edit("meshes/0/.zattrs",
           [](json& j) {
@@ -224,8 +254,8 @@ TEST_P(MalformedTest, IsRefusedByNameOfFile) {
     fs::copy(pattern / "box.ciel", directory, fs::copy_options::recursive);
     GetParam().damage(directory);
     try {
-        (void)Dataset::open(directory);
-        FAIL() << "was opened";
+        Dataset::open(directory)->verify();
+        FAIL() << "passed";
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().file));
         EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().error));
@@ -247,6 +277,44 @@ TEST(Damaged, AChunkIsVerifiedAtFirstTouch) {
     EXPECT_NO_THROW((void)dataset->values("p", 0));
     EXPECT_THROW((void)dataset->values("p", 2), Error);
     EXPECT_THROW((void)dataset->values("p", 2), Error) << "and stays refused";
+}
+
+// Returns the sentence with which the records of the box's only block are refused after `damage`.
+std::string refused_block(const Damage& damage) {
+    const test::Folder scratch;
+    test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
+    damage(scratch / "box.ciel");
+    const Topology topology = Dataset::open(scratch / "box.ciel")->topology(0);
+    try {
+        (void)topology.half_edges(0);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Damaged, ABlockIsVerifiedAtFirstTouch) {
+    EXPECT_EQ(refused_block([](const fs::path&) {}), "");
+    EXPECT_EQ(refused_block(flip("meshes/0/blocks/mates/0", 100)), "") << "half_edges does without the mates";
+    EXPECT_THAT(refused_block(flip("meshes/0/blocks/cells/0", 100)), testing::HasSubstr("checksum of block 0"));
+}
+
+// Files of 60 bytes more or less would be found when the dataset is opened.
+TEST(Damaged, RecordsThatShrinkWhileTheyAreOpenAreRefused) {
+    const test::Folder scratch;
+    test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
+    const Topology topology = Dataset::open(scratch / "box.ciel")->topology(0);
+    resize("meshes/0/blocks/cells/0", -64)(scratch / "box.ciel");
+    EXPECT_THROW((void)topology.half_edges(0), Error);
+}
+
+TEST(Damaged, ATopologyReadsItsDatasetAfterItWasReplaced) {
+    const test::Folder scratch;
+    test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
+    const Topology topology = Dataset::open(scratch / "box.ciel")->topology(0);
+    fs::remove_all(scratch / "box.ciel");
+    test::write_box(scratch / "box.ciel", test::box(3, 3, 3));
+    EXPECT_EQ(topology.half_edges(0).size(), 24U);
 }
 
 TEST(Damaged, AFileThatShrankIsRefusedByRefresh) {

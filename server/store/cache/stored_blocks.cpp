@@ -1,0 +1,124 @@
+#include "store/cache/stored_blocks.hpp"
+
+#include "store/format/checksum.hpp"
+#include "store/format/file_head.hpp"
+#include "store/format/layout.hpp"
+
+#include <atomic>
+#include <mutex>
+
+namespace ciel::store {
+namespace {
+
+constexpr const char* damaged = "; the dataset is damaged: restore the file or import the data again";
+
+// Keeps the records that a Topology has used. Thread-safe.
+class Source final : public RecordSource {
+public:
+    Source(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
+        : blocks_(std::move(blocks)), is_trusted_(is_trusted) {
+        for (auto& of_kind : kept_) of_kind.resize(blocks_->block_count());
+    }
+
+    std::span<const std::byte> record(Index block, RecordKind kind) override {
+        const std::lock_guard lock(reading_[block % reading_.size()]);
+        std::vector<std::uint64_t>& kept = kept_[place_of_kind(kind)].at(block);
+        if (kept.empty()) {
+            kept = blocks_->read(block, kind);
+            bytes_ += kept.size() * record_word;
+        }
+        return std::as_bytes(std::span(kept));
+    }
+    [[nodiscard]] bool is_trusted() const override { return is_trusted_; }
+    [[nodiscard]] std::size_t memory_bytes() const override { return bytes_; }
+
+private:
+    std::shared_ptr<const StoredBlocks> blocks_;
+    bool is_trusted_;
+    std::array<std::vector<std::vector<std::uint64_t>>, 3> kept_; // by kind, by block; empty until it is read
+    std::array<std::mutex, 16> reading_;
+    std::atomic<std::size_t> bytes_ = 0;
+};
+
+BlockIndex read_index(const std::filesystem::path& mesh, const std::string& dataset_id) {
+    const auto file = layout::block_index(mesh);
+    return parse_block_index(bytes_of(read_text(file, layout::index_bytes)), dataset_id, file);
+}
+
+// Opens a file of records and compares its first bytes and its size with the index.
+InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes,
+                       const std::string& dataset_id) {
+    InputFile file(layout::records(mesh, kind, number));
+    if (file.size() != bytes)
+        refuse(file.path(), "has " + std::to_string(file.size()) + " bytes where " + std::to_string(bytes) +
+                                " are declared" + damaged);
+    std::array<std::byte, file_head_bytes> head;
+    file.read(0, head);
+    check_file_head(head, file_kind(kind), dataset_id, file.path());
+    return file;
+}
+
+} // namespace
+
+StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost)
+    : any_lost_(std::move(any_lost)), index_(read_index(mesh, dataset_id)) {
+    for (std::size_t kind = 0; kind < record_kinds.size(); ++kind)
+        for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i)
+            files_[kind].push_back(std::make_unique<File>(
+                open_records(mesh, record_kinds[kind], i, index_.file_bytes[kind][i], dataset_id)));
+}
+
+Topology StoredBlocks::topology(bool is_trusted) const {
+    return {std::as_bytes(std::span(index_.tables)), std::make_unique<Source>(shared_from_this(), is_trusted)};
+}
+
+// Returns whether the record has its checksum.
+bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const {
+    record.resize(place.raw);
+    const auto bytes = std::as_writable_bytes(std::span(record));
+    return file.in.read_some(place.offset * record_alignment, bytes) == bytes.size() &&
+           checksum_number(bytes) == place.checksum;
+}
+
+std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) const {
+    const std::size_t of_kind = place_of_kind(kind);
+    const RecordPlace& place = index_.places[of_kind].at(block);
+    File& file = *files_[of_kind][place.file];
+    std::vector<std::uint64_t> record;
+    if (read_into(place, file, record)) return record;
+    const std::lock_guard lock(checking_);
+    if (file.in.changed_at() != file.changed_at) lose(file);
+    refuse(file.in.path(), "does not match the checksum of block " + std::to_string(block) + damaged);
+}
+
+void StoredBlocks::check_unchanged() const {
+    check_intact();
+    const std::lock_guard lock(checking_);
+    for (std::size_t kind = 0; kind < record_kinds.size(); ++kind)
+        for (std::size_t number = 0; number < files_[kind].size(); ++number) check_file(kind, number);
+}
+
+void StoredBlocks::check_file(std::size_t kind, std::size_t number) const {
+    File& file = *files_[kind][number];
+    const auto now = file.in.changed_at();
+    if (now == file.changed_at || file.in.is_deleted()) return;
+    std::vector<std::uint64_t> record;
+    for (const RecordPlace& place : index_.places[kind])
+        if (place.file == number && !read_into(place, file, record)) lose(file);
+    file.changed_at = now; // the time before the checks, so that a write during them is found by the next call
+}
+
+void StoredBlocks::check_intact() const {
+    for (const auto& of_kind : files_)
+        for (const auto& file : of_kind)
+            if (file->is_lost) lose(*file);
+}
+
+void StoredBlocks::lose(File& file) const {
+    file.is_lost = true;
+    *any_lost_ = true;
+    refuse(file.in.path(), "has changed while it was open; restore it, and replace files of a dataset instead of "
+                           "rewriting them");
+}
+
+} // namespace ciel::store

@@ -1,0 +1,53 @@
+// StoredBlocks: the records of a mesh's blocks in their files. A record is read, and compared with its checksum, when
+// it is first asked for.
+#pragma once
+
+#include "ciel/topology.hpp"
+#include "store/cache/mapped_file.hpp"
+#include "store/files/files.hpp"
+#include "store/format/block_index.hpp"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace ciel::store {
+
+// Thread-safe. Topologies that are made from it keep it alive. A file that is truncated or rewritten in place is lost:
+// its records that were read before stay as they are, and check_intact throws.
+class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
+public:
+    // Reads the index of the mesh and opens the files of records; reads no record. Throws Error that names the file
+    // when one is missing, damaged, of a newer format, or of a dataset with another id.
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost());
+
+    // Returns a topology that reads a record when it is first used, and keeps it. is_trusted: this process has written
+    // the records, so their content is not checked.
+    [[nodiscard]] Topology topology(bool is_trusted = false) const;
+    // Reads a record. Throws Error that names the file when it cannot be read or does not match its checksum.
+    [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
+    [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
+    // Throws Error when a file was changed in place and a record no longer has its checksum. Makes a stat call per
+    // file.
+    void check_unchanged() const;
+    void check_intact() const; // throws Error when a file is known to be lost
+
+private:
+    struct File {
+        explicit File(InputFile file) : in(std::move(file)), changed_at(in.changed_at()) {}
+
+        InputFile in;
+        std::array<std::int64_t, 2> changed_at; // when its content was last known to be right
+        std::atomic<bool> is_lost = false;
+    };
+    [[nodiscard]] bool read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const;
+    void check_file(std::size_t kind, std::size_t number) const;
+    [[noreturn]] void lose(File& file) const;
+
+    AnyLost any_lost_;
+    BlockIndex index_;
+    std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by kind, by number
+    mutable std::mutex checking_;                             // guards changed_at of all files
+};
+
+} // namespace ciel::store

@@ -1,0 +1,69 @@
+// The binary files of a dataset that are read as a whole: the head (file_head.hpp), arrays at offsets that the file
+// tells, and XXH3-64 of all bytes before it at the end.
+#pragma once
+
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/file_head.hpp"
+
+#include <cstring>
+#include <vector>
+
+namespace ciel::store {
+
+class ByteWriter {
+public:
+    ByteWriter(FileKind kind, const std::string& dataset_id) { add(file_head(kind, dataset_id)); }
+
+    template <class T>
+    void add(std::span<const T> values) {
+        const auto bytes = std::as_bytes(values);
+        out_.insert(out_.end(), bytes.begin(), bytes.end());
+    }
+    template <class T>
+    void add(const T& value) {
+        add(std::span<const T>(&value, 1));
+    }
+    [[nodiscard]] std::vector<std::byte> finish() {
+        add(checksum_number(out_));
+        return std::move(out_);
+    }
+
+private:
+    std::vector<std::byte> out_;
+};
+
+// Borrows the bytes and the path.
+class ByteReader {
+public:
+    // Throws Error when the head is not of this kind and dataset, or the checksum is wrong.
+    ByteReader(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
+               const std::filesystem::path& file)
+        : bytes_(bytes), file_(file) {
+        check_file_head(bytes, kind, dataset_id, file);
+        const auto sum = array<std::uint64_t>(bytes.size() - sizeof(std::uint64_t), 1).front();
+        bytes_ = bytes.first(bytes.size() - sizeof sum);
+        if (checksum_number(bytes_) != sum) refuse_damage("does not match its checksum");
+    }
+    // Throws Error when the array does not lie inside.
+    template <class T>
+    [[nodiscard]] std::vector<T> array(std::uint64_t begin, std::uint64_t count) const {
+        if (begin > bytes_.size() || count > (bytes_.size() - begin) / sizeof(T))
+            refuse_damage("lists more than the file holds");
+        std::vector<T> out(count);
+        if (count > 0) std::memcpy(out.data(), bytes_.data() + begin, count * sizeof(T));
+        return out;
+    }
+    [[noreturn]] void refuse_unknown(const std::string& what) const {
+        refuse(file_, "names " + what + ", which this CIEL does not know; update CIEL");
+    }
+    [[noreturn]] void refuse_damage(const std::string& what) const {
+        refuse(file_, what + "; the dataset is damaged: restore the file or import the data again");
+    }
+
+private:
+    std::span<const std::byte> bytes_;
+    const std::filesystem::path& file_;
+};
+
+} // namespace ciel::store

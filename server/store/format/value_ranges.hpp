@@ -1,0 +1,25 @@
+// [min, max] of an array at one step, in each block of the mesh. With them an iso-surface opens the blocks that it
+// crosses, and no other. Bytes: store/README.md, "Ranges".
+#pragma once
+
+#include "ciel/block_ranges.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace ciel::store {
+
+// One for each component, then one for the magnitude if the array has one.
+using ValueRanges = std::vector<BlockRanges>;
+
+[[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
+                                              std::uint64_t chunk_checksum);
+// Returns nullopt when the chunk of values with this checksum has replaced the one whose ranges these are. Throws Error
+// that names `file` when the bytes are damaged, of another dataset, or of other numbers of blocks or scalars.
+[[nodiscard]] std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes,
+                                                            const std::string& dataset_id, std::size_t scalars,
+                                                            std::size_t blocks, std::uint64_t chunk_checksum,
+                                                            const std::filesystem::path& file);
+
+} // namespace ciel::store

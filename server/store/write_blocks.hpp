@@ -1,0 +1,19 @@
+// Writes the blocks of a mesh: the records of its topology, and their index.
+#pragma once
+
+#include "ciel/topology.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace ciel::store {
+
+// Writes to the directory of the mesh, which must exist. bounds: of the first coordinates, xmin xmax ymin ymax zmin
+// zmax. A file of records is not longer than most_file_bytes, unless one record is. Throws Error when a file cannot be
+// written.
+void write_blocks(const std::filesystem::path& mesh, const Topology& topology, const std::string& dataset_id,
+                  const std::array<double, 6>& bounds, std::uint64_t most_file_bytes = std::uint64_t{1} << 30);
+
+} // namespace ciel::store

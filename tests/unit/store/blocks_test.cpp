@@ -1,0 +1,188 @@
+// Blocks on disk: what is written is what is read, and the README shows its bytes.
+#include "ciel/extract.hpp"
+#include "store/cache/stored_blocks.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/layout.hpp"
+#include "store/loaded.hpp"
+#include "store/write_blocks.hpp"
+#include "support/meshes.hpp"
+#include "support/store_box/box.hpp"
+#include "support/views.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iomanip>
+#include <sstream>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string id = "0123456789abcdef";
+constexpr std::array<double, 6> bounds{0, 1, 0, 1, 0, 1};
+
+FaceMesh one_tetrahedron() {
+    FaceMesh mesh;
+    mesh.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    mesh.cell_types = {static_cast<std::uint8_t>(CellType::tetrahedron)};
+    mesh.face_offset = {0, 3, 6, 9, 12};
+    mesh.face_vertex = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    mesh.owner = {0, 0, 0, 0};
+    mesh.neighbour = {none, none, none, none};
+    return mesh;
+}
+
+Topology cells_of_all_kinds() { return Topology(assemble(test::view(test::zoo({{8, 8, 8}}))).mesh.view(), {32}); }
+
+// Lines of 16 bytes as hexadecimal numbers.
+std::string dump(const fs::path& file) {
+    const std::string bytes = test::read_file(file);
+    std::ostringstream text;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        if (at % 16 == 0) text << std::hex << std::setw(4) << std::setfill('0') << at << ' ';
+        if (at % 8 == 0) text << ' ';
+        text << std::setw(2) << static_cast<unsigned>(static_cast<unsigned char>(bytes[at]))
+             << (at % 16 == 15 || at + 1 == bytes.size() ? '\n' : ' ');
+    }
+    return text.str();
+}
+
+TEST(Blocks, HaveTheBytesThatTheReadmeShows) {
+    const test::Folder scratch;
+    const FaceMesh mesh = one_tetrahedron();
+    write_blocks(scratch.path(), Topology(mesh.view()), id, bounds);
+    std::string shown;
+    for (const char* file : {"index", "cells/0", "around/0", "mates/0"})
+        shown += std::string("blocks/") + file + '\n' + dump(scratch / "blocks" / file);
+    const std::string readme = test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md");
+    EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
+}
+
+// Returns whether both give the same bytes for all blocks.
+void expect_same_records(const Topology& a, const Topology& b) {
+    EXPECT_EQ(a.tables(), b.tables());
+    ASSERT_EQ(a.block_count(), b.block_count());
+    for (Index block = 0; block < a.block_count(); ++block)
+        for (const RecordKind kind : record_kinds)
+            EXPECT_TRUE(std::ranges::equal(a.record(block, kind), b.record(block, kind)));
+}
+
+TEST(Blocks, AreReadAsTheyWereWritten) {
+    const test::Folder scratch;
+    const Topology built = cells_of_all_kinds();
+    ASSERT_GT(built.block_count(), 20U);
+    write_blocks(scratch.path(), built, id, bounds);
+    const Topology read = std::make_shared<const StoredBlocks>(scratch.path(), id)->topology();
+    EXPECT_LT(read.memory_bytes(), 10000U) << "no record is read before it is used";
+    (void)read.half_edges(0);
+    EXPECT_GT(read.memory_bytes(), 0U);
+    expect_same_records(read, built);
+}
+
+TEST(Blocks, FillFileAfterFile) {
+    const test::Folder scratch;
+    const Topology built = cells_of_all_kinds();
+    write_blocks(scratch.path(), built, id, bounds, 4096);
+    EXPECT_TRUE(fs::exists(layout::records(scratch.path(), RecordKind::cells, 2)));
+    for (const auto& entry : fs::recursive_directory_iterator(scratch / "blocks/cells"))
+        EXPECT_LE(entry.file_size(), 4096U);
+    expect_same_records(std::make_shared<const StoredBlocks>(scratch.path(), id)->topology(), built);
+}
+
+// A dataset of many blocks with the point array p and the vector U.
+std::shared_ptr<Dataset> written(const test::Folder& scratch) {
+    const Assembled made = assemble(test::view(test::zoo({{80, 10, 10}})));
+    const std::size_t vertices = made.original_vertex.size();
+    std::vector<float> p(vertices), u(3 * vertices);
+    for (std::size_t v = 0; v < vertices; ++v) p[v] = made.mesh.positions[3 * v];
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = static_cast<float>(i % 7);
+    p[5] = std::numeric_limits<float>::quiet_NaN();
+    Writer writer(scratch / "a.ciel", {});
+    writer.add_mesh(made.mesh, made.original_vertex, made.original_cell, {});
+    writer.add_step(
+        0, 0, 0,
+        std::vector<ArrayValues>{{{"p", Association::point, 1, "", ""}, p}, {{"U", Association::point, 3, "", ""}, u}});
+    writer.finish();
+    return Dataset::open(scratch / "a.ciel");
+}
+
+void expect_equal(const BlockRanges& a, const BlockRanges& b) {
+    EXPECT_EQ(a.low, b.low);
+    EXPECT_EQ(a.high, b.high);
+    EXPECT_EQ(a.missing, b.missing);
+}
+
+TEST(Ranges, AreThoseOfTheBlocks) {
+    const test::Folder scratch;
+    const auto dataset = written(scratch);
+    const Topology topology = dataset->topology(0);
+    ASSERT_GT(topology.block_count(), 3U);
+    for (const char* array : {"p", "U"}) {
+        const ArrayInfo& info = *dataset->find(array);
+        for (const ScalarName& scalar : scalars_of(info))
+            expect_equal(dataset->block_ranges(scalar, 0).value(),
+                         block_ranges(topology, one_scalar(info, dataset->values(array, 0), scalar)));
+    }
+    const auto boxes = dataset->block_boxes(0, 0).value(),
+               expected = block_boxes(topology, dataset->points(0, 0).positions);
+    for (std::size_t axis = 0; axis < 3; ++axis) expect_equal(boxes[axis], expected[axis]);
+}
+
+TEST(Ranges, AreWrittenForAppendedStepsToo) {
+    const test::Folder scratch;
+    const auto before = written(scratch);
+    std::vector<float> positions(before->points(0, 0).positions.begin(), before->points(0, 0).positions.end());
+    for (float& x : positions) x *= 2;
+    std::vector<float> p(positions.size() / 3, 1);
+    p[0] = -7;
+    Writer writer = Writer::append(scratch / "a.ciel");
+    const std::size_t moved = writer.add_coordinates(0, positions);
+    writer.add_step(1, 0, moved, std::vector<ArrayValues>{{{"p", Association::point, 1, "", ""}, p}});
+    writer.finish();
+    const auto dataset = Dataset::open(scratch / "a.ciel");
+    const Topology topology = dataset->topology(0);
+    expect_equal(dataset->block_ranges({"p", std::nullopt, false}, 1).value(), block_ranges(topology, p));
+    expect_equal(dataset->block_boxes(0, moved).value()[2], block_boxes(topology, positions)[2]);
+}
+
+TEST(Ranges, LetASurfaceReadTheBlocksThatItCrosses) {
+    const test::Folder scratch;
+    LoadedDataset loaded(written(scratch), 1U << 24);
+    const ScalarField p = loaded.scalar("p", 0); // p is x
+    const auto [low, high] = p.field->range();
+    const double near_one_side = low + 0.06 * (high - low);
+    const ScalarField plane = loaded.plane(0, {p.points.origin[0] + near_one_side, 0, 0}, {1, 0, 0});
+    const std::size_t untouched = p.topology->memory_bytes();
+    EXPECT_LT(untouched, 20000U) << "a field reads no record";
+    Query query(*p.topology, p.points);
+    Surface surface;
+    query.set_field(*p.field);
+    query.extract(near_one_side, false, surface);
+    EXPECT_FALSE(surface.polygon_cell.empty());
+    const std::size_t some = p.topology->memory_bytes();
+    query.set_field(*plane.field);
+    query.extract(0, false, surface);
+    EXPECT_FALSE(surface.polygon_cell.empty());
+    std::size_t all = 0;
+    for (Index b = 0; b < p.topology->block_count(); ++b) all += p.topology->record(b, RecordKind::cells).size();
+    EXPECT_GT(some, untouched);
+    EXPECT_LT(some - untouched, all / 2);
+}
+
+TEST(Ranges, OfAChunkThatWasReplacedAreNotUsed) {
+    const test::Folder scratch;
+    const auto range = LoadedDataset(written(scratch), 0).scalar("p", 0).field->range();
+    const fs::path folder = scratch / "a.ciel", chunk = folder / "meshes/0/arrays/p/0.0";
+    std::string values = test::read_file(chunk), marker = test::read_file(folder / "steps.json");
+    const std::string before = checksum(bytes_of(values));
+    values[0] = static_cast<char>(values[0] ^ 1);
+    test::overwrite_file(chunk, values);
+    marker.replace(marker.find(before), before.size(), checksum(bytes_of(values)));
+    test::overwrite_file(folder / "steps.json", marker);
+    EXPECT_FALSE(Dataset::open(folder)->block_ranges({"p", std::nullopt, false}, 0));
+    EXPECT_EQ(LoadedDataset(Dataset::open(folder), 0).scalar("p", 0).field->range()[1], range[1]);
+}
+
+} // namespace
+} // namespace ciel::store
