@@ -79,9 +79,9 @@ INSTANTIATE_TEST_SUITE_P(All, TwinOnMeshes, testing::ValuesIn(all_meshes()),
 TEST(Twin, IncludesNoHeaderOfTheKernel) {
     const std::filesystem::path tests = std::filesystem::path(CIEL_SOURCE_DIR) / "tests";
     const std::set<std::string> for_its_tests{"views.hpp", "thread_count.hpp", "chosen_algorithm.hpp",
-                                              "copied_records.hpp"};
-    const std::regex kernel(
-        R"(^\s*#\s*include\s*["<](.*/)?((server|ciel)/|(views|thread_count|chosen_algorithm|copied_records)\.hpp))");
+                                              "copied_records.hpp", "mapped_records.hpp"};
+    const std::regex kernel(R"(^\s*#\s*include\s*["<](.*/)?((server|ciel)/|)"
+                            R"((views|thread_count|chosen_algorithm|copied_records|mapped_records)\.hpp))");
     int files = 0;
     for (const auto& folder : {tests / "oracle" / "twin", tests / "support"}) {
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -25,10 +25,14 @@ public:
     RecordSource& operator=(const RecordSource&) = delete;
     virtual ~RecordSource() = default;
 
-    // Returns the bytes of a record. They begin at a multiple of 8 and stay as they are and where they are as long as
-    // the source. Called from any thread. Throws Error when they cannot be read.
+    // Returns the bytes of a record. They begin at a multiple of 8 and stay where they are as long as the source.
+    // Called from any thread. Throws Error when they cannot be read. If the source is not trusted, the bytes may change
+    // at any time, as those of a mapped file do when another process writes it. Then at least 1 MiB after the end of
+    // each record can be read too: a changed index of 16 bits, or a sum of a few, may lead there. Results may then be
+    // wrong, but stay in range, or Error is thrown.
     [[nodiscard]] virtual std::span<const std::byte> record(Index block, RecordKind kind) = 0;
-    // Returns whether the bytes come from this process. If not, each record is checked when it is first used.
+    // Returns whether the bytes come from this process and never change. If not, each record is checked when it is
+    // first used.
     [[nodiscard]] virtual bool is_trusted() const { return false; }
     // Returns the memory of the records that is the process's own; mapped bytes are not.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;

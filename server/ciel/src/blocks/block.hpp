@@ -11,8 +11,14 @@
 // PolyhedralSection, the half-edges of inner faces are 2 * corner + side; after them, tail faces have one half-edge per
 // corner. Side 0 of a face is the owner's and runs along the stored loop; side 1 runs against it.
 // An entry is a place where a vertex occurs: a corner of a standard cell or a corner of a stored loop.
+//
+// The entries of a viewed array may change after their check (RecordSource), but the sizes of the arrays and all other
+// members may not. So an entry is an index only into arrays of the records, into scratch arrays with room for each
+// number of 16 bits (local_ids), or after a comparison. Ids of 32 bits do not change: topology.cpp copies their
+// records.
 #pragma once
 
+#include "blocks/record.hpp"
 #include "ciel/standard_shapes.hpp"
 #include "ciel/topology.hpp"
 
@@ -27,6 +33,9 @@
 
 namespace ciel {
 
+// Number of different local ids of 16 bits.
+inline constexpr std::size_t local_ids = std::size_t{1} << 16;
+
 // The arrays of a block are owned while it is built, and lie in its records afterwards (block_records.hpp).
 template <class T>
 using Owned = std::vector<T>;
@@ -39,18 +48,25 @@ struct Ghosts {
     std::span<const std::array<std::uint16_t, 2>> narrow; // (neighbor, index); empty if an index needs 32 bits
     std::span<const std::array<std::uint32_t, 2>> wide;
     std::vector<Index> begin; // by neighbor: id of the first that it owns
+    Index last = 0;           // last id of the mesh
 
     [[nodiscard]] std::size_t size() const { return narrow.size() + wide.size(); }
     // Returns the mesh-wide id.
     [[nodiscard]] Index operator[](std::size_t i) const {
-        if (wide.empty()) return begin[narrow[i][0]] + narrow[i][1];
-        return begin[wide[i][0]] + wide[i][1];
+        if (wide.empty()) return id(read_once(narrow[i][0]), read_once(narrow[i][1]));
+        return id(read_once(wide[i][0]), read_once(wide[i][1]));
     }
     // Calls f(mesh-wide id) for each ghost. Faster than the operator.
     template <class F>
     void for_each(F&& f) const {
-        for (const auto [neighbour, index] : narrow) f(begin[neighbour] + index);
-        for (const auto [neighbour, index] : wide) f(begin[neighbour] + index);
+        for (const auto& [neighbour, index] : narrow) f(id(read_once(neighbour), read_once(index)));
+        for (const auto& [neighbour, index] : wide) f(id(read_once(neighbour), read_once(index)));
+    }
+
+private:
+    // Limits what a changed record names to ids that exist. A record with a ghost has a neighbor (check_ghosts).
+    [[nodiscard]] Index id(Index neighbour, Index index) const {
+        return std::min(begin[std::min(neighbour, static_cast<Index>(begin.size() - 1))] + index, last);
     }
 };
 
@@ -116,20 +132,51 @@ struct PolyhedralSection {
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
+    // Here and in previous_in_loop, a changed record must not lead below 0.
     [[nodiscard]] Index face(Index corner_id) const {
         const std::uint64_t up_to = ~std::uint64_t{0} >> (63 - corner_id % 64);
-        return Index{face_rank[corner_id / 64]} +
-               static_cast<Index>(std::popcount(face_start[corner_id / 64] & up_to)) - 1;
+        const Index begun = Index{read_once(face_rank[corner_id / 64])} +
+                            static_cast<Index>(std::popcount(read_once(face_start[corner_id / 64]) & up_to));
+        return begun - Index{begun != 0};
+    }
+    // The corners of a face. `end` is not below `begin`, whatever the record holds.
+    struct Loop {
+        Index begin, end;
+        [[nodiscard]] Index size() const { return end - begin; }
+        [[nodiscard]] bool has(Index corner) const { return corner >= begin && corner < end; }
+        [[nodiscard]] Index next(Index corner) const { return corner + 1 == end ? begin : corner + 1; }
+        [[nodiscard]] Index previous(Index corner) const { return (corner == begin ? end : corner) - 1; }
+    };
+    [[nodiscard]] Loop loop(Index face_id) const {
+        const Index begin = read_once(face_begin[face_id]), end = read_once(face_begin[face_id + 1]);
+        return {begin, std::max(begin, end)};
     }
     [[nodiscard]] Index next_in_loop(Index corner_id, Index face_id) const {
         return corner_id + 1 == face_begin[face_id + 1] ? face_begin[face_id] : corner_id + 1;
     }
     [[nodiscard]] Index previous_in_loop(Index corner_id, Index face_id) const {
-        return (corner_id == face_begin[face_id] ? face_begin[face_id + 1] : corner_id) - 1;
+        const Index after = corner_id == face_begin[face_id] ? read_once(face_begin[face_id + 1]) : corner_id;
+        return after - Index{after != 0};
     }
     [[nodiscard]] std::span<const Local> faces_of(Index i) const {
-        return std::span(cell_face).subspan(cell_face_begin[i], cell_face_begin[i + 1] - cell_face_begin[i]);
+        const Index begin = read_once(cell_face_begin[i]), end = read_once(cell_face_begin[i + 1]);
+        return {cell_face.data() + begin, std::max(begin, end) - begin};
     }
+    // Calls f(face, corner) for all corners, face by face. Ends after as many calls as there are corners, because it
+    // never goes back.
+    template <class F>
+    void for_corners(F&& f) const {
+        for (Index face_id = 0, k = 0, faces = face_count(); face_id < faces; ++face_id)
+            for (const Index end = read_once(face_begin[face_id + 1]); k < end; ++k) f(face_id, k);
+    }
+    // Likewise calls f(cell of the section, entry of cell_face) for the faces of all cells.
+    template <class F>
+    void for_cell_faces(F&& f) const {
+        for (Index i = 0, at = 0, cells = count(); i < cells; ++i)
+            for (const Index end = read_once(cell_face_begin[i + 1]); at < end; ++at)
+                f(i, Index{read_once(cell_face[at])});
+    }
+    [[nodiscard]] Index half_edge_count() const { return static_cast<Index>(vertex.size()) + inner_corners; }
     [[nodiscard]] Index origin(Index half_edge_id) const {
         const Index k = corner(half_edge_id);
         return vertex[side(half_edge_id) == 0 ? k : next_in_loop(k, face(k))];
@@ -148,16 +195,20 @@ struct BlockOf {
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
+    Index last_vertex = none, last_edge = none; // last ids of the mesh; set in a view
+    RecordBytes copied;                         // the record, if it had to be copied so that it stays as it is
 
+    // Return ids that exist in the mesh, whatever `local` of 16 bits a changed record holds.
     [[nodiscard]] Index vertex(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
-        return local < ghosts ? ghost_vertex[local] : own_vertex_begin + local - ghosts;
+        return std::min(local < ghosts ? ghost_vertex[local] : own_vertex_begin + local - ghosts, last_vertex);
     }
+    [[nodiscard]] Index cell(Index local) const { return cell_begin + std::min(local, cell_count - 1); }
     // Returns the number of consecutive local vertices that are one part. A block has at most 64 parts.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
-        return local < ghosts ? ghost_edge[local] : edge_begin + local - ghosts;
+        return std::min(local < ghosts ? ghost_edge[local] : edge_begin + local - ghosts, last_edge);
     }
     // Return the index in `standard` of the section with a local half-edge or an entry; standard.size() if the
     // PolyhedralSection has it.
@@ -194,10 +245,11 @@ template <template <class> class Array>
     }
     return block.with([&](const auto& polyhedra) {
         const Index local = local_half_edge - polyhedra.half_edge_begin;
-        const Index corner = polyhedra.corner(local), side = polyhedra.side(local), face = polyhedra.face(corner);
-        const Index begin = polyhedra.face_begin[face], n = polyhedra.face_begin[face + 1] - begin;
-        const Index forward = side == 0 ? steps % n : n - steps % n;
-        return polyhedra.half_edge_begin + polyhedra.half_edge(begin + (corner - begin + forward) % n, side);
+        const Index corner = polyhedra.corner(local), side = polyhedra.side(local);
+        const auto loop = polyhedra.loop(polyhedra.face(corner));
+        if (!loop.has(corner) || loop.end > polyhedra.vertex.size()) refuse_changed("a face does not have its corners");
+        const Index n = loop.size(), forward = side == 0 ? steps % n : n - steps % n;
+        return polyhedra.half_edge_begin + polyhedra.half_edge(loop.begin + (corner - loop.begin + forward) % n, side);
     });
 }
 

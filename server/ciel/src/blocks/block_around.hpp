@@ -25,6 +25,7 @@ struct BlockAroundOf {
     std::vector<Index> neighbour;                 // blocks that come next in a ring, ascending
     std::vector<Array<std::uint16_t>> next_entry; // by standard section and corner, as in AroundArrays
     std::variant<AroundArrays<std::uint16_t, Array>, AroundArrays<std::uint32_t, Array>> arrays;
+    RecordBytes copied; // as in BlockOf
 
     // Returns the index in border_vertex; none if no other block has the vertex.
     [[nodiscard]] Index border_place_of(Index local_vertex) const {
@@ -48,6 +49,16 @@ decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f)
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {
         return f(polyhedra, std::get<AroundArrays<Local>>(around.arrays));
     });
+}
+
+// Returns the entry that `list`, the next_entry of a section whose entries start at `begin`, names after `entry`.
+// Throws Error if it does not ascend, because a changed list might then not end.
+template <class Local>
+[[nodiscard]] Index next_entry(std::span<const Local> list, Index entry, Index begin) {
+    const Index next = read_once(list[entry - begin]);
+    if (next <= entry) [[unlikely]]
+        refuse_changed("a list of entries does not ascend");
+    return next;
 }
 
 // Returns the first entry of the vertex that is at least `begin`, or end_of_list, which is above all entries.

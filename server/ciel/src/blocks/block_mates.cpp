@@ -6,6 +6,7 @@ template <class Local, template <class> class Array>
 Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& polyhedra, Index h) const {
     const Index bits = mate_bits(h);
     if (bits == escape) {
+        if (mate_escapes.empty()) return none;
         std::size_t low = 0, high = mate_escapes.size();
         while (low + 1 < high) {
             const std::size_t middle = (low + high) / 2;
@@ -19,11 +20,11 @@ Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& poly
     for (Index i = bits; i < faces.size() && left > 0; i += escape) {
         const Index other = faces[i] / 2;
         if (other == own) continue;
-        const Index begin = polyhedra.face_begin[other];
-        const Index end = std::min(Index{polyhedra.face_begin[other + 1]}, begin + left);
-        for (Index at = begin; at < end; ++at)
+        const auto loop = polyhedra.loop(other);
+        const Index end = std::min(loop.end, loop.begin + left);
+        for (Index at = loop.begin; at < end; ++at)
             if (polyhedra.edge[at] == polyhedra.edge[k]) return polyhedra.half_edge(at, faces[i] % 2);
-        left -= end - begin;
+        left -= end - loop.begin;
     }
     return none;
 }
@@ -37,8 +38,9 @@ template <>
 HalfEdge BlockMates::twin(Index i) const {
     return std::visit(
         [&](const auto& all) {
-            const auto there = all.twin_block[i];
-            return there == all.no_block ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
+            if (i >= twin_half_edge.size()) return no_half_edge;
+            const Index there = read_once(all.twin_block[i]); // no_block is above all neighbors
+            return there >= neighbour.size() ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
         },
         arrays);
 }

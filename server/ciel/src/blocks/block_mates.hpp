@@ -39,7 +39,8 @@ struct MateArrays {
         return Index{mate_face[half_edge / 2]} >> 4 * (half_edge % 2) & 15U;
     }
     // Returns the half-edge of the same edge in the adjacent face of the cell. In a face that collapsed to a line, the
-    // mate may be in the face itself. Both are numbered within the section.
+    // mate may be in the face itself. Both are numbered within the section. Returns none, or a half-edge that does not
+    // exist, if the record has changed.
     [[nodiscard]] Index mate(const PolyhedralSection<Local, Array>& polyhedra, Index half_edge) const;
 };
 
@@ -53,8 +54,10 @@ struct BlockMatesOf {
     // boundary.
     std::vector<Array<std::uint16_t>> mate;
     std::variant<MateArrays<std::uint16_t, Array>, MateArrays<std::uint32_t, Array>> arrays;
+    RecordBytes copied; // as in BlockOf
 
-    [[nodiscard]] HalfEdge twin(Index i) const; // no_half_edge on the boundary
+    // Returns no_half_edge on the boundary. If the record has changed, the half-edge may not exist, but its block does.
+    [[nodiscard]] HalfEdge twin(Index i) const;
 };
 using BlockMates = BlockMatesOf<Viewed>;
 

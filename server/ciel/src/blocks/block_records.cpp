@@ -119,6 +119,7 @@ Ghosts view_ghosts(const RecordView& record, std::uint16_t id, std::span<const I
         ghosts.narrow = record.get<std::array<std::uint16_t, 2>>(id);
     ghosts.begin.reserve(neighbours.size());
     for (const Index neighbour : neighbours) ghosts.begin.push_back(begin[neighbour]);
+    ghosts.last = begin.back() - 1;
     return ghosts;
 }
 
@@ -242,6 +243,8 @@ Block view_cells(std::span<const std::byte> bytes, Index number, const BlockNumb
     block.vertex_begin = numbers.slot[number];
     block.vertex_count = counts.vertices;
     block.own_vertex_begin = numbers.vertex[number];
+    block.last_vertex = numbers.vertex.back() - 1;
+    block.last_edge = numbers.edge.back() - 1;
     const std::vector<Index> neighbours =
         blocks_at(record.get<std::int32_t>(id_neighbour), number, numbers.block_count());
     block.ghost_vertex = view_ghosts(record, id_ghost_vertex, neighbours, numbers.vertex);
@@ -254,7 +257,7 @@ Block view_cells(std::span<const std::byte> bytes, Index number, const BlockNumb
         view_polyhedra(record, counts, polyhedra);
         polyhedra.half_edge_begin = block.half_edge_count;
         polyhedra.entry_begin = entries;
-        block.half_edge_count += static_cast<Index>(polyhedra.vertex.size() + polyhedra.inner_corners);
+        block.half_edge_count += polyhedra.half_edge_count();
     };
     if (record.element_size(type_id(id_vertex, of_polyhedra)) == sizeof(std::uint32_t))
         of_size(std::uint32_t{});

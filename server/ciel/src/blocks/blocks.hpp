@@ -45,13 +45,21 @@ struct Topology::Blocks {
     [[nodiscard]] BorderVertex next_in_ring(BorderVertex at, Index start) const {
         const BlockAround& here = around(at.block);
         const auto next = here.with([&](const auto& all) {
-            return BorderVertex{here.neighbour[all.border_block[at.place]], all.border_place[at.place]};
+            const Index block =
+                at.place < all.border_block.size() ? Index{read_once(all.border_block[at.place])} : none;
+            if (block >= here.neighbour.size()) refuse_changed("a ring leads to no neighbor");
+            return BorderVertex{here.neighbour[block], read_once(all.border_place[at.place])};
         });
         if (!is_trusted_) check_ring(at, next, start);
         return next;
     }
+    // Throws Error if a changed record leads beyond the vertices of the block.
     [[nodiscard]] Index vertex_at(BorderVertex at) const {
-        return around(at.block).with([&](const auto& all) { return Index{all.border_vertex[at.place]}; });
+        const Index vertex = around(at.block).with([&](const auto& all) {
+            return at.place < all.border_vertex.size() ? Index{read_once(all.border_vertex[at.place])} : none;
+        });
+        if (vertex >= cells(at.block).vertex_count) refuse_changed("a ring leads to a vertex that does not exist");
+        return vertex;
     }
     // Returns the first half-edge in the block that leaves the vertex; no_half_edge if only collapsed faces have the
     // vertex.
@@ -62,6 +70,21 @@ struct Topology::Blocks {
     // Returns the first half-edge that leaves the vertex in the blocks after at.block around its ring, at.block itself
     // last.
     [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
+    // Returns the block and the local number of a half-edge. Throws Error if the mesh does not have it: the record that
+    // led to it has changed, or the caller has made it up.
+    struct Place {
+        const Block& block;
+        Index number, local;
+    };
+    [[nodiscard]] Place place_of(HalfEdge h) const {
+        const Index b = block_of(h), local = local_of(h);
+        if (b >= cells_.size()) [[unlikely]]
+            refuse_half_edge();
+        const Block& block = cells(b);
+        if (local >= block.half_edge_count) [[unlikely]]
+            refuse_half_edge();
+        return {block, b, local};
+    }
     // Returns the half-edge that is `steps` before h in its face. `face_size`: number of half-edges of the face.
     [[nodiscard]] HalfEdge turn_back(HalfEdge h, Index steps, Index face_size) const;
 
@@ -70,11 +93,33 @@ private:
     [[nodiscard]] BlockAround read_around(Index b) const;
     [[nodiscard]] BlockMates read_mates(Index b) const;
     void check_ring(BorderVertex at, BorderVertex next, Index start) const;
+    [[noreturn]] static void refuse_half_edge();
 
     Touched<Block> cells_;
     Touched<BlockAround> around_;
     Touched<BlockMates> mates_;
     bool is_trusted_ = true;
+};
+
+// Makes sure that a walk from half-edge to half-edge ends: after a change of the records it might not come back to its
+// start.
+class WalkEnds {
+public:
+    explicit WalkEnds(const TopologyCounts& counts) : most_(counts.half_edges) {}
+
+    // Call at each step. Throws Error when the walk is in a circle without its start, or longer than any. Compares with
+    // one half-edge only, which it replaces ever more seldom (Brent's algorithm).
+    void step(HalfEdge h) {
+        if (h == seen_ || steps_ > most_) [[unlikely]]
+            refuse_changed("the half-edges around a vertex do not come back to the first");
+        if (++steps_ != next_) return;
+        seen_ = h;
+        next_ *= 2;
+    }
+
+private:
+    std::uint64_t most_, steps_ = 0, next_ = 8;
+    HalfEdge seen_ = no_half_edge;
 };
 
 } // namespace ciel

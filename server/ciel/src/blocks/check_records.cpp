@@ -33,8 +33,9 @@ class EdgeEnds {
 public:
     explicit EdgeEnds(Index edges) : ends_(edges, {none, none}) {}
 
-    // Returns false if the edge has other ends, or only one.
+    // Returns false if the edge has other ends, or only one, or does not exist.
     [[nodiscard]] bool agrees(Index edge, Index a, Index b) {
+        if (edge >= ends_.size()) return false; // the record changed after the check of its numbers
         const std::array<Index, 2> here{std::min(a, b), std::max(a, b)};
         if (ends_[edge][0] == none) ends_[edge] = here;
         return here[0] != here[1] && ends_[edge] == here;
@@ -60,7 +61,8 @@ void check_cell_list(const Checker& checker, const Section& section, const Block
 void check_standard(const Checker& checker, const StandardSection& section, const Block& block, EdgeEnds& ends) {
     const StandardShape& shape = *section.shape;
     const std::size_t cells = section.cells;
-    checker.require(section.vertex.size() == cells * shape.corners && section.edge.size() == cells * shape.edges &&
+    checker.require(cells <= local_ids && section.vertex.size() == cells * shape.corners &&
+                        section.edge.size() == cells * shape.edges &&
                         section.group_parts.size() == section.group_count(),
                     "the arrays of a section do not fit each other");
     check_cell_list(checker, section, block);
@@ -69,18 +71,19 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     bool agree = true;
     for (std::size_t i = 0; i < cells; ++i)
         for (std::size_t e = 0; e < shape.edges; ++e)
-            agree &= ends.agrees(section.edge[i * shape.edges + e],
+            agree &= ends.agrees(read_once(section.edge[i * shape.edges + e]),
                                  section.vertex[i * shape.corners + shape.edge_ends[e][0]],
                                  section.vertex[i * shape.corners + shape.edge_ends[e][1]]);
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
-// Checks that `begin` leads from 0 to `end` without a step back.
+// Checks that `begin` leads from 0 to `end` without a step back, and, because it may change meanwhile, that it has no
+// more steps than there is room for.
 template <class Array>
 void check_begins(const Checker& checker, const Array& begin, std::size_t end, std::size_t least, const char* what) {
     bool ascend = begin.front() == 0 && begin.back() == end;
     for (std::size_t i = 1; i < begin.size(); ++i) ascend &= begin[i] >= begin[i - 1] + least;
-    checker.require(ascend, what);
+    checker.require(ascend && (begin.size() - 1) * least <= end, what);
 }
 
 // Checks the tables that lead from a corner to its face.
@@ -90,10 +93,13 @@ void check_face_starts(const Checker& checker, const PolyhedralSection<Local>& s
     checker.require(section.face_start.size() == words && section.face_rank.size() == words,
                     "the table of face starts has a wrong size");
     std::vector<std::uint64_t> start(words, 0);
-    for (Index f = 0; f < section.face_count(); ++f)
-        start[section.face_begin[f] / 64] |= std::uint64_t{1} << section.face_begin[f] % 64;
-    Index rank = 0;
     bool agree = true;
+    for (Index f = 0; f < section.face_count(); ++f) {
+        const Index begin = read_once(section.face_begin[f]);
+        agree &= begin < corners;
+        if (begin < corners) start[begin / 64] |= std::uint64_t{1} << begin % 64;
+    }
+    Index rank = 0;
     for (std::size_t w = 0; w < words; ++w) {
         agree &= section.face_start[w] == start[w] && section.face_rank[w] == rank;
         rank += static_cast<Index>(std::popcount(start[w]));
@@ -134,7 +140,7 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
     check_begins(checker, section.cell_face_begin, section.cell_face.size(), 1, "a cell does not have its faces");
     checker.require(section.inner_faces <= section.face_count() &&
                         section.face_begin[section.inner_faces] == section.inner_corners &&
-                        section.inner_corners <= section.far_corner &&
+                        section.inner_corners <= section.far_corner && section.far_corner <= corners &&
                         std::ranges::binary_search(section.face_begin, section.far_corner),
                     "the groups of faces have wrong limits");
     check_face_starts(checker, section);
@@ -142,13 +148,15 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
     checker.below(section.vertex, block.vertex_count, "a face names a vertex that the block does not have");
     checker.below(section.edge, block.edge_count, "a face names an edge that the block does not have");
     bool agree = true;
-    for (Index face = 0; face < section.face_count(); ++face)
-        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
-            agree &= ends.agrees(section.edge[k], section.vertex[k], section.vertex[section.next_in_loop(k, face)]);
+    section.for_corners([&](Index face, Index k) {
+        agree &=
+            ends.agrees(read_once(section.edge[k]), section.vertex[k], section.vertex[section.next_in_loop(k, face)]);
+    });
     checker.require(agree, "two faces disagree about the ends of an edge");
     HalfEdgePairs pairs;
+    Index left = section.half_edge_count();
     for (Index i = 0; i < section.count(); ++i)
-        checker.require(pairs.run(section, i, [](Index, Index, Index) {}), "a cell is not closed");
+        checker.require(pairs.run(section, i, left, [](Index, Index, Index) {}), "a cell is not closed");
 }
 
 // Checks that each ghost is one of its owner's, and that they ascend. `begin`: first id of each block. `neighbours` are
@@ -164,8 +172,8 @@ void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const 
         checker.require(id < begin[number] && (last == none || id > last), "the ghosts do not ascend");
         last = id;
     };
-    for (const auto& [neighbour, index] : ghosts.narrow) check(neighbour, index);
-    for (const auto& [neighbour, index] : ghosts.wide) check(neighbour, index);
+    for (const auto& [neighbour, index] : ghosts.narrow) check(read_once(neighbour), read_once(index));
+    for (const auto& [neighbour, index] : ghosts.wide) check(read_once(neighbour), read_once(index));
 }
 
 Index difference(const std::vector<Index>& begin, Index number) { return begin[number + 1] - begin[number]; }
@@ -223,10 +231,10 @@ void check_around(const Block& block, const BlockAround& around, Index number, c
                             all.next_entry.size() == polyhedra.vertex.size(),
                         "the lists of entries have wrong sizes");
         bool lead = true;
-        for (Index v = 0; v < block.vertex_count; ++v) lead &= leads_on(all.first_entry[v], v);
+        for (Index v = 0; v < block.vertex_count; ++v) lead &= leads_on(read_once(all.first_entry[v]), v);
         const auto check_list = [&](const auto& next, Index begin) {
             for (Index k = 0; k < next.size(); ++k)
-                lead &= next[k] > begin + k && leads_on(next[k], vertices[begin + k]);
+                lead &= next[k] > begin + k && leads_on(read_once(next[k]), vertices[begin + k]);
         };
         for (std::size_t s = 0; s < block.standard.size(); ++s) {
             checker.require(around.next_entry[s].size() == block.standard[s].vertex.size(),
@@ -243,10 +251,12 @@ void check_around(const Block& block, const BlockAround& around, Index number, c
                                            std::greater_equal<>()) == all.border_vertex.end() &&
                             (border == 0 || all.border_vertex.back() < block.vertex_count),
                         "the border vertices do not ascend");
-        checker.below(all.border_block, around.neighbour.size(), "a ring leads to no neighbor");
         bool inside = true;
-        for (std::size_t i = 0; i < border; ++i)
-            inside &= all.border_place[i] < numbers.border_vertices[around.neighbour[all.border_block[i]]];
+        for (std::size_t i = 0; i < border; ++i) {
+            const Index next = read_once(all.border_block[i]);
+            checker.require(next < around.neighbour.size(), "a ring leads to no neighbor");
+            inside &= all.border_place[i] < numbers.border_vertices[around.neighbour[next]];
+        }
         checker.require(inside, "a ring leads to a vertex that the neighbor does not share");
     });
 }
@@ -269,10 +279,11 @@ void check_mates(const Block& block, const BlockMates& mates, Index number, cons
                             tails <= twins - mates.twin_begin && all.mate_face.size() == (half_edges + 1) / 2,
                         "the mates do not fit the faces");
         bool inside = true;
-        for (std::size_t i = 0; i < twins; ++i)
-            inside &= all.twin_block[i] == all.no_block ||
-                      (all.twin_block[i] < mates.neighbour.size() &&
-                       mates.twin_half_edge[i] < numbers.half_edges[mates.neighbour[all.twin_block[i]]]);
+        for (std::size_t i = 0; i < twins; ++i) {
+            const Index there = read_once(all.twin_block[i]);
+            inside &= there == all.no_block || (there < mates.neighbour.size() &&
+                                                mates.twin_half_edge[i] < numbers.half_edges[mates.neighbour[there]]);
+        }
         checker.require(inside, "a twin does not exist");
         bool ascend = true;
         Index last = none;

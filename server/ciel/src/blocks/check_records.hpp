@@ -1,6 +1,7 @@
-// Checks of records that come from outside (not in the paper). After them, cuts, gradients and the six operators stay
-// in bounds and end, whatever the bytes are. A wrong record may still give a wrong surface: its checksum is to find
-// that.
+// Checks of records that come from outside (not in the paper). They find bytes that are wrong from the start, and make
+// sure of what a view keeps in members, such as the sizes of its arrays. The bytes may change during a check and
+// afterwards; what uses them is prepared for that (block.hpp). A wrong record may still give a wrong surface: its
+// checksum is to find that.
 #pragma once
 
 #include "blocks/block_records.hpp"

@@ -12,18 +12,22 @@ public:
     // Calls paired(half-edge, mate, index of the mate's face among the faces of the cell) for each half-edge of a cell.
     // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Then any pairing of
     // opposite directions is valid, and pairs in different faces are preferred. Returns false if a half-edge has no
-    // mate, because the cell is not closed.
+    // mate, because the cell is not closed. `left`: how many half-edges the cells may still have; the run is given up
+    // and returns false when a changed record names more. Begin with the section's half_edge_count.
     template <class Section, class Paired> // Section: a PolyhedralSection
-    [[nodiscard]] bool run(const Section& section, Index cell, Paired&& paired) {
+    [[nodiscard]] bool run(const Section& section, Index cell, Index& left, Paired&& paired) {
         for (const Index edge : touched_) open_[edge] = none; // a call that ran out of memory may have left some
         waiting_.clear();
         touched_.clear();
         const auto faces = section.faces_of(cell);
         for (Index i = 0; i < faces.size(); ++i) {
-            const Index face = faces[i] / 2;
-            for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k) {
-                const bool along_loop = section.vertex[k] < section.vertex[section.next_in_loop(k, face)];
-                meet({section.half_edge(k, faces[i] % 2), i, none, along_loop == (faces[i] % 2 == 0)}, section.edge[k],
+            const Index ref = faces[i];
+            const auto loop = section.loop(ref / 2);
+            if (loop.size() > left) return false;
+            left -= loop.size();
+            for (Index k = loop.begin; k < loop.end; ++k) {
+                const bool along_loop = section.vertex[k] < section.vertex[loop.next(k)];
+                meet({section.half_edge(k, ref % 2), i, none, along_loop == (ref % 2 == 0)}, read_once(section.edge[k]),
                      paired);
             }
         }

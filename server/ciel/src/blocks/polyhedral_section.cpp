@@ -128,8 +128,10 @@ template <class Local>
 void Filler<Local>::pair() {
     mates_.mate_face.resize((out_.vertex.size() + out_.inner_corners + 1) / 2);
     HalfEdgePairs pairs;
+    Index left = out_.half_edge_count();
     for (Index cell = 0; cell < cells_.size(); ++cell)
-        if (!pairs.run(out_, cell, [this](Index h, Index mate, Index mate_face) { set_mate(h, mate, mate_face); }))
+        if (!pairs.run(out_, cell, left,
+                       [this](Index h, Index mate, Index mate_face) { set_mate(h, mate, mate_face); }))
             fail("the mesh is damaged: cell " + std::to_string(loops_.cell_begin + cells_[cell]) +
                  " is not closed; import it again");
     std::ranges::sort(mates_.mate_escapes, {}, &MateEscape::half_edge);

@@ -28,6 +28,10 @@ std::size_t words_of(std::size_t bytes) { return (bytes + word - 1) / word; }
 
 } // namespace
 
+void refuse_changed(const char* what) {
+    fail(std::string("a record of a block changed while it was used: ") + what + "; import the dataset again");
+}
+
 RecordBytes RecordWriter::finish(RecordKind kind) const {
     std::size_t words = (header_bytes + entry_bytes * sections_.size()) / word;
     for (const Section& section : sections_) words += words_of(section.bytes.size());
@@ -90,7 +94,7 @@ std::size_t RecordView::element_size(std::uint16_t id) const {
 
 std::span<const std::byte> RecordView::find(std::uint16_t id, std::size_t element) const {
     const auto found = std::ranges::find(entries_, id, &Entry::id);
-    if (found == entries_.end()) return {};
+    if (found == entries_.end()) return bytes_.last(0);
     if (found->element != element)
         refuse("an element of section " + std::to_string(id) + " has " + std::to_string(found->element) + " bytes");
     known_[static_cast<std::size_t>(found - entries_.begin())] = true;

@@ -44,7 +44,8 @@ public:
     // Throws Error for another kind, a newer version, and sections that overlap the end or are given twice.
     RecordView(std::span<const std::byte> bytes, RecordKind kind);
 
-    // Returns a section's array; empty if the record does not have it. Throws Error if its elements have another size.
+    // Returns a section's array; if the record does not have it, an empty one at the record's end, from where the bytes
+    // after the record can be read (RecordSource). Throws Error if its elements have another size.
     template <class T>
     [[nodiscard]] std::span<const T> get(std::uint16_t id) const {
         const std::span<const std::byte> found = find(id, sizeof(T));
@@ -66,5 +67,15 @@ private:
     std::vector<Entry> entries_;
     mutable std::vector<bool> known_; // by entry: `get` has returned it
 };
+
+// Reads an entry of a record once. Its bytes may change (RecordSource), and the compiler may read a plain entry again
+// for each use.
+template <class T>
+[[nodiscard]] inline T read_once(const T& entry) {
+    return *const_cast<const volatile T*>(&entry);
+}
+
+// Throws Error: a record changed after its check, so that `what`.
+[[noreturn]] void refuse_changed(const char* what);
 
 } // namespace ciel

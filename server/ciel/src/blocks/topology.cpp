@@ -66,6 +66,12 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
     return components;
 }
 
+RecordBytes copy_of(std::span<const std::byte> record) {
+    RecordBytes copied((record.size() + sizeof(RecordBytes::value_type) - 1) / sizeof(RecordBytes::value_type));
+    std::ranges::copy(record, std::as_writable_bytes(std::span(copied)).begin());
+    return copied;
+}
+
 template <class... Vectors>
 std::size_t bytes(const Vectors&... vectors) {
     return (std::size_t{0} + ... + (vectors.capacity() * sizeof(vectors[0])));
@@ -131,22 +137,39 @@ void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index star
              " of the mesh do not agree on a vertex; import the dataset again");
 }
 
+// Ids of 32 bits may lead anywhere, so the records of a block that has them are copied, and cannot change after their
+// check.
 Block Topology::Blocks::read_cells(Index b) const {
-    Block block = view_cells(source->record(b, RecordKind::cells), b, numbers);
-    if (!is_trusted_) check_cells(block, b, numbers);
+    const std::span<const std::byte> record = source->record(b, RecordKind::cells);
+    Block block = view_cells(record, b, numbers);
+    if (is_trusted_) return block;
+    if (std::holds_alternative<PolyhedralSection<std::uint32_t>>(block.polyhedra)) {
+        RecordBytes copied = copy_of(record);
+        block = view_cells(std::as_bytes(std::span(copied)), b, numbers);
+        block.copied = std::move(copied);
+    }
+    check_cells(block, b, numbers);
     return block;
 }
 
 BlockAround Topology::Blocks::read_around(Index b) const {
     const Block& block = cells(b);
-    BlockAround around = view_around(source->record(b, RecordKind::around), b, numbers, block);
+    std::span<const std::byte> record = source->record(b, RecordKind::around);
+    RecordBytes copied;
+    if (!block.copied.empty()) record = std::as_bytes(std::span(copied = copy_of(record)));
+    BlockAround around = view_around(record, b, numbers, block);
+    around.copied = std::move(copied);
     if (!is_trusted_) check_around(block, around, b, numbers);
     return around;
 }
 
 BlockMates Topology::Blocks::read_mates(Index b) const {
     const Block& block = cells(b);
-    BlockMates mates = view_mates(source->record(b, RecordKind::mates), b, numbers, block);
+    std::span<const std::byte> record = source->record(b, RecordKind::mates);
+    RecordBytes copied;
+    if (!block.copied.empty()) record = std::as_bytes(std::span(copied = copy_of(record)));
+    BlockMates mates = view_mates(record, b, numbers, block);
+    mates.copied = std::move(copied);
     if (!is_trusted_) check_mates(block, mates, b, numbers);
     return mates;
 }
@@ -157,11 +180,13 @@ std::size_t Topology::Blocks::memory_bytes() const {
         bytes(numbers.cell, numbers.vertex, numbers.edge, numbers.slot, numbers.half_edges, numbers.border_vertices) +
         3 * sizeof(void*) * numbers.block_count() + source->memory_bytes();
     cells_.for_each([&](const Block& block) {
-        sum += sizeof(Block) + bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard);
+        sum += sizeof(Block) + bytes(block.ghost_vertex.begin, block.ghost_edge.begin, block.standard, block.copied);
     });
-    around_.for_each(
-        [&](const BlockAround& around) { sum += sizeof(BlockAround) + bytes(around.neighbour, around.next_entry); });
-    mates_.for_each([&](const BlockMates& mates) { sum += sizeof(BlockMates) + bytes(mates.neighbour, mates.mate); });
+    around_.for_each([&](const BlockAround& around) {
+        sum += sizeof(BlockAround) + bytes(around.neighbour, around.next_entry, around.copied);
+    });
+    mates_.for_each(
+        [&](const BlockMates& mates) { sum += sizeof(BlockMates) + bytes(mates.neighbour, mates.mate, mates.copied); });
     return sum;
 }
 

@@ -9,13 +9,13 @@ namespace ciel {
 namespace {
 
 // A half-edge of a standard section: index of its cell in the section, and its number in the shape.
-struct Place {
+struct InCell {
     Index cell, half_edge;
 };
 
 // Divides by a compile-time constant, chosen by shape. The operators do little besides this division.
-Place place_of(const StandardSection& section, Index local_half_edge) {
-    Place place{};
+InCell in_cell(const StandardSection& section, Index local_half_edge) {
+    InCell place{};
     const Index at = local_half_edge - section.half_edge_begin;
     with_shape(section.shape->type, [&]<const StandardShape & shape>() {
         place = {at / shape.half_edges, at % shape.half_edges};
@@ -26,7 +26,7 @@ Place place_of(const StandardSection& section, Index local_half_edge) {
 // Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, it is the first in
 // the list of the shape. At a corner of a stored loop, it runs along the loop, or against the loop if only side 1 of
 // the face is in the section.
-// The number is local to the block.
+// The number is local to the block. If a record has changed, the half-edge may not exist.
 Index first_at_entry(const Block& block, Index entry) {
     if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -37,6 +37,7 @@ Index first_at_entry(const Block& block, Index entry) {
     }
     return block.with([&](const auto& polyhedra) {
         const Index corner = entry - polyhedra.entry_begin;
+        if (corner >= polyhedra.vertex.size()) refuse_changed("a list of entries leads to one that does not exist");
         const bool far = corner >= polyhedra.far_corner;
         return polyhedra.half_edge_begin +
                polyhedra.half_edge(far ? polyhedra.previous_in_loop(corner, polyhedra.face(corner)) : corner,
@@ -47,11 +48,12 @@ Index first_at_entry(const Block& block, Index entry) {
 } // namespace
 
 Index Topology::vertex(HalfEdge h) const {
-    const Block& block = blocks_->cells(block_of(h));
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index local = at.local;
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
-        const auto [i, k] = place_of(section, local);
+        const auto [i, k] = in_cell(section, local);
         return block.vertex(section.vertex[i * section.shape->corners + section.shape->target(k)]);
     }
     return block.with([&](const auto& polyhedra) {
@@ -63,11 +65,12 @@ Index Topology::vertex(HalfEdge h) const {
 }
 
 Index Topology::edge(HalfEdge h) const {
-    const Block& block = blocks_->cells(block_of(h));
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index local = at.local;
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
-        const auto [i, k] = place_of(section, local);
+        const auto [i, k] = in_cell(section, local);
         return block.edge_id(section.edge[i * section.shape->edges + section.shape->edge[k]]);
     }
     return block.edge_id(block.with([&](const auto& polyhedra) {
@@ -76,40 +79,42 @@ Index Topology::edge(HalfEdge h) const {
 }
 
 HalfEdge Topology::next_around_face(HalfEdge h) const {
-    return half_edge_in(block_of(h), turn(blocks_->cells(block_of(h)), local_of(h), 1));
+    const Blocks::Place at = blocks_->place_of(h);
+    return half_edge_in(at.number, turn(at.block, at.local, 1));
 }
 
 HalfEdge Topology::mate_face(HalfEdge h) const {
-    const Block& block = blocks_->cells(block_of(h));
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index b = at.number, local = at.local;
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
-        const Index k = place_of(section, local).half_edge;
-        return half_edge_in(block_of(h), local - k + section.shape->mate[k]);
+        const Index k = in_cell(section, local).half_edge;
+        return half_edge_in(b, local - k + section.shape->mate[k]);
     }
-    const Index mate = with_mates(block, blocks_->mates(block_of(h)), [&](const auto& polyhedra, const auto& mates) {
+    const Index mate = with_mates(block, blocks_->mates(b), [&](const auto& polyhedra, const auto& mates) {
         const Index found = mates.mate(polyhedra, local - polyhedra.half_edge_begin);
-        return found == none ? none : polyhedra.half_edge_begin + found;
+        return found < polyhedra.half_edge_count() ? polyhedra.half_edge_begin + found : none;
     });
     if (mate == none)
-        fail("block " + std::to_string(block_of(h)) +
-             " of the mesh is damaged: a mate is not found; import the dataset again");
-    return half_edge_in(block_of(h), mate);
+        fail("block " + std::to_string(b) + " of the mesh is damaged: a mate is not found; import the dataset again");
+    return half_edge_in(b, mate);
 }
 
 // Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
 // the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
-    const Block& block = blocks_->cells(block_of(h));
-    const BlockMates& mates = blocks_->mates(block_of(h));
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index b = at.number, local = at.local;
+    const BlockMates& mates = blocks_->mates(b);
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardShape& shape = *block.standard[s].shape;
-        const auto [i, k] = place_of(block.standard[s], local);
-        const std::uint16_t mate = mates.mate[s][i * shape.faces + shape.face[k]];
+        const auto [i, k] = in_cell(block.standard[s], local);
+        const Index mate = read_once(mates.mate[s][i * shape.faces + shape.face[k]]);
         if (mate == no_mate) return no_half_edge;
-        const HalfEdge first = mate < block.standard_half_edges ? half_edge_in(block_of(h), mate)
-                                                                : mates.twin(mate - block.standard_half_edges);
+        const HalfEdge first =
+            mate < block.standard_half_edges ? half_edge_in(b, mate) : mates.twin(mate - block.standard_half_edges);
         if (first == no_half_edge) return first;
         const Index steps = k - shape.face_begin[shape.face[k]], n = shape.face_size(shape.face[k]);
         return blocks_->turn_back(first, steps, n);
@@ -117,11 +122,11 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     return block.with([&](const auto& polyhedra) {
         const Index of_section = local - polyhedra.half_edge_begin;
         if (of_section < 2 * polyhedra.inner_corners)
-            return half_edge_in(block_of(h), polyhedra.half_edge_begin + (of_section ^ 1U));
+            return half_edge_in(b, polyhedra.half_edge_begin + (of_section ^ 1U));
         const Index corner = polyhedra.corner(of_section), face = polyhedra.face(corner);
         const HalfEdge first = mates.twin(mates.twin_begin + face - polyhedra.inner_faces);
-        const Index n = polyhedra.face_begin[face + 1] - polyhedra.face_begin[face];
-        const Index along = corner - polyhedra.face_begin[face]; // position along the stored loop
+        const auto loop = polyhedra.loop(face);
+        const Index n = loop.size(), along = corner - loop.begin; // position along the stored loop
         return first == no_half_edge
                    ? first
                    : blocks_->turn_back(first, polyhedra.side(of_section) == 0 ? along : n - along, n);
@@ -131,17 +136,17 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
 // Goes through the entries of the vertex. At a corner of a standard cell: the half-edges of the cell that leave the
 // corner. At a corner of a stored loop: the half-edge that leaves along the loop, then the one that leaves against it.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
-    const Index b = block_of(h);
-    const Block& block = blocks_->cells(b);
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index b = at.number, local = at.local;
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
         const StandardShape& shape = *section.shape;
-        const auto [i, k] = place_of(section, local);
+        const auto [i, k] = in_cell(section, local);
         if (shape.next_at_corner[k] != StandardShape::end_of_list)
             return half_edge_in(b, local - k + shape.next_at_corner[k]);
         const Index corner = i * shape.corners + shape.origin[k];
-        return blocks_->first_after(b, blocks_->around(b).next_entry[s][corner], section.vertex[corner]);
+        return blocks_->first_after(b, read_once(blocks_->around(b).next_entry[s][corner]), section.vertex[corner]);
     }
     return with_around(block, blocks_->around(b), [&](const auto& polyhedra, const auto& around) {
         const Index of_section = local - polyhedra.half_edge_begin;
@@ -151,7 +156,7 @@ HalfEdge Topology::next_around_vertex(HalfEdge h) const {
         if (side == 0 && segment < polyhedra.inner_corners)
             return half_edge_in(b, polyhedra.half_edge_begin +
                                        polyhedra.half_edge(polyhedra.previous_in_loop(corner, face), 1));
-        return blocks_->first_after(b, around.next_entry[corner], polyhedra.vertex[corner]);
+        return blocks_->first_after(b, read_once(around.next_entry[corner]), polyhedra.vertex[corner]);
     });
 }
 
@@ -163,15 +168,16 @@ HalfEdge Topology::half_edge_of_vertex(Index vertex) const {
 }
 
 Index Topology::cell(HalfEdge h) const {
-    const Block& block = blocks_->cells(block_of(h));
-    const Index local = local_of(h);
+    const Blocks::Place at = blocks_->place_of(h);
+    const Block& block = at.block;
+    const Index local = at.local;
     if (const std::size_t s = block.section_of_half_edge(local); s < block.standard.size())
-        return block.cell_begin + block.standard[s].local_cell(place_of(block.standard[s], local).cell);
-    return block.cell_begin + block.with([&](const auto& polyhedra) {
+        return block.cell(block.standard[s].local_cell(in_cell(block.standard[s], local).cell));
+    return block.cell(block.with([&](const auto& polyhedra) {
         const Index of_section = local - polyhedra.half_edge_begin;
         const Index face = polyhedra.face(polyhedra.corner(of_section));
         return polyhedra.local_cell(polyhedra.face_cell[face][polyhedra.side(of_section)]);
-    });
+    }));
 }
 
 HalfEdge Topology::half_edge_begin(Index cell) const {
@@ -197,9 +203,15 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
     block.with([&](const auto& polyhedra) {
         const Index i = place(polyhedra);
         if (i == none) return;
-        for (const Index ref : polyhedra.faces_of(i))
-            for (Index k = polyhedra.face_begin[ref / 2]; k < polyhedra.face_begin[ref / 2 + 1]; ++k)
-                out.push_back(half_edge_in(b, polyhedra.half_edge_begin + polyhedra.half_edge(k, ref % 2)));
+        const Index most = polyhedra.half_edge_count();
+        for (const Index ref : polyhedra.faces_of(i)) {
+            const auto loop = polyhedra.loop(ref / 2);
+            for (Index k = loop.begin; k < loop.end; ++k) {
+                const Index h = polyhedra.half_edge(k, ref % 2);
+                if (h >= most || out.size() == most) refuse_changed("a cell names a half-edge that does not exist");
+                out.push_back(half_edge_in(b, polyhedra.half_edge_begin + h));
+            }
+        }
     });
     return out;
 }
@@ -212,8 +224,8 @@ BlockVertex Topology::Blocks::first_with(Index vertex) const {
 
 HalfEdge Topology::Blocks::first_at(BlockVertex at) const {
     const Index entry = around(at.block).with([&](const auto& all) {
-        const auto first = all.first_entry[at.vertex];
-        return first == all.end_of_list ? none : Index{first};
+        const Index first = read_once(all.first_entry[at.vertex]);
+        return first == all.end_of_list ? none : first;
     });
     return entry == none ? no_half_edge : half_edge_in(at.block, first_at_entry(cells(at.block), entry));
 }
@@ -236,7 +248,12 @@ HalfEdge Topology::Blocks::first_after_block(BlockVertex start) const {
 }
 
 HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) const {
-    return half_edge_in(block_of(h), turn(cells(block_of(h)), local_of(h), face_size - steps));
+    const Place at = place_of(h);
+    return half_edge_in(at.number, turn(at.block, at.local, face_size - steps));
+}
+
+void Topology::Blocks::refuse_half_edge() {
+    fail("the mesh is damaged, or a half-edge is not one of it; import the dataset again");
 }
 
 } // namespace ciel

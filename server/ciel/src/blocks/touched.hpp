@@ -25,6 +25,7 @@ public:
         views_ = std::make_unique<std::atomic<const View*>[]>(blocks);
         size_ = blocks;
     }
+    [[nodiscard]] std::size_t size() const { return size_; }
     // Returns the view of a block. If it is not made yet, returns make(), whose exceptions pass through; a later call
     // then tries again.
     template <class Make>

@@ -11,7 +11,7 @@ namespace ciel {
 // For surfaces whose points are shared between blocks. Sets one bit per active edge; polygons store local edges.
 class SharedEdges {
 public:
-    SharedEdges(CutScratch& scratch, ActiveBlock& cut) : active_(cut.active.data()), ends_(scratch.ends.data()) {}
+    explicit SharedEdges(CutScratch& scratch) : active_(scratch.active.data()), ends_(scratch.ends.data()) {}
 
     // Marks the edge between local vertices a and b as active. Returns the id that polygons store for the edge.
     Index activate(Index edge, Index a, Index b) {
@@ -19,6 +19,8 @@ public:
         ends_[edge] = {std::min(a, b), std::max(a, b)};
         return edge;
     }
+    // Return whether an edge is active, and the id that polygons store for it.
+    [[nodiscard]] bool has(Index edge) const { return (active_[edge / 64] >> edge % 64 & 1) != 0; }
     [[nodiscard]] static Index kept(Index edge) { return edge; }
     void finish() const {}
 
@@ -31,7 +33,7 @@ private:
 // store these point numbers.
 class MetEdges {
 public:
-    MetEdges(CutScratch& scratch, ActiveBlock&)
+    explicit MetEdges(CutScratch& scratch)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 
@@ -45,6 +47,7 @@ public:
         next_ += is_new;
         return number - before_;
     }
+    [[nodiscard]] bool has(Index edge) const { return met_[edge] >= before_; }
     [[nodiscard]] Index kept(Index edge) const { return met_[edge] - before_; }
     void finish() const { *count_ = next_ - before_; }
 

@@ -33,7 +33,7 @@ void grow(std::vector<T>& room, std::size_t size) {
 
 const std::uint8_t* mark(std::span<const float> values, float threshold, CutScratch& scratch) {
     const std::size_t padded = (values.size() + 63) / 64 * 64;
-    grow(scratch.high, padded);
+    grow(scratch.high, std::max(padded, local_ids));
     std::uint8_t* high = scratch.high.data();
     mark_high(values.data(), values.size(), threshold, high);
     std::fill(high + values.size(), high + padded, std::uint8_t{0});
@@ -140,7 +140,7 @@ enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
 // alias the members and force reloads.
 template <class Local>
 void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
-    scratch.face_kinds.resize(section.face_count());
+    grow(scratch.face_kinds, std::max<std::size_t>(section.face_count(), local_ids / 2));
     std::uint8_t* kind = scratch.face_kinds.data();
     const std::uint8_t* is_high = scratch.high.data();
     const Local *vertex = section.vertex.data(), *begin = section.face_begin.data();
@@ -156,26 +156,27 @@ void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
 }
 
 template <class Local>
-bool is_active(const PolyhedralSection<Local>& section, Index cell, const CutScratch& scratch) {
-    unsigned kinds = 0;
-    for (const Index ref : section.faces_of(cell)) kinds |= scratch.face_kinds[ref / 2];
-    return kinds == mixed_face;
-}
-
-template <class Local>
 void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
                  std::span<const CellRanges::Range> ranges, CutScratch& scratch) {
     scratch.cells = 0;
-    if (ranges.empty()) sort_faces(section, scratch);
-    for (Index cell = 0; cell < section.count(); ++cell)
-        if (ranges.empty() ? is_active(section, cell, scratch) : crosses(ranges[cell], in.threshold))
-            scratch.cell[scratch.cells++] = {cell, 0};
+    if (!ranges.empty()) {
+        for (Index cell = 0; cell < section.count(); ++cell)
+            if (crosses(ranges[cell], in.threshold)) scratch.cell[scratch.cells++] = {cell, 0};
+        return;
+    }
+    sort_faces(section, scratch);
+    const Local* end = section.cell_face_begin.data() + 1;
+    for (Index cell = 0, at = 0; cell < section.count(); ++cell) {
+        unsigned kinds = 0;
+        for (; at < end[cell]; ++at) kinds |= scratch.face_kinds[section.cell_face[at] / 2];
+        if (kinds == mixed_face) scratch.cell[scratch.cells++] = {cell, 0};
+    }
 }
 
 // Clears `cut` and grows the buffers of `scratch`. `ends` and `cell` get one extra entry, because branch-free loops
 // write inactive entries past the last active one.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
-    grow(scratch.ends, block.edge_count + std::size_t{1});
+    grow(scratch.ends, std::max<std::size_t>(block.edge_count, local_ids) + 1);
     grow(scratch.cell, block.cell_count + std::size_t{1});
     cut.polygon_cell.clear();
     cut.polygon_end.clear();
@@ -215,13 +216,39 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
+// Makes sure of a finished cut, whose polygons came from a record that may have changed meanwhile. `edges`: number of
+// ids that polygons may store.
+void check_cut(const Block& block, Index edges, const ActiveBlock& cut) {
+    const Index cells = block.cell_count;
+    Index outside = 0; // no branches, so that it takes little of the time of the cut
+    for (const Index cell : cut.polygon_cell) outside |= cell >= cells ? 1U : 0U;
+    for (const Index edge : cut.polygon_edge) outside |= edge >= edges ? 1U : 0U;
+    if (outside != 0) refuse_changed("a cell or an edge does not exist");
+}
+
+void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
+    begin_cut(block, scratch, cut);
+    const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
+    grow(scratch.active, std::max(words, local_ids / 64));
+    std::fill_n(scratch.active.begin(), words, std::uint64_t{0});
+}
+
+// Keeps the edges of the cut. The bits after the block's last edge are no edges; only a changed record sets them.
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
+    check_cut(block, block.edge_count, cut);
+    const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
+    cut.active.assign(scratch.active.begin(), scratch.active.begin() + static_cast<std::ptrdiff_t>(words));
+    if (block.edge_count % 64 != 0) cut.active.back() &= (std::uint64_t{1} << block.edge_count % 64) - 1;
     cut.rank.resize(cut.active.size());
     cut.ends.resize(rank_active(cut.active.data(), cut.active.size(), cut.rank.data()));
     std::array<Index, 2>* to = cut.ends.data();
     for (std::size_t w = 0; w < cut.active.size(); ++w)
         for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1)
             *to++ = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+    const Index vertices = block.vertex_count;
+    Index outside = 0;
+    for (const auto& [low, high] : cut.ends) outside |= std::max(low, high) >= vertices ? 1U : 0U;
+    if (outside != 0) refuse_changed("an edge has an end that does not exist");
     const auto count = static_cast<Index>(cut.ends.size());
     cut.ghosts = count == 0 || block.ghost_edge.size() == block.edge_count
                      ? count
@@ -279,12 +306,13 @@ void cut_listed(const Block& block, const BlockValues& in, std::span<const Index
 
 void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
-    grow(scratch.met, block.edge_count);
+    const Index most = std::max(block.edge_count, Index{local_ids});
+    grow(scratch.met, most);
     (void)mark(in.values, in.threshold, scratch);
     scratch.met_before += scratch.met_most; // skips all numbers of the last cut, which may have thrown
-    scratch.met_most = block.edge_count;
+    scratch.met_most = most;
     scratch.met_count = 0;
-    if (scratch.met_before > none - block.edge_count) {
+    if (scratch.met_before > none - most) {
         std::ranges::fill(scratch.met, Index{0});
         scratch.met_before = 1;
     }
@@ -293,16 +321,14 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
 } // namespace
 
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
-    begin_cut(block, scratch, cut);
-    cut.active.assign((block.edge_count + 63) / 64, 0);
+    begin_shared(block, scratch, cut);
     cut_sections<SharedEdges>(block, in, scratch, cut);
     list_edges(block, scratch, cut);
 }
 
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                ActiveBlock& cut) {
-    begin_cut(block, scratch, cut);
-    cut.active.assign((block.edge_count + 63) / 64, 0);
+    begin_shared(block, scratch, cut);
     cut_listed<SharedEdges>(block, in, cells, scratch, cut);
     list_edges(block, scratch, cut);
 }
@@ -310,12 +336,14 @@ void cut_cells(const Block& block, const BlockValues& in, std::span<const Index>
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_sections<MetEdges>(block, in, scratch, cut);
+    check_cut(block, scratch.met_count, cut);
 }
 
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                      ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_listed<MetEdges>(block, in, cells, scratch, cut);
+    check_cut(block, scratch.met_count, cut);
 }
 
 } // namespace ciel

@@ -13,7 +13,8 @@ namespace ciel {
 // Returns infinity for NaN, which makes every finite value low.
 [[nodiscard]] float threshold_of(double nu);
 
-// Buffers for cutting many blocks; one object per thread.
+// Buffers for cutting many blocks; one object per thread. The buffers by local vertex, edge and half-edge have room for
+// all ids of 16 bits, because a record may change after its check (block.hpp).
 struct CutScratch {
     struct ActiveCell {
         Index index; // index of the cell in its section
@@ -24,6 +25,7 @@ struct CutScratch {
     std::vector<ActiveCell> cell;                // active cells of one section, ascending, then unused entries
     Index cells = 0;                             // number of active cells in `cell`
     std::vector<std::array<Index, 2>> ends;      // end vertices by local edge, if active; by point for MetEdges
+    std::vector<std::uint64_t> active;           // for SharedEdges: one bit per local edge, set if active
     // For MetEdges, by local edge: met_before + the point of the edge; less than met_before if the edge has no point in
     // this cut.
     std::vector<Index> met;

@@ -8,6 +8,9 @@
 // (`follow`). Otherwise the cell touches itself along an edge, and the walk finds the adjacent face by mate_face
 // (`walk_all`).
 // If a decider joins the high runs of a face, the walk leaves the face at the previous active edge instead.
+//
+// A record may change at any time (block.hpp), so no loop relies on what was read before: `spend` limits the steps
+// through faces, a polygon consists of entries that are crossed out, and `finish` makes sure of its edges.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -35,7 +38,8 @@ public:
     PolyhedronCutter(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
                      ActiveBlock& cut)
         : section_(section), vertex_(section.vertex.data()), edge_(section.edge.data()), high_(scratch.high.data()),
-          in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut) {}
+          in_(in), scratch_(scratch), cut_(cut), edges_(scratch),
+          left_(std::uint64_t{visits} * section.half_edge_count()) {}
 
     void run() {
         if (scratch_.cells == 0) return;
@@ -49,25 +53,35 @@ public:
     }
 
 private:
+    using Loop = typename PolyhedralSection<Local>::Loop;
+    // How often a cut visits a half-edge at most, without the turns at joined faces in `walk`.
+    static constexpr unsigned visits = 8;
+
+    void spend(std::uint64_t steps) {
+        if (steps > left_) [[unlikely]]
+            refuse_changed("its cells have more corners than before");
+        left_ -= steps;
+    }
     void fetch(Index cell) const;
     void cut_cell(Index cell);
-    bool has_gap(Index cell) const;
+    bool has_gap(Index cell);
     [[nodiscard]] std::uint64_t high_corners(Index begin, Index size) const;
     [[nodiscard]] std::span<const CutScratch::CrossedFace> find_crossed(Index cell);
     bool link(Index entry, Index after, Index exit);
     bool link_once(const CutScratch::CrossedFace& face);
     bool link_often(const CutScratch::CrossedFace& face);
-    void find_crossings(Index face);
-    bool is_joined(Index face);
+    void find_crossings(Loop loop);
+    bool is_joined(Loop loop);
     void follow(Index cell);
     void walk_all(Index cell);
     void walk(Index cell, Index start);
+    [[nodiscard]] Index exit_of(Loop loop, Index entry, bool forward);
     void finish_walk(Index cell, std::size_t begin);
     void finish(Index cell, std::size_t begin);
 
     [[nodiscard]] bool is_high(Index corner) const { return high_[vertex_[corner]] != 0; }
-    [[nodiscard]] bool is_active(Index corner, Index face) const {
-        return is_high(corner) != is_high(section_.next_in_loop(corner, face));
+    [[nodiscard]] bool is_active(Loop loop, Index corner) const {
+        return is_high(corner) != is_high(loop.next(corner));
     }
     void activate(Index corner, Index next) {
         const Index edge = edge_[corner], a = vertex_[corner], b = vertex_[next];
@@ -82,6 +96,7 @@ private:
     CutScratch& scratch_;
     ActiveBlock& cut_;
     Edges edges_;
+    std::uint64_t left_; // steps
 };
 
 // Prefetches the faces of a cell, which are scattered in memory. Without prefetching, half of the time was spent
@@ -96,10 +111,13 @@ void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
 }
 
 template <class Edges, class Local>
-bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) const {
-    for (const Index ref : section_.faces_of(cell))
-        for (Index k = section_.face_begin[ref / 2]; k < section_.face_begin[ref / 2 + 1]; ++k)
+bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) {
+    for (const Index ref : section_.faces_of(cell)) {
+        const Loop loop = section_.loop(ref / 2);
+        spend(loop.size());
+        for (Index k = loop.begin; k < loop.end; ++k)
             if (std::isnan(in_.values[vertex_[k]])) return true;
+    }
     return false;
 }
 
@@ -122,6 +140,7 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
+    spend(faces.size());
     if (scratch_.crossed.size() <= faces.size()) scratch_.crossed.resize(faces.size() + 1);
     const Local* begin = section_.face_begin.data();
     CutScratch::CrossedFace* to = scratch_.crossed.data();
@@ -167,9 +186,11 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
 
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& face) {
-    find_crossings(face.face);
+    const Loop loop = section_.loop(face.face);
+    spend(loop.size());
+    find_crossings(loop);
     const auto& crossing = scratch_.crossing;
-    const std::size_t n = crossing.size(), to_exit = is_joined(face.face) ? n - 1 : 1;
+    const std::size_t n = crossing.size(), to_exit = is_joined(loop) ? n - 1 : 1;
     bool simple = true;
     for (std::size_t i = 0; i < n; i += 2) {
         const auto &climbing = crossing[i], &descending = crossing[(i + to_exit) % n];
@@ -183,12 +204,11 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
 // Sets scratch_.crossing to the active edges of a face along its stored loop. Climbing and descending edges alternate,
 // beginning with a climbing edge.
 template <class Edges, class Local>
-void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
+void PolyhedronCutter<Edges, Local>::find_crossings(Loop loop) {
     scratch_.crossing.clear();
-    const Index begin = section_.face_begin[face], end = section_.face_begin[face + 1];
-    bool high = is_high(begin);
-    for (Index k = begin; k < end; ++k) {
-        const Index next = k + 1 == end ? begin : k + 1;
+    bool high = is_high(loop.begin);
+    for (Index k = loop.begin; k < loop.end; ++k) {
+        const Index next = loop.next(k);
         const bool next_high = is_high(next);
         if (high != next_high) scratch_.crossing.push_back({k, next});
         high = next_high;
@@ -198,12 +218,10 @@ void PolyhedronCutter<Edges, Local>::find_crossings(Index face) {
 }
 
 template <class Edges, class Local>
-bool PolyhedronCutter<Edges, Local>::is_joined(Index face) {
+bool PolyhedronCutter<Edges, Local>::is_joined(Loop loop) {
     if (in_.decider == Decider::isolate_high || scratch_.crossing.size() < 4) return false;
     cut_.decided = true;
-    const Index begin = section_.face_begin[face];
-    return joins_high(section_.face_begin[face + 1] - begin, in_.nu,
-                      [&](std::size_t i) { return double{in_.values[vertex_[begin + i]]}; });
+    return joins_high(loop.size(), in_.nu, [&](std::size_t i) { return double{in_.values[vertex_[loop.begin + i]]}; });
 }
 
 template <class Edges, class Local>
@@ -237,28 +255,35 @@ void PolyhedronCutter<Edges, Local>::follow(Index cell) {
             loop.push_back(edge);
             scratch_.way[edge].stamp = 0;
             edge = scratch_.way[edge].exit;
-        } while (edge != start);
+        } while (scratch_.way[edge].stamp == scratch_.cell_stamp);
+        if (edge != start) refuse_changed("a polygon is not closed");
         finish(cell, begin);
     }
 }
 
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::walk_all(Index cell) {
-    const std::size_t half_edges = section_.vertex.size() + section_.inner_corners;
+    const std::size_t half_edges = std::max<std::size_t>(section_.half_edge_count(), 2 * local_ids);
     if (scratch_.walked.size() < half_edges) {
         scratch_.walked.resize(half_edges, 0);
         scratch_.mate.resize(half_edges, none);
     }
-    if (!scratch_.pairs.run(section_, cell, [this](Index h, Index mate, Index) { scratch_.mate[h] = mate; })) {
+    Index left = section_.half_edge_count();
+    const bool is_closed =
+        scratch_.pairs.run(section_, cell, left, [this](Index h, Index mate, Index) { scratch_.mate[h] = mate; });
+    spend(section_.half_edge_count() - left);
+    if (!is_closed) {
         cut_.wasted = true;
         return;
     }
     std::vector<Index>& entries = scratch_.entry; // holds half-edges here, not edges; `way` is unused
     entries.clear();
     for (const Index ref : section_.faces_of(cell)) {
-        const Index face = ref / 2, side = ref % 2;
-        for (Index k = section_.face_begin[face]; k < section_.face_begin[face + 1]; ++k)
-            if (is_active(k, face) && is_high(k) == (side == 1)) entries.push_back(section_.half_edge(k, side));
+        const Index side = ref % 2;
+        const Loop loop = section_.loop(ref / 2);
+        spend(loop.size());
+        for (Index k = loop.begin; k < loop.end; ++k)
+            if (is_active(loop, k) && is_high(k) == (side == 1)) entries.push_back(section_.half_edge(k, side));
     }
     for (const Index h : entries) scratch_.walked[h] = 0;
     for (const Index h : entries)
@@ -270,22 +295,32 @@ void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
     std::vector<Index>& loop = cut_.polygon_edge;
     const std::size_t begin = loop.size();
     Index h = start;
-    const auto joined = [this](Index face) {
+    const auto joined = [this](Loop face) {
         if (in_.decider == Decider::isolate_high) return false;
         find_crossings(face);
         return is_joined(face);
     };
     do {
+        if (h >= scratch_.walked.size()) refuse_changed("a half-edge has no mate");
         scratch_.walked[h] = 1;
-        Index corner = section_.corner(h);
-        const Index side = section_.side(h), face = section_.face(corner), here = edge_[corner];
+        const Index corner = section_.corner(h), side = section_.side(h), here = read_once(edge_[corner]);
         if (loop.size() == begin || loop.back() != here) loop.push_back(here);
-        const bool forward = (side == 0) != joined(face);
-        do corner = forward ? section_.next_in_loop(corner, face) : section_.previous_in_loop(corner, face);
-        while (!is_active(corner, face));
-        h = scratch_.mate[section_.half_edge(corner, side)];
+        const Loop face = section_.loop(section_.face(corner));
+        h = scratch_.mate[section_.half_edge(exit_of(face, corner, (side == 0) != joined(face)), side)];
     } while (h != start);
     finish_walk(cell, begin);
+}
+
+// Returns the corner of the next active edge of a face, along its stored loop or against it.
+template <class Edges, class Local>
+Index PolyhedronCutter<Edges, Local>::exit_of(Loop loop, Index entry, bool forward) {
+    if (!loop.has(entry)) refuse_changed("a face does not have its corners");
+    Index corner = entry;
+    do {
+        spend(1);
+        corner = forward ? loop.next(corner) : loop.previous(corner);
+    } while (!is_active(loop, corner));
+    return corner;
 }
 
 // Ends the polygon that begins at `begin`. Where the cell touches itself or has collapsed, a walk may pass an edge more
@@ -304,7 +339,7 @@ void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) 
 }
 
 // Reverses the polygon. Seen from outside the cell, the walk has the high side on its left, but the right-hand normal
-// of the polygon must point to the high side.
+// of the polygon must point to the high side. A changed record may have led to edges that are not active.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
@@ -314,7 +349,12 @@ void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
         return;
     }
     std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(begin), loop.end());
-    for (std::size_t i = begin; i < loop.size(); ++i) loop[i] = edges_.kept(loop[i]);
+    bool active = true;
+    for (std::size_t i = begin; i < loop.size(); ++i) {
+        active &= edges_.has(loop[i]);
+        loop[i] = edges_.kept(loop[i]);
+    }
+    if (!active) refuse_changed("a polygon has an edge that is not active");
     cut_.polygon_cell.push_back(section_.local_cell(cell));
     cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
 }

@@ -15,7 +15,7 @@ template <const StandardShape& shape, class Edges>
 class StandardCutter {
 public:
     StandardCutter(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut)
-        : section_(section), in_(in), scratch_(scratch), cut_(cut), edges_(scratch, cut),
+        : section_(section), in_(in), scratch_(scratch), cut_(cut), edges_(scratch),
           cases_(standard_cases<shape>().data()) {}
 
     void run() {
@@ -76,7 +76,7 @@ private:
         Index* to = polygon_edge_;
         for (std::size_t i = 0; i < found.edges; ++i) {
             const std::size_t e = found.edge[i];
-            to[i] = edges.activate(edge[e], vertex[shape.edge_ends[e][0]], vertex[shape.edge_ends[e][1]]);
+            to[i] = edges.activate(read_once(edge[e]), vertex[shape.edge_ends[e][0]], vertex[shape.edge_ends[e][1]]);
         }
         edges_ = edges;
         for (std::size_t i = 0; i < found.polygons; ++i) {

@@ -17,12 +17,11 @@ void count_half_edges(const Topology& topology, std::vector<Index>& out) {
         const Block& block = topology.blocks().cells(b);
         for (const StandardSection& section : block.standard)
             for (Index i = 0; i < section.count(); ++i)
-                out[block.cell_begin + section.local_cell(i)] = section.shape->half_edges;
+                out[block.cell(section.local_cell(i))] = section.shape->half_edges;
         block.with([&](const auto& polyhedra) {
-            for (Index i = 0; i < polyhedra.count(); ++i)
-                for (const Index ref : polyhedra.faces_of(i))
-                    out[block.cell_begin + polyhedra.local_cell(i)] +=
-                        polyhedra.face_begin[ref / 2 + 1] - polyhedra.face_begin[ref / 2];
+            polyhedra.for_cell_faces([&](Index i, Index ref) {
+                out[block.cell(polyhedra.local_cell(i))] += polyhedra.loop(ref / 2).size();
+            });
         });
     }
 }
@@ -59,6 +58,7 @@ void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;
     const HalfEdge start = topology_->half_edge_of_vertex(vertex);
     HalfEdge h = start;
+    WalkEnds walk(topology_->counts());
     do {
         const Index other = topology_->vertex(h), edge = topology_->edge(h);
         if (!is_active_[edge] && std::isfinite(value(other)) &&
@@ -68,6 +68,7 @@ void Propagation::pass(Index vertex) {
         }
         turn<way>(h);
         h = topology_->next_around_vertex(h);
+        walk.step(h);
     } while (h != start);
 }
 

@@ -53,7 +53,7 @@ private:
     void write_normals(Index b);
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     struct Owner {
-        Index block = 0, edge_end = 0, ghosts = 0; // edge_end: id after the edges that the block owns
+        Index block = 0, edge_begin = 0, edges = 0, ghosts = 0; // edge_begin, edges: the edges that the block owns
     };
     [[nodiscard]] Index point_of_ghost(Index edge, Owner& owner) const;
     void list_ranges();
@@ -122,18 +122,19 @@ void Writer::write_normals(Index b) {
 }
 
 // Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
-// updated. Ghosts ascend by mesh-wide id, so `owner` only increases. Throws Error if the owner has no point there: its
+// updated. Ghosts ascend by mesh-wide id, so it seldom changes. Throws Error if the owner has no point there: its
 // record and that of the block contradict each other.
 Index Writer::point_of_ghost(Index edge, Owner& owner) const {
-    if (edge >= owner.edge_end) {
+    if (edge - owner.edge_begin >= owner.edges) { // or below edge_begin
         const std::vector<Index>& begin = blocks_.numbers.edge;
         owner.block = static_cast<Index>(std::ranges::upper_bound(begin, edge) - begin.begin() - 1);
-        owner.edge_end = begin[owner.block + 1];
+        owner.edge_begin = begin[owner.block];
+        owner.edges = begin[owner.block + 1] - owner.edge_begin;
         if (!std::ranges::binary_search(active_, owner.block)) refuse_ghost(owner.block);
         owner.ghosts = static_cast<Index>(blocks_.cells(owner.block).ghost_edge.size());
     }
     const ActiveBlock& cut = cut_[owner.block];
-    const Index local = edge - blocks_.numbers.edge[owner.block] + owner.ghosts;
+    const Index local = edge - owner.edge_begin + owner.ghosts;
     if ((cut.active[local / 64] >> local % 64 & 1) == 0) [[unlikely]]
         refuse_ghost(owner.block);
     return cut.first_point + cut.place(local) - cut.ghosts;

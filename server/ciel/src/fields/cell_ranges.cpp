@@ -30,14 +30,15 @@ void append(const PolyhedralSection<Local>& section, std::span<const float> valu
             std::vector<CellRanges::Range>& out) {
     const std::size_t begin = out.size();
     out.resize(begin + section.count(), nothing);
-    for (Index face = 0; face < section.face_count(); ++face) {
+    for (Index face = 0, k = 0; face < section.face_count(); ++face) {
         CellRanges::Range range = nothing;
-        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
+        for (const Index end = read_once(section.face_begin[face + 1]); k < end; ++k)
             widen(range, values[section.vertex[k]]);
         if (!(range[0] <= range[1])) continue; // no finite value on the face
-        for (const Local cell : section.face_cell[face]) {
-            widen(out[begin + cell], range[0]);
-            widen(out[begin + cell], range[1]);
+        for (const Index cell : section.face_cell[face]) {
+            CellRanges::Range& widened = out[begin + std::min(cell, section.count() - 1)]; // a changed id may be any
+            widen(widened, range[0]);
+            widen(widened, range[1]);
         }
     }
 }

@@ -31,9 +31,9 @@ public:
                              section.vertex[begin + shape.edge_ends[e][1]]);
             });
         block_.with([&](const auto& polyhedra) {
-            for (Index face = 0; face < polyhedra.face_count(); ++face)
-                for (Index k = polyhedra.face_begin[face]; k < polyhedra.face_begin[face + 1]; ++k)
-                    edge(polyhedra.vertex[k], polyhedra.vertex[polyhedra.next_in_loop(k, face)]);
+            polyhedra.for_corners([&](Index face, Index k) {
+                edge(polyhedra.vertex[k], polyhedra.vertex[polyhedra.next_in_loop(k, face)]);
+            });
         });
     }
 
@@ -83,7 +83,8 @@ bool Field::Data::find_geometric_extrema() const {
             const Index v = where.vertices[i];
             const HalfEdge start = topology->half_edge_of_vertex(v);
             if (start == no_half_edge || !std::isfinite(value(v))) sides[i] = 3;
-            for (HalfEdge h = start; sides[i] != 3;) {
+            WalkEnds walk(topology->counts());
+            for (HalfEdge h = start; sides[i] != 3; walk.step(h)) {
                 const Index other = topology->vertex(h);
                 if (const float there = value(other); std::isfinite(there))
                     sides[i] |= std::pair(there, other) < std::pair(value(v), v) ? 1 : 2;

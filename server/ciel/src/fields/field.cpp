@@ -53,7 +53,8 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh");
     topology = &of;
-    local = std::make_unique_for_overwrite<float[]>(all.slot_count()); // untouched pages take no memory
+    // Untouched pages take no memory. After the last block, a changed record may name any local vertex of 16 bits.
+    local = std::make_unique_for_overwrite<float[]>(all.slot_count() + local_ids);
     taken = std::make_unique<std::atomic<bool>[]>(all.count());
     ranges.resize(all.count());
     of_blocks = std::move(block_ranges);

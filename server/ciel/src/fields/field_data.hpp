@@ -22,6 +22,7 @@ struct Field::Data {
     std::array<float, 2> range{};
 
     // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
+    // After those of any block, local_ids more can be read, whose values mean nothing.
     std::unique_ptr<float[]> local;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: its part of `local` is filled
     mutable std::array<Mutex, 16> take_in_mutex;

@@ -72,12 +72,14 @@ private:
 
     template <class Local>
     void polyhedra(const PolyhedralSection<Local>& section) {
-        const auto half_edges = static_cast<Index>(section.vertex.size() + section.inner_corners);
+        const Index half_edges = section.half_edge_count();
+        Index left = half_edges;
         const auto next = [&](Index h) {
             const Index k = section.corner(h), side = section.side(h), face = section.face(k);
             return section.half_edge(side == 0 ? section.next_in_loop(k, face) : section.previous_in_loop(k, face),
                                      side);
         };
+        const auto seen = [&](Index h) { return h >= half_edges || seen_[h] != 0; };
         const auto target = [&](Index h) {
             const Index k = section.corner(h);
             return Index{section.vertex[section.side(h) == 0 ? section.next_in_loop(k, section.face(k)) : k]};
@@ -86,19 +88,19 @@ private:
         mate_.assign(half_edges, none);
         for (Index cell = 0; cell < section.count(); ++cell) {
             half_edges_.clear();
-            (void)pairs_.run(section, cell, [this](Index h, Index mate, Index) {
+            // A changed record may name half-edges that do not exist, or that lead nowhere.
+            (void)pairs_.run(section, cell, left, [&](Index h, Index mate, Index) {
+                if (h >= half_edges || mate >= half_edges) return;
                 mate_[h] = mate;
                 half_edges_.push_back(h);
             });
             for (const Index start : half_edges_) {
                 if (seen_[start] != 0) continue;
                 around_.clear();
-                Index h = start;
-                do {
+                for (Index h = start; !seen(h); h = mate_[h] == none ? none : next(mate_[h])) {
                     seen_[h] = 1;
                     around_.push_back(target(h));
-                    h = next(mate_[h]);
-                } while (h != start);
+                }
                 corner(section.origin(start), around_);
             }
         }

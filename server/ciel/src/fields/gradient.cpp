@@ -93,10 +93,9 @@ private:
     void ask_neighbours(Index b);
     void sum_inside(Index b);
     template <const StandardShape& shape>
-    void add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell);
+    void add_standard(const Block& block, const StandardSection& section, CellGradient* cell);
     template <class Local>
-    void add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
-                       CellGradient* cell);
+    void add_polyhedra(const Block& block, const PolyhedralSection<Local>& section, CellGradient* cell);
     void sum_at_border(Index b);
     void settle(Index b);
 
@@ -151,8 +150,8 @@ void Pass::ask_neighbours(Index b) {
     const std::span<std::uint8_t> state = states(block);
     blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
-            if ((std::atomic_ref(state[arrays.border_vertex[place]]).load(std::memory_order_relaxed) & wanted) == 0)
-                continue;
+            const Index v = blocks_.vertex_at({b, place});
+            if ((std::atomic_ref(state[v]).load(std::memory_order_relaxed) & wanted) == 0) continue;
             for (BorderVertex at = blocks_.next_in_ring({b, place}, b); at.block != b;
                  at = blocks_.next_in_ring(at, b)) {
                 std::atomic_ref(states(blocks_.cells(at.block))[blocks_.vertex_at(at)])
@@ -173,26 +172,27 @@ void Pass::sum_inside(Index b) {
     CellGradient* cell = cell_[b].get();
     for (const StandardSection& section : block.standard) {
         with_shape(section.shape->type,
-                   [&]<const StandardShape & shape>() { add_standard<shape>(section, state, cell); });
+                   [&]<const StandardShape & shape>() { add_standard<shape>(block, section, cell); });
         cell += section.count();
     }
     block.with([&](const auto& polyhedra) {
         scratch.polyhedron.begin(block, polyhedra);
-        add_polyhedra(polyhedra, state, cell);
+        add_polyhedra(block, polyhedra, cell);
     });
     for (Index v = 0; v < block.vertex_count; ++v)
         if ((state[v] & wanted) != 0) gradient_[b][v] = scratch.sum[v].mean();
 }
 
 template <const StandardShape& shape>
-void Pass::add_standard(const StandardSection& section, std::span<const std::uint8_t> state, CellGradient* cell) {
+void Pass::add_standard(const Block& block, const StandardSection& section, CellGradient* cell) {
     Scratch& scratch = scratch_of_this_thread();
+    const std::span<const std::uint8_t> state = states(block);
     for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
-        const std::uint16_t* vertex = &section.vertex[begin];
+        const auto vertex = corners_of<shape>(block, &section.vertex[begin]);
         unsigned states = 0;
         for (std::size_t c = 0; c < shape.corners; ++c) states |= state[vertex[c]];
         if ((states & (wanted | asked_by_neighbour)) == 0) continue;
-        *cell = cell_gradient<shape>(vertex, [&](Index v) { return scratch.sample[v]; });
+        *cell = cell_gradient<shape>(vertex.data(), [&](Index v) { return scratch.sample[v]; });
         GradientSum weighted;
         weighted.add(*cell);
         for (std::size_t c = 0; c < shape.corners; ++c) scratch.sum[vertex[c]].add(weighted);
@@ -200,15 +200,17 @@ void Pass::add_standard(const StandardSection& section, std::span<const std::uin
 }
 
 template <class Local>
-void Pass::add_polyhedra(const PolyhedralSection<Local>& section, std::span<const std::uint8_t> state,
-                         CellGradient* cell) {
+void Pass::add_polyhedra(const Block& block, const PolyhedralSection<Local>& section, CellGradient* cell) {
     Scratch& scratch = scratch_of_this_thread();
-    // Computes one flag per face first, because two cells read each face.
-    scratch.face_asked.resize(section.face_count());
-    for (Index face = 0; face < section.face_count(); ++face) {
+    const std::span<const std::uint8_t> state = states(block);
+    const Index last = block.vertex_count - 1;
+    // Computes one flag per face first, because two cells read each face. A changed record may name any face and vertex
+    // of 16 bits.
+    scratch.face_asked.resize(std::max<std::size_t>(section.face_count(), local_ids / 2));
+    for (Index face = 0, k = 0; face < section.face_count(); ++face) {
         unsigned states = 0;
-        for (Index k = section.face_begin[face]; k < section.face_begin[face + 1]; ++k)
-            states |= state[section.vertex[k]];
+        for (const Index end = read_once(section.face_begin[face + 1]); k < end; ++k)
+            states |= state[std::min<Index>(section.vertex[k], last)];
         scratch.face_asked[face] = (states & (wanted | asked_by_neighbour)) != 0 ? 1 : 0;
     }
     for (Index i = 0; i < section.count(); ++i, ++cell) {
@@ -228,7 +230,7 @@ void Pass::sum_at_border(Index b) {
     const std::span<const std::uint8_t> state = states(block);
     blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
-            const Index v = arrays.border_vertex[place];
+            const Index v = blocks_.vertex_at({b, place});
             if ((state[v] & wanted) == 0) continue;
             list_ring(blocks_, {b, place}, scratch.ring);
             AddStored add([this](Index other) { return cell_[other].get(); });

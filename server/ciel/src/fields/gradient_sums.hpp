@@ -55,6 +55,19 @@ private:
     std::span<const float> values_;
 };
 
+// Returns the local vertices of the cell that begins at `vertex`. Limits them to those of the block, whatever a changed
+// record holds, because arrays by local vertex have no more.
+template <const StandardShape& shape>
+[[nodiscard]] std::array<std::uint16_t, shape.corners> corners_of(const Block& block, const std::uint16_t* vertex) {
+    const auto last = static_cast<std::uint16_t>(std::min<std::size_t>(block.vertex_count, local_ids) - 1);
+    std::array<std::uint16_t, shape.corners> corners;
+    for (std::size_t c = 0; c < shape.corners; ++c) {
+        const std::uint16_t v = vertex[c]; // a copy, because std::min returns a reference, which would be read again
+        corners[c] = v < last ? v : last;
+    }
+    return corners;
+}
+
 template <const StandardShape& shape, class Sampler>
 [[nodiscard]] CellGradient cell_gradient(const std::uint16_t* vertex, const Sampler& sample) {
     std::array<Sample, shape.corners> samples;
@@ -95,7 +108,7 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
                 }
                 const Index end = section.entry_begin + static_cast<Index>(section.vertex.size());
                 Index entry = first_entry_from(block, around, at.vertex, section.entry_begin);
-                for (; entry < end; entry = around.next_entry[s][entry - section.entry_begin]) {
+                for (; entry < end; entry = next_entry(around.next_entry[s], entry, section.entry_begin)) {
                     const Index i = (entry - section.entry_begin) / shape.corners;
                     visit.template standard<shape>(at.block, section, i, place + i);
                 }
@@ -112,11 +125,13 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
         with_around(block, around, [&](const auto& polyhedra, const auto& arrays) {
             scratch.clear();
             for (Index entry = first_entry_from(block, around, at.vertex, polyhedra.entry_begin);
-                 entry != arrays.end_of_list; entry = arrays.next_entry[entry - polyhedra.entry_begin])
+                 entry != arrays.end_of_list; entry = next_entry(arrays.next_entry, entry, polyhedra.entry_begin))
                 for (const Index i : polyhedra.face_cell[polyhedra.face(entry - polyhedra.entry_begin)])
                     scratch.push_back(i);
             std::ranges::sort(scratch);
             scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
+            if (!scratch.empty() && scratch.back() >= polyhedra.count())
+                refuse_changed("a face names a cell that does not exist");
             const Index place = block.cell_count - polyhedra.count();
             for (const Index i : scratch) visit.polyhedron(at.block, i, place + i);
         });
@@ -124,7 +139,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
 }
 
 // Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block)`: pointer to
-// the cell gradients of the block, indexed by `place`.
+// the cell gradients of the block, indexed by `place`. Throws Error if it is null, because then the rings of the vertex
+// have changed.
 template <class Stored>
 class AddStored {
 public:
@@ -132,13 +148,20 @@ public:
 
     template <const StandardShape& shape>
     void standard(Index b, const StandardSection&, Index, Index place) {
-        sum.add(stored_(b)[place]);
+        add(b, place);
     }
-    void polyhedron(Index b, Index, Index place) { sum.add(stored_(b)[place]); }
+    void polyhedron(Index b, Index, Index place) { add(b, place); }
 
     GradientSum sum;
 
 private:
+    void add(Index b, Index place) {
+        const CellGradient* cells = stored_(b);
+        if (cells == nullptr) [[unlikely]]
+            refuse_changed("a ring leads to another block than before");
+        sum.add(cells[place]);
+    }
+
     Stored stored_;
 };
 

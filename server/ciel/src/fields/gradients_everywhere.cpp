@@ -51,10 +51,11 @@ void Everywhere::sum_inside(Index b) {
     for (const StandardSection& section : block.standard)
         with_shape(section.shape->type, [&]<const StandardShape & shape>() {
             for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
-                *cell = cell_gradient<shape>(&section.vertex[begin], sample);
+                const auto vertex = corners_of<shape>(block, &section.vertex[begin]);
+                *cell = cell_gradient<shape>(vertex.data(), sample);
                 GradientSum weighted;
                 weighted.add(*cell);
-                for (std::size_t c = 0; c < shape.corners; ++c) sum[section.vertex[begin + c]].add(weighted);
+                for (const Index v : vertex) sum[v].add(weighted);
             }
         });
     PolyhedronSolver solver;
