@@ -1,8 +1,9 @@
-// Fuzzes the records of a small mesh: bytes that a checksum would not catch are refused, or all that reads them ends
-// and stays in bounds.
+// Fuzzes the records of a small mesh: bytes that a checksum would not catch, or that change after their check, are
+// refused, or all that reads them ends and stays in bounds.
 #include "fuzz/bytes.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
+#include "support/mapped_records.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -42,22 +43,50 @@ void patch(CopiedRecords& copied, Bytes& bytes) {
     reinterpret_cast<std::uint8_t*>(record.data())[place] = bytes.next();
 }
 
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Bytes bytes(data, size);
-    const Sample& from = sample(bytes.next());
-    if (from.topology.counts().cells == 0) return 0;
-    auto copied = std::make_unique<CopiedRecords>(from.topology);
-    while (!bytes.empty()) patch(*copied, bytes);
+// Uses all that reads records.
+void use(const Topology& topology, const Sample& from) {
     try {
-        const Topology topology = read_back(std::move(copied));
-        if (topology.counts().vertices != from.topology.counts().vertices) return 0;
         (void)all_operators(topology);
         (void)cut_in_all_ways(topology, from.assembled.mesh.view(), from.values);
         (void)vertex_gradients(topology, from.assembled.mesh.view(), from.values);
     } catch (const Error& error) {
         require(says_what_to_do(error.what()), error.what());
     }
+}
+
+// The patches are there when the records are checked.
+void patched_before(const Sample& from, Bytes bytes) {
+    auto copied = std::make_unique<CopiedRecords>(from.topology);
+    while (!bytes.empty()) patch(*copied, bytes);
+    try {
+        const Topology topology = read_back(std::move(copied));
+        if (topology.counts().vertices == from.topology.counts().vertices) use(topology, from);
+    } catch (const Error& error) {
+        require(says_what_to_do(error.what()), error.what());
+    }
+}
+
+// The patches come between two uses.
+void patched_after(const Sample& from, Bytes bytes) {
+    auto mapped = std::make_unique<MappedRecords>(from.topology);
+    const auto words = std::as_writable_bytes(mapped->words());
+    const CopiedRecords::Bytes tables = from.topology.tables();
+    const Topology topology(std::as_bytes(std::span(tables)), std::move(mapped));
+    use(topology, from);
+    while (!bytes.empty()) {
+        const std::size_t place = std::size_t{bytes.next()} << 16 | std::size_t{bytes.next()} << 8 | bytes.next();
+        words[place % words.size()] = static_cast<std::byte>(bytes.next());
+    }
+    use(topology, from);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Bytes bytes(data, size);
+    const Sample& from = sample(bytes.next());
+    if (from.topology.counts().cells == 0) return 0;
+    patched_before(from, bytes);
+    patched_after(from, bytes);
     return 0;
 }
