@@ -12,12 +12,6 @@
 
 namespace ciel {
 
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-} // namespace
-
 Field::Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive)
     : Field(topology, values, block_ranges(topology, values), std::move(keep_alive)) {}
 
