@@ -263,7 +263,7 @@ private:
     std::thread thread_;
 };
 
-class ChangedRecords : public testing::TestWithParam<NamedMesh> {
+class ChangingTest : public testing::Test {
 protected:
     void SetUp() override { alarm(longest_run); }
     void TearDown() override { alarm(0); }
@@ -291,8 +291,8 @@ protected:
             for (std::size_t i = 0, n = 1 + seed % 7; i < n; ++i) change(words, random);
         every.run();
     }
-    static void run_all(Topology::Options options, int changes) {
-        const KernelMesh mesh(GetParam().make(), options);
+    static void run_all(const Polyhedra& input, Topology::Options options, int changes) {
+        const KernelMesh mesh(input, options);
         if (mesh.topology.counts().cells == 0) return;
         const ThreadCount threads(may_race ? 0 : 1);
         for (int seed = 1; seed <= changes; ++seed) {
@@ -304,9 +304,15 @@ protected:
     }
 };
 
-TEST_P(ChangedRecords, OfSmallBlocksAreHarmless) { run_all({32}, changes_per_mesh); }
+class ChangedRecords : public ChangingTest, public testing::WithParamInterface<NamedMesh> {};
+using ChangedRecordsOfGiantCell = ChangingTest;
 
-TEST_P(ChangedRecords, OfLargeBlocksAreHarmless) { run_all({}, changes_per_mesh); }
+TEST_P(ChangedRecords, OfSmallBlocksAreHarmless) { run_all(GetParam().make(), {32}, changes_per_mesh); }
+
+TEST_P(ChangedRecords, OfLargeBlocksAreHarmless) { run_all(GetParam().make(), {}, changes_per_mesh); }
+
+// The big cell has local ids of 32 bits, which must not change after their check.
+TEST_F(ChangedRecordsOfGiantCell, AreHarmless) { run_all(giant_cell(54), {}, 1); }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, ChangedRecords, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });

@@ -187,28 +187,28 @@ template <template <class> class Array>
 struct BlockOf {
     Index cell_begin = 0, cell_count = 0;
     Index half_edge_count = 0;
-    Index standard_half_edges = 0;            // number of half-edges of standard cells, which come first
-    Index edge_begin = 0, edge_count = 0;     // id of the first owned edge; number of local edges
-    Index vertex_begin = 0, vertex_count = 0; // vertex_begin + local vertex is a "slot", unique in the mesh
-    Index own_vertex_begin = 0;               // first mesh vertex that this block is the first to have
+    Index standard_half_edges = 0;              // number of half-edges of standard cells, which come first
+    Index edge_begin = 0, edge_count = 0;       // id of the first owned edge; number of local edges
+    Index vertex_begin = 0, vertex_count = 0;   // vertex_begin + local vertex is a "slot", unique in the mesh
+    Index own_vertex_begin = 0;                 // first mesh vertex that this block is the first to have
+    Index last_vertex = none, last_edge = none; // last ids of the mesh; set in a view
     // Mesh-wide ids of the ghosts, which are the first local ids, ascending.
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
-    Index last_vertex = none, last_edge = none; // last ids of the mesh; set in a view
-    RecordBytes copied;                         // the record, if it had to be copied so that it stays as it is
+    RecordBytes copied; // the record, if it had to be copied so that it stays as it is
 
     // Return ids that exist in the mesh, whatever `local` of 16 bits a changed record holds.
     [[nodiscard]] Index vertex(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
-        return std::min(local < ghosts ? ghost_vertex[local] : own_vertex_begin + local - ghosts, last_vertex);
+        return local < ghosts ? ghost_vertex[local] : std::min(own_vertex_begin + local - ghosts, last_vertex);
     }
     [[nodiscard]] Index cell(Index local) const { return cell_begin + std::min(local, cell_count - 1); }
     // Returns the number of consecutive local vertices that are one part. A block has at most 64 parts.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
-        return std::min(local < ghosts ? ghost_edge[local] : edge_begin + local - ghosts, last_edge);
+        return local < ghosts ? ghost_edge[local] : std::min(edge_begin + local - ghosts, last_edge);
     }
     // Return the index in `standard` of the section with a local half-edge or an entry; standard.size() if the
     // PolyhedralSection has it.
