@@ -11,8 +11,8 @@
 namespace ciel::app {
 namespace {
 
-using store::LackingRanges;
 using store::Dataset;
+using store::LackingRanges;
 
 struct Options {
     std::string dataset, from;
