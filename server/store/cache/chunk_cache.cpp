@@ -19,9 +19,7 @@ std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::s
     const std::lock_guard lock(entry->mutex);
     if (!entry->ready) {
         MappedFile mapped(file, bytes, any_lost_);
-        if (!sum.empty() && checksum(mapped.bytes()) != sum)
-            refuse(file,
-                   "does not match its checksum; the dataset is damaged: restore the file or import the data again");
+        if (!sum.empty() && checksum(mapped.bytes()) != sum) refuse_damage(file, "does not match its checksum");
         if (verify) verify(mapped.as<float>());
         entry->file = std::move(mapped);
         entry->ready = true;

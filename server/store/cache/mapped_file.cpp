@@ -39,12 +39,6 @@ bool is_same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.t
 
 } // namespace
 
-void check_file_size(const std::filesystem::path& file, std::size_t bytes) {
-    struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) refuse_absent(file);
-    check_status(file, status, bytes);
-}
-
 MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost)
     : path_(std::move(file)), any_lost_(std::move(any_lost)) {
     if (bytes == 0) return; // Zarr writes no chunk for an empty array

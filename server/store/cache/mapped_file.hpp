@@ -21,9 +21,6 @@ struct WatchedMapping; // watched_mappings.hpp
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
-// Throws Error when `file` is missing, not a regular file, or of another size.
-void check_file_size(const std::filesystem::path& file, std::size_t bytes);
-
 // Thread-safe, except moving and accept_touch.
 class MappedFile {
 public:

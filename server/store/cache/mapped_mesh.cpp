@@ -13,8 +13,6 @@
 namespace ciel::store {
 namespace {
 
-constexpr const char* damaged = "; the dataset is damaged: restore the file or import the data again";
-
 ElementType type_of(const std::string& name) {
     if (name == "cell_types") return ElementType::u1;
     if (std::ranges::find(layout::optional_arrays, name) != std::end(layout::optional_arrays)) return ElementType::i8;
@@ -43,24 +41,24 @@ Index highest(std::span<const Index> ids) {
 void check_below(const MappedFile& file, std::uint64_t limit, const char* of_what) {
     const auto ids = file.as<Index>();
     if (!ids.empty() && highest(ids) >= limit)
-        refuse(file.path(), "holds index " + std::to_string(highest(ids)) + ", but there are only " +
-                                std::to_string(limit) + " " + of_what + damaged);
+        refuse_damage(file.path(), "holds index " + std::to_string(highest(ids)) + ", but there are only " +
+                                       std::to_string(limit) + " " + of_what);
 }
 
 void check_offsets(const MappedFile& file, std::uint64_t corners) {
     const auto offsets = file.as<std::uint64_t>();
     if (offsets.front() != 0 || offsets.back() != corners)
-        refuse(file.path(), "does not span the " + std::to_string(corners) + " corners of face_vertex" + damaged);
+        refuse_damage(file.path(), "does not span the " + std::to_string(corners) + " corners of face_vertex");
     bool short_loop = false;
     for (std::size_t i = 1; i < offsets.size(); ++i)
         short_loop |= offsets[i] < offsets[i - 1] || offsets[i] - offsets[i - 1] < 3;
-    if (short_loop) refuse(file.path(), std::string("has a face with fewer than three corners") + damaged);
+    if (short_loop) refuse_damage(file.path(), "has a face with fewer than three corners");
 }
 
 void check_owners(const MappedFile& file, std::uint64_t cells) {
     check_below(file, cells, "cells");
     const auto owner = file.as<Index>();
-    if (!std::is_sorted(owner.begin(), owner.end())) refuse(file.path(), std::string("is not sorted") + damaged);
+    if (!std::is_sorted(owner.begin(), owner.end())) refuse_damage(file.path(), "is not sorted");
 }
 
 void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std::uint64_t cells) {
@@ -69,15 +67,13 @@ void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std:
     bool wrong = false;
     for (std::size_t i = 0; i < other.size(); ++i)
         wrong |= other[i] != none && (other[i] >= cells || other[i] <= own[i]);
-    if (wrong)
-        refuse(neighbour.path(),
-               std::string("names a cell that does not exist or comes before its face's owner") + damaged);
+    if (wrong) refuse_damage(neighbour.path(), "names a cell that does not exist or comes before its face's owner");
 }
 
 void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
     const auto ids = group.ids.unchecked();
     if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
-        refuse(file.path(), "is not sorted or holds an id twice" + std::string(damaged));
+        refuse_damage(file.path(), "is not sorted or holds an id twice");
     check_below(file, limit, group.of == Group::Of::faces ? "faces" : "cells");
 }
 
@@ -95,8 +91,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (const char* group : {"faces", "groups"}) verified_[group];
     vertex_count_ = array("original_vertex").as<Index>().size();
     const std::uint64_t faces = array("owner").as<Index>().size();
-    if (vertex_count_ == 0 || cell_count() == 0 || faces == 0)
-        refuse(directory_, std::string("is an empty mesh") + damaged);
+    if (vertex_count_ == 0 || cell_count() == 0 || faces == 0) refuse_damage(directory_, "is an empty mesh");
     if (vertex_count_ >= none || cell_count() >= none || faces >= none)
         refuse(directory_, "has more than 4,294,967,294 vertices, faces or cells, the most that a mesh can have");
     check_sizes(faces);
@@ -109,15 +104,15 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
 void MappedMesh::check_sizes(std::uint64_t faces) const {
     if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
         attributes_.info.faces != faces)
-        refuse(directory_ / layout::attributes_document,
-               std::string("declares other numbers of vertices, faces or cells than the arrays hold") + damaged);
+        refuse_damage(directory_ / layout::attributes_document,
+                      "declares other numbers of vertices, faces or cells than the arrays hold");
     const auto expect = [&](const char* name, std::uint64_t want) {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return;
         const std::uint64_t have = found->second.bytes().size() / element_bytes(type_of(name));
         if (have != want)
-            refuse(found->second.path(),
-                   "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed" + damaged);
+            refuse_damage(found->second.path(),
+                          "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed");
     };
     expect("original_cell", cell_count());
     expect("neighbour", faces);
@@ -131,7 +126,7 @@ void MappedMesh::map(const std::string& name, ElementType type) {
     const auto document = path / layout::array_document;
     const ZarrArray zarr = parse_zarr_array(read_text(document, layout::document_bytes), document);
     if (zarr.type != type || zarr.shape.size() != 1 || (zarr.shape != zarr.chunks && zarr.shape[0] != 0))
-        refuse(document, std::string("is not the one-chunk array that '") + name + "' must be" + damaged);
+        refuse_damage(document, std::string("is not the one-chunk array that '") + name + "' must be");
     arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
     keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
     verified_[name];
@@ -150,9 +145,8 @@ void MappedMesh::verify_checksums(const std::vector<std::string>& names) const {
         for (std::size_t i = begin; i < end; ++i) {
             const MappedFile& file = array(names[i]);
             if (!attributes_.checksums.contains(names[i]))
-                refuse(directory_ / layout::attributes_document, "lacks the checksum of '" + names[i] + "'" + damaged);
-            if (!has_its_checksum(names[i], file))
-                refuse(file.path(), std::string("does not match its checksum") + damaged);
+                refuse_damage(directory_ / layout::attributes_document, "lacks the checksum of '" + names[i] + "'");
+            if (!has_its_checksum(names[i], file)) refuse_damage(file.path(), "does not match its checksum");
         }
     });
 }
@@ -165,9 +159,9 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
 void MappedMesh::verify_boundary() const {
     const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
     if (count != attributes_.info.boundary_faces)
-        refuse(directory_ / layout::attributes_document, "counts " + std::to_string(attributes_.info.boundary_faces) +
-                                                             " boundary faces, but there are " + std::to_string(count) +
-                                                             damaged);
+        refuse_damage(directory_ / layout::attributes_document,
+                      "counts " + std::to_string(attributes_.info.boundary_faces) + " boundary faces, but there are " +
+                          std::to_string(count));
 }
 
 void MappedMesh::verify_faces() const {
@@ -182,7 +176,7 @@ void MappedMesh::verify_faces() const {
         },
         [&] {
             if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
-                refuse(array("cell_types").path(), std::string("names a cell type that does not exist") + damaged);
+                refuse_damage(array("cell_types").path(), "names a cell type that does not exist");
         }};
     parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) checks[i]();

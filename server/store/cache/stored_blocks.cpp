@@ -10,8 +10,6 @@
 namespace ciel::store {
 namespace {
 
-constexpr const char* damaged = "; the dataset is damaged: restore the file or import the data again";
-
 // Keeps the records that a Topology has used. Thread-safe.
 class Source final : public RecordSource {
 public:
@@ -50,8 +48,8 @@ InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::
                        const std::string& dataset_id) {
     InputFile file(layout::records(mesh, kind, number));
     if (file.size() != bytes)
-        refuse(file.path(), "has " + std::to_string(file.size()) + " bytes where " + std::to_string(bytes) +
-                                " are declared" + damaged);
+        refuse_damage(file.path(),
+                      "has " + std::to_string(file.size()) + " bytes where " + std::to_string(bytes) + " are declared");
     std::array<std::byte, file_head_bytes> head;
     file.read(0, head);
     check_file_head(head, file_kind(kind), dataset_id, file.path());
@@ -88,7 +86,7 @@ std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) cons
     if (read_into(place, file, record)) return record;
     const std::lock_guard lock(checking_);
     if (file.in.changed_at() != file.changed_at) lose(file);
-    refuse(file.in.path(), "does not match the checksum of block " + std::to_string(block) + damaged);
+    refuse_damage(file.in.path(), "does not match the checksum of block " + std::to_string(block));
 }
 
 void StoredBlocks::check_unchanged() const {

@@ -73,6 +73,10 @@ std::string sentence_for_clients(const std::exception& error) {
 
 void refuse(const std::filesystem::path& file, const std::string& sentence) { throw FileError(file, sentence); }
 
+void refuse_damage(const std::filesystem::path& file, const std::string& sentence) {
+    refuse(file, sentence + "; the dataset is damaged: restore the file or import the data again");
+}
+
 void refuse_errno(const std::filesystem::path& file, const std::string& what_failed) {
     const int number = errno;
     refuse(file, what_failed + " (" + std::strerror(number) + ")");

@@ -33,6 +33,8 @@ private:
 [[nodiscard]] std::string sentence_for_clients(const std::exception& error);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
+// Adds that the dataset is damaged, and what to do.
+[[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& sentence);
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 
 // Returns the content of a file. Throws FileError when it is missing, not a regular file, or longer than `limit` bytes.

@@ -57,9 +57,7 @@ public:
     [[noreturn]] void refuse_unknown(const std::string& what) const {
         refuse(file_, "names " + what + ", which this CIEL does not know; update CIEL");
     }
-    [[noreturn]] void refuse_damage(const std::string& what) const {
-        refuse(file_, what + "; the dataset is damaged: restore the file or import the data again");
-    }
+    [[noreturn]] void refuse_damage(const std::string& what) const { store::refuse_damage(file_, what); }
 
 private:
     std::span<const std::byte> bytes_;

@@ -22,10 +22,6 @@ struct Head {
 };
 static_assert(sizeof(Head) == file_head_bytes);
 
-[[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& what) {
-    refuse(file, what + "; the dataset is damaged: restore the file or import the data again");
-}
-
 } // namespace
 
 std::array<std::byte, file_head_bytes> file_head(FileKind kind, const std::string& dataset_id) {
