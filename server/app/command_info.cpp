@@ -3,6 +3,7 @@
 #include "ciel/field.hpp"
 #include "store/cell_extremes.hpp"
 #include "store/dataset.hpp"
+#include "store/format/block_index.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -38,8 +39,7 @@ Checksums verify_all(const Dataset& dataset) {
 std::uint64_t record_bytes(const Topology& topology) {
     std::uint64_t bytes = 0;
     for (Index block = 0; block < topology.block_count(); ++block)
-        for (const RecordKind kind : {RecordKind::cells, RecordKind::around, RecordKind::mates})
-            bytes += topology.record(block, kind).size();
+        for (const RecordKind kind : store::record_kinds) bytes += topology.record(block, kind).size();
     return bytes;
 }
 

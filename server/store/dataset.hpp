@@ -67,7 +67,7 @@ public:
     // Returns the mesh without its faces: face_count() is 0. Reads positions only.
     [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
-    // mapped. A mesh that was stored without blocks is built here.
+    // open. If the mesh was stored without blocks, the topology is built here.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;

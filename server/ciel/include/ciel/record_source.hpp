@@ -26,10 +26,10 @@ public:
     virtual ~RecordSource() = default;
 
     // Returns the bytes of a record. They begin at a multiple of 8 and stay where they are as long as the source.
-    // Called from any thread. Throws Error when they cannot be read. If the source is not trusted, the bytes may change
-    // at any time, as those of a mapped file do when another process writes it. Then at least 1 MiB after the end of
-    // each record can be read too: a changed index of 16 bits, or a sum of a few, may lead there. Results may then be
-    // wrong, but stay in range, or Error is thrown.
+    // Called from any thread. Throws Error when they cannot be read. The bytes of a source that is not trusted may
+    // change at any time, as those of a mapped file do when another process writes the file. Results may then be wrong,
+    // but they stay in range, or Error is thrown. A source whose bytes may change must let at least 1 MiB after the end
+    // of each record be read: a changed index of 16 bits, or a sum of a few, may lead there.
     [[nodiscard]] virtual std::span<const std::byte> record(Index block, RecordKind kind) = 0;
     // Returns whether the bytes come from this process and never change. If not, each record is checked when it is
     // first used.

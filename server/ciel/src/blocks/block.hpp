@@ -196,7 +196,7 @@ struct BlockOf {
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
-    RecordBytes copied; // the record, if it had to be copied so that it stays as it is
+    RecordBytes copied; // the record itself if its ids have 32 bits: a copy, which cannot change
 
     // Return ids that exist in the mesh, whatever `local` of 16 bits a changed record holds.
     [[nodiscard]] Index vertex(Index local) const {
