@@ -3,7 +3,7 @@
 #include "ciel/field.hpp"
 #include "store/cell_extremes.hpp"
 #include "store/dataset.hpp"
-#include "store/format/block_index.hpp"
+#include "store/mesh_counts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -33,14 +33,6 @@ Checksums verify_all(const Dataset& dataset) {
         for (const auto& [name, array] : step.arrays)
             ++(array.lazy ? sums.lazy : array.has_checksum ? sums.verified : sums.absent);
     return sums;
-}
-
-// Returns the length of all records of the topology.
-std::uint64_t record_bytes(const Topology& topology) {
-    std::uint64_t bytes = 0;
-    for (Index block = 0; block < topology.block_count(); ++block)
-        for (const RecordKind kind : store::record_kinds) bytes += topology.record(block, kind).size();
-    return bytes;
 }
 
 json mesh_json(const store::MeshInfo& mesh) {
@@ -125,7 +117,7 @@ json groups_json(const Dataset& dataset) {
 json report(const Dataset& dataset) {
     const store::DatasetInfo& info = dataset.info();
     const Checksums sums = verify_all(dataset);
-    const std::uint64_t topology_bytes = record_bytes(dataset.topology(0));
+    const std::uint64_t topology_bytes = store::record_bytes(dataset.topology(0));
     json arrays = json::array(), meshes = json::array(), times = json::array();
     for (const store::ArrayInfo& array : info.arrays) arrays.push_back(array_json(dataset, array));
     for (const store::MeshInfo& mesh : info.meshes) meshes.push_back(mesh_json(mesh));

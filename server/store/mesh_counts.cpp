@@ -1,5 +1,7 @@
 #include "store/mesh_counts.hpp"
 
+#include "store/format/block_index.hpp"
+
 #include <algorithm>
 
 namespace ciel::store {
@@ -48,6 +50,13 @@ void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, std::span<const 
         bounds[2 * (i % 3)] = std::min(bounds[2 * (i % 3)], at);
         bounds[2 * (i % 3) + 1] = std::max(bounds[2 * (i % 3) + 1], at);
     }
+}
+
+std::uint64_t record_bytes(const Topology& topology) {
+    std::uint64_t bytes = 0;
+    for (Index block = 0; block < topology.block_count(); ++block)
+        for (const RecordKind kind : record_kinds) bytes += topology.record(block, kind).size();
+    return bytes;
 }
 
 } // namespace ciel::store
