@@ -171,14 +171,18 @@ void EveryUse::use(Field& field, Queries* kept) {
 }
 
 void EveryUse::cut(Query& query) {
+    std::vector<Index> some;
+    for (Index b = 1; b < topology_.block_count(); b += 2) some.push_back(b);
     Surface surface;
-    for (const Normals normals : {Normals::gradient, Normals::polygons})
-        for (const double nu : levels)
-            attempt([&] {
-                query.set_normals(normals);
-                query.extract(nu, true, surface);
-                check(surface);
-            });
+    for (const bool all : {false, true})
+        for (const Normals normals : {Normals::gradient, Normals::polygons})
+            for (const double nu : levels)
+                attempt([&] {
+                    query.set_blocks(all ? std::nullopt : std::optional<std::span<const Index>>(some));
+                    query.set_normals(normals);
+                    query.extract(nu, true, surface);
+                    check(surface);
+                });
 }
 
 void EveryUse::sweeps(const Field& field) {

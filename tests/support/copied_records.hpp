@@ -58,14 +58,20 @@ inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind 
     return found;
 }
 
-// Extracts three surfaces with each algorithm, with gradient normals. Returns the last.
+// Extracts three surfaces with each algorithm, with gradient normals, and one of every second block. Returns the last
+// of all blocks.
 [[nodiscard]] inline Surface cut_in_all_ways(const Topology& topology, const FaceMeshView& mesh,
                                              std::span<const float> values) {
     const Field field(topology, values, nullptr);
+    std::vector<Index> second;
+    for (Index b = 1; b < topology.block_count(); b += 2) second.push_back(b);
     Surface surface;
     for (const Algorithm algorithm : {Algorithm::naive, Algorithm::signatures, Algorithm::propagation}) {
         Query query(topology, mesh, algorithm);
         query.set_field(field);
+        query.set_blocks(second);
+        query.extract(0.5, true, surface);
+        query.set_blocks(std::nullopt);
         for (const double nu : {0.3, 0.6, 0.45}) query.extract(nu, true, surface);
     }
     return surface;

@@ -7,6 +7,8 @@
 #include "ciel/threads.hpp"
 
 #include <functional>
+#include <optional>
+#include <span>
 
 namespace ciel {
 
@@ -89,6 +91,12 @@ public:
     // built from. Call Field::vertices_moved too, because gradients depend on positions. Throws Error when the numbers
     // of vertices or cells differ.
     void set_mesh(const FaceMeshView& mesh);
+
+    // Limits the next extractions to some blocks, in any order; nullopt, the default: all blocks. The surface is that
+    // of all blocks without the polygons of the others and without the points that only those have, to the bit. Normals
+    // from polygons are an exception: only the remaining polygons count. Without normals, only the cells of these
+    // blocks are read, unless the algorithm is propagation. Throws Error if a block does not exist.
+    void set_blocks(std::optional<std::span<const Index>> blocks);
 
     // Writes the iso-surface at `nu` to `out` and reuses its buffers. A vertex is high when its value >= nu. Cells that
     // touch a vertex whose value is NaN or infinite are not cut. `normals`: whether to make normals (set_normals).

@@ -19,11 +19,12 @@ struct ActiveBlock {
     std::vector<Index> rank;                // number of active edges before each word of `active`
     std::vector<std::array<Index, 2>> ends; // by active edge, ascending: local end vertices, the lower first
     Index ghosts = 0;                       // number of active ghost edges, which are the first of `ends`
-    std::vector<Index> polygon_cell;        // local cell of each polygon, ascending
-    std::vector<Index> polygon_end;         // end of each polygon in polygon_edge
-    std::vector<Index> polygon_edge;        // local edges of each polygon
-    bool wasted = false;                    // some active edges may be in no polygon
-    bool decided = false;                   // a decider used nu on some face, so the cut depends on nu
+    std::vector<Index> adopted;      // those of them whose points the block makes (AdoptedEdges): indices in `ends`
+    std::vector<Index> polygon_cell; // local cell of each polygon, ascending
+    std::vector<Index> polygon_end;  // end of each polygon in polygon_edge
+    std::vector<Index> polygon_edge; // local edges of each polygon
+    bool wasted = false;             // some active edges may be in no polygon
+    bool decided = false;            // a decider used nu on some face, so the cut depends on nu
 
     // First point, polygon and polygon corner of the block in the current surface. Set by write_surface.
     Index first_point = 0, first_polygon = 0, first_corner = 0;

@@ -4,6 +4,8 @@
 #include "ciel/extract.hpp"
 #include "extraction/cut_block.hpp"
 
+#include <optional>
+
 namespace ciel {
 
 // Not thread-safe; `update` uses all threads of the parallel loop. Borrows the topology and the current field.
@@ -17,6 +19,11 @@ public:
         decider_ = decider;
         for (ActiveBlock& cut : cut_) cut.known = false;
     }
+    // Limits the next updates to some blocks; nullopt: to none of fewer than all. Throws Error if a block does not
+    // exist.
+    void set_blocks(std::optional<std::span<const Index>> blocks);
+    [[nodiscard]] bool has_all() const { return has_.empty(); }
+    [[nodiscard]] bool has(Index block) const { return has_.empty() || has_[block] != 0; }
     // Updates the active blocks and their cuts to nu. Returns false when stopped; the Cutter stays usable.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
@@ -29,6 +36,9 @@ protected:
     Decider decider_ = Decider::isolate_high;
     std::vector<ActiveBlock> cut_;
     std::vector<Index> active_;
+
+private:
+    std::vector<std::uint8_t> has_; // by block: 1 if it is cut; empty if all are
 };
 
 // Classifies each block's vertices against nu. A block keeps its cut while its classification is unchanged. Handles a

@@ -16,6 +16,7 @@ public:
         const float threshold = threshold_of(nu);
         parallel_for(cut_.size(), 2, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
+                if (!has(static_cast<Index>(b))) continue;
                 const std::span<const float> values = field_->of_block(static_cast<Index>(b));
                 CutScratch& scratch = scratch_of_this_thread();
                 (void)classify(values, threshold, scratch, cut_[b]);
@@ -26,7 +27,7 @@ public:
         });
         active_.clear();
         for (Index b = 0; b < cut_.size(); ++b)
-            if (!cut_[b].ends.empty()) active_.push_back(b);
+            if (has(b) && !cut_[b].ends.empty()) active_.push_back(b);
         return !stop.stop_requested();
     }
 

@@ -54,6 +54,7 @@ bool PropagationCutter::update(double nu, const StopToken& stop) {
         return false;
     }
     propagation_.list_blocks(active_);
+    std::erase_if(active_, [this](Index b) { return !has(b); });
     parallel_for(active_.size(), 2, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], nu);
     });

@@ -45,6 +45,8 @@ void Query::set_normals(Normals normals) { state_->normals = normals; }
 
 void Query::set_decider(Decider decider) { state_->cutter->set_decider(decider); }
 
+void Query::set_blocks(std::optional<std::span<const Index>> blocks) { state_->cutter->set_blocks(blocks); }
+
 Query::~Query() = default;
 Query::Query(Query&&) noexcept = default;
 Query& Query::operator=(Query&&) noexcept = default;

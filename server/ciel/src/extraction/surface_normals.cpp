@@ -31,7 +31,8 @@ void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) 
 
 std::size_t SurfaceScratch::memory_bytes() const {
     std::size_t bytes = ranges.capacity() * sizeof(PointRange) + sum.capacity() * sizeof(Vec3d) + doubtful.capacity() +
-                        renumbered.capacity() * sizeof(Index) + elsewhere.capacity() * sizeof(std::vector<Share>);
+                        renumbered.capacity() * sizeof(Index) + adopted.memory_bytes() +
+                        elsewhere.capacity() * sizeof(std::vector<Share>);
     for (const auto& shares : elsewhere) bytes += shares.capacity() * sizeof(Share);
     return bytes;
 }

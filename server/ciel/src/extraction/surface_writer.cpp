@@ -23,10 +23,11 @@ class Writer {
 public:
     Writer(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter, double nu,
            std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out)
-        : blocks_(topology.blocks()), mesh_(mesh), field_(field), active_(cutter.active()), cut_(cutter.cut()), nu_(nu),
-          normals_(normals), scratch_(scratch), out_(out) {}
+        : blocks_(topology.blocks()), mesh_(mesh), field_(field), cutter_(cutter), active_(cutter.active()),
+          cut_(cutter.cut()), nu_(nu), normals_(normals), scratch_(scratch), out_(out) {}
 
     void run() {
+        scratch_.adopted.find(blocks_, cutter_);
         number();
         if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
         parallel_for(active_.size(), fair_grain(active_.size(), most_blocks_per_task),
@@ -39,6 +40,7 @@ public:
                              write_polygons(active_[i], block, point);
                          }
                      });
+        write_adopted();
         if (normals_ == Normals::polygons) {
             list_ranges();
             write_polygon_normals(scratch_, out_);
@@ -51,9 +53,12 @@ private:
     void number();
     void write_points(Index b, const Block& block);
     void write_normals(Index b);
+    void write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index end, Index point);
+    void write_adopted();
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     struct Owner {
         Index block = 0, edge_begin = 0, edges = 0, ghosts = 0; // edge_begin, edges: the edges that the block owns
+        bool is_left_out = false;
     };
     [[nodiscard]] Index point_of_ghost(Index edge, Owner& owner) const;
     void list_ranges();
@@ -62,6 +67,7 @@ private:
     const Topology::Blocks& blocks_;
     const FaceMeshView& mesh_;
     const Field::Data& field_;
+    Cutter& cutter_;
     std::span<const Index> active_;
     std::span<ActiveBlock> cut_;
     double nu_;
@@ -73,8 +79,10 @@ private:
 void Writer::number() {
     std::uint64_t points = 0, polygons = 0, corners = 0;
     out_.chunks.clear();
+    AdoptedEdges& adopted = scratch_.adopted;
     for (const Index b : active_) {
         ActiveBlock& cut = cut_[b];
+        points = adopted.number_below(blocks_.numbers.edge[b], points);
         cut.first_point = static_cast<Index>(points);
         cut.first_polygon = static_cast<Index>(polygons);
         cut.first_corner = static_cast<Index>(corners);
@@ -110,15 +118,32 @@ void Writer::write_points(Index b, const Block& block) {
 void Writer::write_normals(Index b) {
     const ActiveBlock& cut = cut_[b];
     const Vec3f* gradient = field_.gradients.of_block(b);
-    for (Index i = 0; i < cut.owned(); ++i) {
-        const auto [low, high] = cut.ends[cut.ghosts + i];
-        const Vec3f &from = gradient[low], &to = gradient[high];
-        const double t = out_.points[cut.first_point + i].t;
-        Vec3d between{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            between[axis] = from[axis] + t * (static_cast<double>(to[axis]) - from[axis]);
-        out_.normals[cut.first_point + i] = unit(between);
-    }
+    for (Index i = 0; i < cut.owned(); ++i) write_normal(cut, gradient, cut.ghosts + i, cut.first_point + i);
+}
+
+void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index end, Index point) {
+    const auto [low, high] = cut.ends[end];
+    const Vec3f &from = gradient[low], &to = gradient[high];
+    const double t = out_.points[point].t;
+    Vec3d between{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        between[axis] = from[axis] + t * (static_cast<double>(to[axis]) - from[axis]);
+    out_.normals[point] = unit(between);
+}
+
+void Writer::write_adopted() {
+    const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
+    parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (const auto& edge : edges.subspan(begin, end - begin)) {
+            const ActiveBlock& cut = cut_[edge.block];
+            const EdgePoint point =
+                edge_point(blocks_.cells(edge.block), field_.of_block(edge.block), cut.ends[edge.end], nu_);
+            out_.points[edge.point] = point;
+            out_.positions[edge.point] = position_of(point, mesh_.positions);
+            if (normals_ == Normals::gradient)
+                write_normal(cut, field_.gradients.of_block(edge.block), edge.end, edge.point);
+        }
+    });
 }
 
 // Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
@@ -130,9 +155,13 @@ Index Writer::point_of_ghost(Index edge, Owner& owner) const {
         owner.block = static_cast<Index>(std::ranges::upper_bound(begin, edge) - begin.begin() - 1);
         owner.edge_begin = begin[owner.block];
         owner.edges = begin[owner.block + 1] - owner.edge_begin;
-        if (!std::ranges::binary_search(active_, owner.block)) refuse_ghost(owner.block);
-        owner.ghosts = static_cast<Index>(blocks_.cells(owner.block).ghost_edge.size());
+        owner.is_left_out = !cutter_.has(owner.block);
+        if (!owner.is_left_out) {
+            if (!std::ranges::binary_search(active_, owner.block)) refuse_ghost(owner.block);
+            owner.ghosts = static_cast<Index>(blocks_.cells(owner.block).ghost_edge.size());
+        }
     }
+    if (owner.is_left_out) return scratch_.adopted.point_of(edge);
     const ActiveBlock& cut = cut_[owner.block];
     const Index local = edge - owner.edge_begin + owner.ghosts;
     if ((cut.active[local / 64] >> local % 64 & 1) == 0) [[unlikely]]

@@ -3,7 +3,7 @@
 // the parallel loop.
 #pragma once
 
-#include "extraction/cutter.hpp"
+#include "extraction/adopted_edges.hpp"
 #include "fields/field_data.hpp"
 
 #include <optional>
@@ -21,6 +21,7 @@ struct SurfaceScratch {
         Index point;
         Vec3d area;
     };
+    AdoptedEdges adopted;
     std::vector<PointRange> ranges;
     std::vector<Vec3d> sum;                    // by point: sum of the area vectors of the polygons around it
     std::vector<std::vector<Share>> elsewhere; // by range: area vectors of its polygons at points of other ranges

@@ -114,7 +114,7 @@ void Pass::want(Index b, const ActiveBlock& cut) {
     const std::span<std::uint8_t> state = states(block);
     std::vector<Index>& found = scratch_of_this_thread().wanted;
     found.clear();
-    for (const auto& ends : std::span(cut.ends).subspan(cut.ghosts))
+    const auto want_both = [&](const std::array<Index, 2>& ends) {
         for (const Index v : ends) {
             // Atomic, because the task of another block may set asked_by_neighbour at the same time.
             std::atomic_ref here(state[v]);
@@ -122,6 +122,9 @@ void Pass::want(Index b, const ActiveBlock& cut) {
             here.fetch_or(wanted, std::memory_order_relaxed);
             found.push_back(v);
         }
+    };
+    std::ranges::for_each(std::span(cut.ends).subspan(cut.ghosts), want_both);
+    for (const Index ghost : cut.adopted) want_both(cut.ends[ghost]);
     if (found.empty()) return;
     if (found.size() <= few) return solve_one_by_one(b, found);
     mark_busy(b);
