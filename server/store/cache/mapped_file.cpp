@@ -39,15 +39,23 @@ bool is_same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.t
 
 } // namespace
 
-MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost)
+MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost, std::size_t tail)
     : path_(std::move(file)), any_lost_(std::move(any_lost)) {
     if (bytes == 0) return; // Zarr writes no chunk for an empty array
     const Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (in.get() < 0) refuse_absent(path_);
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
-    void* data = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, in.get(), 0);
+    // First zeros for all, then the file over their begin.
+    mapped_ = bytes + tail;
+    void* data = ::mmap(nullptr, mapped_, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
+    if (::mmap(data, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, in.get(), 0) == MAP_FAILED) {
+        const int failed = errno;
+        ::munmap(data, mapped_);
+        errno = failed;
+        refuse_errno(path_, "cannot be mapped");
+    }
     data_ = data;
     size_ = bytes;
     watched_ = watch_mapping(data_, size_, *any_lost_);
@@ -56,21 +64,38 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
 MappedFile::~MappedFile() {
     if (data_ == nullptr) return;
     unwatch_mapping(watched_);
-    ::munmap(data_, size_);
+    ::munmap(data_, mapped_);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
-      opened_(other.opened_), any_lost_(std::move(other.any_lost_)), watched_(std::exchange(other.watched_, nullptr)) {}
+      mapped_(std::exchange(other.mapped_, 0)), opened_(other.opened_), any_lost_(std::move(other.any_lost_)),
+      watched_(std::exchange(other.watched_, nullptr)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
+    std::swap(mapped_, other.mapped_);
     std::swap(opened_, other.opened_);
     std::swap(any_lost_, other.any_lost_);
     std::swap(watched_, other.watched_);
     return *this;
+}
+
+void MappedFile::expect_random_reads() const {
+    if (size_ != 0) (void)::madvise(data_, size_, MADV_RANDOM);
+}
+
+void MappedFile::load(std::span<const std::byte> part) const {
+    constexpr int populate_read = 22; // MADV_POPULATE_READ, since Linux 5.14; others answer EINVAL, and pages are read
+                                      // when they are touched
+    static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto address = reinterpret_cast<std::uintptr_t>(part.data());
+    const std::uintptr_t before = address % page;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its page
+    if (::madvise(reinterpret_cast<void*>(address - before), part.size() + before, populate_read) == 0) return;
+    if (errno == EFAULT || errno == EHWPOISON) refuse();
 }
 
 void MappedFile::check_size() const {
@@ -80,6 +105,8 @@ void MappedFile::check_size() const {
     if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
     if (static_cast<std::size_t>(status.st_size) < size_) refuse_shrunken(path_);
 }
+
+bool MappedFile::is_lost() const { return watched_ != nullptr && loss_of(*watched_) != Loss::none; }
 
 void MappedFile::check_intact() const {
     if (watched_ == nullptr) return;

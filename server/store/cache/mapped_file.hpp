@@ -26,7 +26,8 @@ class MappedFile {
 public:
     MappedFile() = default;
     // Throws Error when `file` is missing, not a regular file, or not `bytes` long. If `bytes` is 0, opens no file.
-    MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost());
+    // `tail`: number of bytes behind the file that can be read, too; they are 0.
+    MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost(), std::size_t tail = 0);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
@@ -40,8 +41,15 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
+    // Expect that parts are read here and there, so that a part is not read with what lies behind it.
+    void expect_random_reads() const;
+    // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the
+    // mapping is lost then.
+    void load(std::span<const std::byte> part) const;
+
     // Throws Error when the mapping is lost, or when the file at the path is shorter than the mapping.
     void check_size() const;
+    [[nodiscard]] bool is_lost() const;
     // Throws Error when the mapping is lost. Then everything that was read from it must be discarded.
     void check_intact() const;
     // Returns whether the times of the mapped file's inode have changed since it was opened or since accept_touch: its
@@ -55,8 +63,8 @@ public:
 private:
     std::filesystem::path path_;
     void* data_ = nullptr;
-    std::size_t size_ = 0;
-    struct stat opened_ {}; // status of the file when it was opened or at the last accept_touch
+    std::size_t size_ = 0, mapped_ = 0; // mapped_: with the tail
+    struct stat opened_ {};             // status of the file when it was opened or at the last accept_touch
     AnyLost any_lost_;
     WatchedMapping* watched_ = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "store/cache/stored_blocks.hpp"
 
+#include "store/files/local_files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/file_head.hpp"
 #include "store/format/layout.hpp"
@@ -10,10 +11,24 @@
 namespace ciel::store {
 namespace {
 
-// Keeps the records that a Topology has used. Thread-safe.
-class Source final : public RecordSource {
+// What a changed record may lead to behind its end (RecordSource).
+constexpr std::size_t tail_bytes = std::size_t{1} << 20;
+
+class MappedSource final : public RecordSource {
 public:
-    Source(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
+    explicit MappedSource(std::shared_ptr<const StoredBlocks> blocks) : blocks_(std::move(blocks)) {}
+
+    std::span<const std::byte> record(Index block, RecordKind kind) override { return blocks_->mapped(block, kind); }
+    [[nodiscard]] std::size_t memory_bytes() const override { return 0; }
+
+private:
+    std::shared_ptr<const StoredBlocks> blocks_;
+};
+
+// Keeps copies of the records that a Topology has used. Thread-safe.
+class CopyingSource final : public RecordSource {
+public:
+    CopyingSource(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
         : blocks_(std::move(blocks)), is_trusted_(is_trusted) {
         for (auto& of_kind : kept_) of_kind.resize(blocks_->block_count());
     }
@@ -58,16 +73,32 @@ InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::
 
 } // namespace
 
-StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost)
-    : any_lost_(std::move(any_lost)), index_(read_index(mesh, dataset_id)) {
-    for (std::size_t kind = 0; kind < record_kinds.size(); ++kind)
-        for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i)
-            files_[kind].push_back(std::make_unique<File>(
-                open_records(mesh, record_kinds[kind], i, index_.file_bytes[kind][i], dataset_id)));
+RecordAccess access_to(const std::filesystem::path& directory) {
+    return is_on_this_machine(directory) ? RecordAccess::mapped : RecordAccess::read;
+}
+
+StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
+                           RecordAccess access)
+    : any_lost_(std::move(any_lost)), access_(access), index_(read_index(mesh, dataset_id)) {
+    for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
+        verified_[kind] = std::make_unique<std::atomic<std::uint8_t>[]>(block_count());
+        for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i) {
+            const std::uint64_t bytes = index_.file_bytes[kind][i];
+            auto file = std::make_unique<File>(open_records(mesh, record_kinds[kind], i, bytes, dataset_id));
+            if (access_ == RecordAccess::mapped) {
+                file->mapped = MappedFile(file->in.path(), bytes, any_lost_, tail_bytes);
+                file->mapped.expect_random_reads();
+            }
+            files_[kind].push_back(std::move(file));
+        }
+    }
 }
 
 Topology StoredBlocks::topology(bool is_trusted) const {
-    return {std::as_bytes(std::span(index_.tables)), std::make_unique<Source>(shared_from_this(), is_trusted)};
+    const auto tables = std::as_bytes(std::span(index_.tables));
+    if (access_ == RecordAccess::mapped && !is_trusted)
+        return {tables, std::make_unique<MappedSource>(shared_from_this())};
+    return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }
 
 // Returns whether the record has its checksum.
@@ -83,7 +114,24 @@ std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) cons
     const RecordPlace& place = index_.places[of_kind].at(block);
     File& file = *files_[of_kind][place.file];
     std::vector<std::uint64_t> record;
-    if (read_into(place, file, record)) return record;
+    if (!read_into(place, file, record)) refuse_record(file, block);
+    return record;
+}
+
+std::span<const std::byte> StoredBlocks::mapped(Index block, RecordKind kind) const {
+    const std::size_t of_kind = place_of_kind(kind);
+    const RecordPlace& place = index_.places[of_kind].at(block);
+    File& file = *files_[of_kind][place.file];
+    const auto record = file.mapped.bytes().subspan(place.offset * record_alignment, place.raw * record_word);
+    std::atomic<std::uint8_t>& verified = verified_[of_kind][block];
+    if (verified != 0) return record;
+    file.mapped.load(record);
+    if (checksum_number(record) != place.checksum) refuse_record(file, block);
+    verified = 1;
+    return record;
+}
+
+void StoredBlocks::refuse_record(File& file, Index block) const {
     const std::lock_guard lock(checking_);
     if (file.in.changed_at() != file.changed_at) lose(file);
     refuse_damage(file.in.path(), "does not match the checksum of block " + std::to_string(block));
@@ -109,7 +157,7 @@ void StoredBlocks::check_file(std::size_t kind, std::size_t number) const {
 void StoredBlocks::check_intact() const {
     for (const auto& of_kind : files_)
         for (const auto& file : of_kind)
-            if (file->is_lost) lose(*file);
+            if (file->is_lost || file->mapped.is_lost()) lose(*file);
 }
 
 void StoredBlocks::lose(File& file) const {

@@ -1,5 +1,5 @@
-// StoredBlocks: the records of a mesh's blocks in their files. A record is read, and compared with its checksum, when
-// it is first asked for.
+// StoredBlocks: the records of a mesh's blocks in their files. A record is compared with its checksum when it is first
+// asked for.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -13,19 +13,31 @@
 
 namespace ciel::store {
 
+// How a topology gets a record: where it lies in the mapped file, which all processes share, or as a copy of its own.
+// Files of other machines are read, since a page of theirs can be lost at any time.
+enum class RecordAccess { mapped, read };
+[[nodiscard]] RecordAccess access_to(const std::filesystem::path& directory);
+
 // Thread-safe. Topologies that are made from it keep it alive. A file that is truncated or rewritten in place is lost:
-// its records that were read before stay as they are, and check_intact throws.
+// check_intact throws. Its records that were read before stay as they are; mapped ones show zeros or the new content,
+// with which a topology does nothing that is not in bounds (RecordSource).
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
     // Reads the index of the mesh and opens the files of records; reads no record. Throws Error that names the file
     // when one is missing, damaged, of a newer format, or of a dataset with another id.
-    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost());
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
+                 RecordAccess access);
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
+        : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
-    // Returns a topology that reads a record when it is first used, and keeps it. is_trusted: this process has written
-    // the records, so their content is not checked.
+    // Returns a topology that takes a record when it is first used. is_trusted: this process has written the records,
+    // so their content is not checked; they are read.
     [[nodiscard]] Topology topology(bool is_trusted = false) const;
     // Reads a record. Throws Error that names the file when it cannot be read or does not match its checksum.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
+    // Returns a record in its mapped file; likewise. Only for RecordAccess::mapped.
+    [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
+    [[nodiscard]] RecordAccess access() const { return access_; }
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
     // Throws Error when a file was changed in place and a record no longer has its checksum. Makes a stat call per
     // file.
@@ -37,17 +49,22 @@ private:
         explicit File(InputFile file) : in(std::move(file)), changed_at(in.changed_at()) {}
 
         InputFile in;
+        MappedFile mapped;                      // empty if records are read
         std::array<std::int64_t, 2> changed_at; // when its content was last known to be right
         std::atomic<bool> is_lost = false;
     };
     [[nodiscard]] bool read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const;
     void check_file(std::size_t kind, std::size_t number) const;
+    [[noreturn]] void refuse_record(File& file, Index block) const;
     [[noreturn]] void lose(File& file) const;
 
     AnyLost any_lost_;
+    RecordAccess access_;
     BlockIndex index_;
     std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by kind, by number
     mutable std::mutex checking_;                             // guards changed_at of all files
+    // By kind, by block: 1 if the mapped record has had its checksum.
+    std::array<std::unique_ptr<std::atomic<std::uint8_t>[]>, 3> verified_;
 };
 
 } // namespace ciel::store
