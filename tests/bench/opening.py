@@ -2,18 +2,23 @@
 """How soon a server that has just been started shows a dataset, and what it holds then.
 
 usage: opening.py CIEL DATASET.ciel [--scene SCENE.json] [--size WxH]
-Starts a server, asks for dataset.describe, opens the default scene and renders it. Prints one JSON line: seconds from the start of
-the program to each answer, and the server's memory in MiB: its own, mapped files, and the peak of both.
+Starts a server, asks for dataset.describe, opens the default scene and a view of it, as the page does. Prints one JSON line: seconds
+from the start of the program to each answer, to the first frame and to the first still; the milliseconds that these frames took; and
+the server's memory in MiB: its own, mapped files, and the peak of both.
 """
 
 import argparse
+import asyncio
 import json
 import pathlib
 import re
 import subprocess
 import time
-import urllib.request
 
+import websockets
+from drag import Client, fields
+
+STILL = 1
 TOKEN = "opening-bench"
 
 
@@ -23,8 +28,37 @@ def memory(process):
     return {"own": own, "mapped": mapped, "peak": peak}
 
 
+async def opening(options, port, seconds, begin):
+    def note(name):
+        seconds.setdefault(name, round(time.monotonic() - begin, 3))
+
+    url = f"ws://127.0.0.1:{port}/ws?token={TOKEN}"
+    async with websockets.connect(url, subprotocols=["ciel.v1"], max_size=None) as socket:
+        client = Client(socket)
+        await client.call("dataset.describe", dataset=options.dataset.stem)
+        note("describe")
+        scene = {"dataset": options.dataset.stem}
+        if options.scene:
+            scene = {**json.loads(options.scene.read_text(encoding="utf-8")), **scene}
+            session = (await client.call("session.open", scene=scene))["session"]
+        else:
+            session = (await client.call("session.open", dataset=options.dataset.stem))["session"]
+        note("session")
+        width, height = (int(side) for side in options.size.split("x"))
+        view = (await client.call("view.open", session=session, width=width, height=height))["view"]
+        steps = {}
+        while "still" not in seconds:
+            _, message = await client.frames.get()
+            row = fields(message)
+            name = "still" if row["flags"] & STILL else "first frame"
+            note(name)
+            steps.setdefault(name, {step: round(row[step]) for step in ("wait", "extract", "draw", "encode", "triangles")})
+            await client.ack(view, row["frame"])
+        return steps
+
+
 def main():
-    parser = argparse.ArgumentParser(usage=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ciel")
     parser.add_argument("dataset", type=pathlib.Path)
     parser.add_argument("--scene", type=pathlib.Path, help="shown instead of the default scene")
@@ -34,27 +68,13 @@ def main():
     server = subprocess.Popen(
         [options.ciel, "serve", options.dataset, "--port", "0", "--token", TOKEN], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
-    address = next(found.group() for line in server.stdout if (found := re.search(r"http://[^\s/]+", line)))
-
-    def call(name, method, **params):
-        body = json.dumps({"jsonrpc": "2.0", "id": 1, "method": method, "params": params}).encode()
-        headers = {"Content-Type": "application/json", "Authorization": f"Bearer {TOKEN}"}
-        with urllib.request.urlopen(urllib.request.Request(address + "/rpc", body, headers), timeout=600) as answer:
-            result = json.load(answer)["result"]
-        seconds[name] = round(time.monotonic() - begin, 3)
-        return result
-
-    dataset = options.dataset.stem
-    call("describe", "dataset.describe", dataset=dataset)
-    session = call("session", "session.open", scene={"dataset": dataset})["session"]
-    scene = call("default scene", "dataset.open", session=session, dataset=dataset)["scene"]
-    if options.scene:
-        scene = {**json.loads(options.scene.read_text(encoding="utf-8")), "dataset": dataset}
-    width, height = (int(side) for side in options.size.split("x"))
-    call("picture", "picture.render", scene=scene, width=width, height=height)
-    print(json.dumps({"dataset": dataset, "seconds": seconds, "MiB": memory(server)}))
-    server.terminate()
-    server.wait()
+    try:
+        port = next(found.group(1) for line in server.stdout if (found := re.search(r"http://[^\s/]+:(\d+)", line)))
+        steps = asyncio.run(opening(options, port, seconds, begin))
+        print(json.dumps({"dataset": options.dataset.stem, "seconds": seconds, "ms": steps, "MiB": memory(server)}))
+    finally:
+        server.terminate()
+        server.wait()
 
 
 if __name__ == "__main__":

@@ -31,18 +31,20 @@ private:
 // The local end vertices of each edge, as the cells tell them.
 class EdgeEnds {
 public:
-    explicit EdgeEnds(Index edges) : ends_(edges, {none, none}) {}
+    explicit EdgeEnds(Index edges) : ends_(edges, unknown) {}
 
     // Returns false if the edge has other ends, or only one, or does not exist.
     [[nodiscard]] bool agrees(Index edge, Index a, Index b) {
         if (edge >= ends_.size()) return false; // the record changed after the check of its numbers
-        const std::array<Index, 2> here{std::min(a, b), std::max(a, b)};
-        if (ends_[edge][0] == none) ends_[edge] = here;
-        return here[0] != here[1] && ends_[edge] == here;
+        const std::uint64_t here = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+        std::uint64_t& known = ends_[edge];
+        if (known == unknown) known = here;
+        return a != b && known == here;
     }
 
 private:
-    std::vector<std::array<Index, 2>> ends_;
+    static constexpr std::uint64_t unknown = ~std::uint64_t{0};
+    std::vector<std::uint64_t> ends_; // both ends in one number, since two compare slower
 };
 
 template <class Section>
@@ -59,21 +61,23 @@ void check_cell_list(const Checker& checker, const Section& section, const Block
 }
 
 void check_standard(const Checker& checker, const StandardSection& section, const Block& block, EdgeEnds& ends) {
-    const StandardShape& shape = *section.shape;
+    const StandardShape& of_section = *section.shape;
     const std::size_t cells = section.cells;
-    checker.require(cells <= local_ids && section.vertex.size() == cells * shape.corners &&
-                        section.edge.size() == cells * shape.edges &&
+    checker.require(cells <= local_ids && section.vertex.size() == cells * of_section.corners &&
+                        section.edge.size() == cells * of_section.edges &&
                         section.group_parts.size() == section.group_count(),
                     "the arrays of a section do not fit each other");
     check_cell_list(checker, section, block);
     checker.below(section.vertex, block.vertex_count, "a cell names a vertex that the block does not have");
     checker.below(section.edge, block.edge_count, "a cell names an edge that the block does not have");
     bool agree = true;
-    for (std::size_t i = 0; i < cells; ++i)
-        for (std::size_t e = 0; e < shape.edges; ++e)
-            agree &= ends.agrees(read_once(section.edge[i * shape.edges + e]),
-                                 section.vertex[i * shape.corners + shape.edge_ends[e][0]],
-                                 section.vertex[i * shape.corners + shape.edge_ends[e][1]]);
+    with_shape(of_section.type, [&]<const StandardShape & shape>() {
+        for (std::size_t i = 0; i < cells; ++i)
+            for (std::size_t e = 0; e < shape.edges; ++e)
+                agree &= ends.agrees(read_once(section.edge[i * shape.edges + e]),
+                                     section.vertex[i * shape.corners + shape.edge_ends[e][0]],
+                                     section.vertex[i * shape.corners + shape.edge_ends[e][1]]);
+    });
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
@@ -162,12 +166,17 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
 // Checks that each ghost is one of its owner's, and that they ascend. `begin`: first id of each block. `neighbours` are
 // those of the record.
 void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const Index> begin, Index number) {
-    Index last = none;
+    Index last = none, owner = none, first = 0, count = 0; // count: of what the owner of the last ghost has
     const auto check = [&](Index neighbour, Index index) {
-        checker.require(neighbour < ghosts.begin.size(), "a ghost is not of a neighbor");
-        const Index first = ghosts.begin[neighbour];
-        const auto owner = std::ranges::upper_bound(begin, first);
-        checker.require(owner != begin.end() && index < *owner - first, "a ghost is not one of its owner's");
+        if (neighbour != owner) {
+            checker.require(neighbour < ghosts.begin.size(), "a ghost is not of a neighbor");
+            first = ghosts.begin[neighbour];
+            const auto next = std::ranges::upper_bound(begin, first);
+            checker.require(next != begin.end(), "a ghost is not of a neighbor");
+            owner = neighbour;
+            count = *next - first;
+        }
+        checker.require(index < count, "a ghost is not one of its owner's");
         const Index id = first + index;
         checker.require(id < begin[number] && (last == none || id > last), "the ghosts do not ascend");
         last = id;
