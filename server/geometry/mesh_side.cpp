@@ -7,15 +7,15 @@
 namespace ciel::geometry {
 namespace {
 
-double rounding(std::array<float, 2> range) {
-    return 1e-6 * (static_cast<double>(range[1]) - static_cast<double>(range[0]));
+double rounding(std::array<double, 2> range) {
+    return 1e-6 * (range[1] - range[0]);
 }
 
 } // namespace
 
-std::optional<double> side_at(double nu, std::array<float, 2> range) {
+std::optional<double> side_at(double nu, std::array<double, 2> range) {
     const auto [low, high] = range;
-    if (std::abs(nu - low) <= rounding(range)) return std::nextafter(low, high);
+    if (std::abs(nu - low) <= rounding(range)) return std::nextafter(static_cast<float>(low), static_cast<float>(high));
     if (std::abs(nu - high) <= rounding(range)) return high;
     return {};
 }

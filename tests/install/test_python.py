@@ -63,6 +63,24 @@ def test_types_and_strides_give_the_same(python):
     )
 
 
+def test_doubles_and_integers_are_not_rounded_to_floats(python):
+    check(
+        python,
+        """
+        points, types, offsets, connectivity = box(6)
+        mesh = cm.Mesh.from_cells(points, types, offsets, connectivity)
+        pressure = 101325 + 0.001 * points[:, 0]
+        surface = cm.contour(mesh, pressure, 101325.0025)
+        assert np.abs(surface.points[:, 0] - 2.5).max() < 1e-6
+        found = cm.interpolate(surface, mesh, pressure)
+        assert found.dtype == np.float64 and np.abs(found - 101325.0025).max() < 1e-9
+        ids = 2**24 + points[:, 0].astype(np.int64)
+        assert np.abs(cm.contour(mesh, ids, 2**24 + 2.5).points[:, 0] - 2.5).max() < 1e-6
+        assert cm.interpolate(surface, mesh, points.astype(np.float32)).dtype == np.float32
+        """,
+    )
+
+
 def test_a_slider_goes_on_through_time_and_moves(python):
     check(
         python,

@@ -61,18 +61,18 @@ TEST_P(Fields, MinimaAreThoseOfTheOrderByValueAndId) {
 TEST_P(Fields, RangeIsOfFiniteValues) {
     std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 121));
     if (values.empty()) {
-        EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array{0.0F, 0.0F}));
+        EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array{0.0, 0.0}));
         return;
     }
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array{*low, *high}));
+    EXPECT_EQ(make_field(mesh.topology, values).range(), (std::array<double, 2>{*low, *high}));
     const float infinity = std::numeric_limits<float>::infinity();
     for (float bad : {std::nanf(""), infinity, -infinity}) {
         std::vector<float> holed = values;
         holed[0] = bad;
         const auto [l, h] = std::minmax_element(values.begin() + 1, values.end());
-        EXPECT_EQ(make_field(mesh.topology, holed).range(), (std::array{*l, *h})) << bad;
-        EXPECT_EQ(make_field(mesh.topology, std::vector<float>(values.size(), bad)).range(), (std::array{0.0F, 0.0F}));
+        EXPECT_EQ(make_field(mesh.topology, holed).range(), (std::array<double, 2>{*l, *h})) << bad;
+        EXPECT_EQ(make_field(mesh.topology, std::vector<float>(values.size(), bad)).range(), (std::array{0.0, 0.0}));
     }
 }
 

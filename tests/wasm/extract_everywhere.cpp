@@ -33,7 +33,7 @@ void record_surface(const std::string& where, const Surface& surface, std::span<
     results.record(where, surface);
     results.record(where, "triangles", triangulate(surface));
     std::vector<Vec3f> colors(surface.points.size());
-    interpolate(surface.points, {gradients.data()->data(), 3 * gradients.size()}, 3,
+    interpolate(surface.points, std::span<const float>(gradients.data()->data(), 3 * gradients.size()), 3,
                 {colors.data()->data(), 3 * colors.size()});
     results.record(where, "interpolated gradients", colors);
 }
@@ -41,7 +41,7 @@ void record_surface(const std::string& where, const Surface& surface, std::span<
 void record_field(const Meshes& meshes, const FieldPair& fields, Results& results) {
     const Field field(meshes.topology, fields.values, nullptr);
     const std::vector<Vec3f> gradients = vertex_gradients(meshes.topology, meshes.view(), fields.values);
-    results.record(fields.where, "range", std::span<const float>(field.range()));
+    results.record(fields.where, "range", std::span<const double>(field.range()));
     results.record(fields.where, "minima", field.sorted_minima());
     results.record(fields.where, "gradients", gradients);
     const std::array ambiguous{count_ambiguous_faces(meshes.view(), fields.values)};

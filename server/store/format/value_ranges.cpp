@@ -2,6 +2,8 @@
 
 #include "store/format/byte_arrays.hpp"
 
+#include <algorithm>
+
 namespace ciel::store {
 namespace {
 
@@ -9,11 +11,31 @@ namespace {
 struct RangesHead {
     std::uint64_t blocks = 0, scalars = 0;
     std::uint64_t chunk_checksum = 0;
-    std::array<char, 8> type{'<', 'f', '4'};
+    std::array<char, 8> type{'<', 'f', '4'}; // of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
     std::array<std::uint64_t, 2> reserved{}; // offsets of a histogram and of checksums by 64 KiB
 };
 static_assert(sizeof(RangesHead) == 72);
+
+constexpr std::array<char, 8> floats_type{'<', 'f', '4'}, doubles_type{'<', 'f', '8'};
+
+bool is_float(double limit) { return static_cast<float>(limit) == limit; }
+bool are_floats(const BlockRanges& ranges) {
+    return std::ranges::all_of(ranges.low, is_float) && std::ranges::all_of(ranges.high, is_float);
+}
+
+void add_limits(ByteWriter& out, const std::vector<double>& limits, bool floats) {
+    if (floats)
+        out.add(std::span<const float>(std::vector<float>(limits.begin(), limits.end())));
+    else
+        out.add(std::span(limits));
+}
+
+std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
+    if (!floats) return read.array<double>(begin, count);
+    const std::vector<float> limits = read.array<float>(begin, count);
+    return {limits.begin(), limits.end()};
+}
 
 } // namespace
 
@@ -23,13 +45,16 @@ std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& da
     head.blocks = ranges.empty() ? 0 : ranges[0].low.size();
     head.scalars = ranges.size();
     head.chunk_checksum = chunk_checksum;
+    const bool floats = std::ranges::all_of(ranges, are_floats);
+    head.type = floats ? floats_type : doubles_type;
+    const std::uint64_t limits_bytes = head.scalars * head.blocks * (floats ? sizeof(float) : sizeof(double));
     head.low = file_head_bytes + sizeof head;
-    head.high = head.low + head.scalars * head.blocks * sizeof(float);
-    head.missing = head.high + head.scalars * head.blocks * sizeof(float);
+    head.high = head.low + limits_bytes;
+    head.missing = head.high + limits_bytes;
     ByteWriter out(FileKind::ranges, dataset_id);
     out.add(head);
-    for (const BlockRanges& of : ranges) out.add(std::span<const float>(of.low));
-    for (const BlockRanges& of : ranges) out.add(std::span<const float>(of.high));
+    for (const BlockRanges& of : ranges) add_limits(out, of.low, floats);
+    for (const BlockRanges& of : ranges) add_limits(out, of.high, floats);
     for (const BlockRanges& of : ranges) out.add(std::span<const std::uint32_t>(of.missing));
     return out.finish();
 }
@@ -39,14 +64,16 @@ std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes, 
                                               const std::filesystem::path& file) {
     const ByteReader read(bytes, FileKind::ranges, dataset_id, file);
     const RangesHead head = read.array<RangesHead>(file_head_bytes, 1).front();
-    if (head.type != RangesHead{}.type) read.refuse_unknown("a type of numbers");
+    const bool floats = head.type == floats_type;
+    if (!floats && head.type != doubles_type) read.refuse_unknown("a type of numbers");
     if (head.blocks != blocks || head.scalars != scalars) read.refuse_damage("belongs to another array");
     if (head.chunk_checksum != chunk_checksum) return std::nullopt;
     ValueRanges ranges(scalars);
     for (std::size_t i = 0; i < scalars; ++i) {
-        ranges[i].low = read.array<float>(head.low + i * blocks * sizeof(float), blocks);
-        ranges[i].high = read.array<float>(head.high + i * blocks * sizeof(float), blocks);
-        ranges[i].missing = read.array<std::uint32_t>(head.missing + i * blocks * sizeof(float), blocks);
+        const std::uint64_t before = i * blocks * (floats ? sizeof(float) : sizeof(double));
+        ranges[i].low = read_limits(read, head.low + before, blocks, floats);
+        ranges[i].high = read_limits(read, head.high + before, blocks, floats);
+        ranges[i].missing = read.array<std::uint32_t>(head.missing + i * blocks * sizeof(std::uint32_t), blocks);
     }
     return ranges;
 }

@@ -109,7 +109,7 @@ public:
         : data_(data), field_(bench::field_of(data, data.values)), query_(*data.topology, data.mesh) {
         query_.set_field(field_);
     }
-    [[nodiscard]] std::array<float, 2> range() const { return field_.range(); }
+    [[nodiscard]] std::array<double, 2> range() const { return field_.range(); }
     std::uint64_t extract(const std::vector<double>& values, bool normals) {
         std::uint64_t triangles = 0;
         for (const double nu : values) {

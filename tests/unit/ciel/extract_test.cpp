@@ -190,7 +190,7 @@ TEST(Extract, PassesOverCellsThatTouchAVertexWithoutAValue) {
                 if (p[0] == 2 && p[1] == 3) holed[v] = hole;
             }
             const Field field(topology, holed, nullptr);
-            EXPECT_EQ(field.range(), (std::array<float, 2>{0, 1}));
+            EXPECT_EQ(field.range(), (std::array<double, 2>{0, 1}));
             Query query(topology, mesh.view(), algorithm);
             Surface surface;
             query.set_field(whole);

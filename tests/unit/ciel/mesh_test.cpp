@@ -103,7 +103,7 @@ TEST(Mesh, IdsInResultsAreTheCallers) {
         }
         EXPECT_TRUE(low < 1.7 && high >= 1.7) << cell;
     }
-    const std::vector<float> interpolated = interpolate(surface, mesh, radius);
+    const std::vector<double> interpolated = interpolate(surface, mesh, radius);
     for (const float value : interpolated) EXPECT_NEAR(value, 1.7, 1e-5);
 }
 

@@ -72,9 +72,14 @@ protected:
     fs::path directory = scratch / "box.ciel";
 };
 
+std::vector<double> numbers(const ScalarField& scalar) {
+    return scalar.field->values().with(
+        [](const auto& values) { return std::vector<double>(values.begin(), values.end()); });
+}
+
 TEST_F(LoadedTest, ScalarsComponentsAndMagnitudes) {
     LoadedDataset loaded(Dataset::open(directory), 1 << 20);
-    EXPECT_THAT(loaded.scalar("p", 0).field->values(), ElementsAreArray(test::values_of(27, 0)));
+    EXPECT_THAT(numbers(loaded.scalar("p", 0)), ElementsAreArray(test::values_of(27, 0)));
     const auto u = loaded.dataset()->values("U", 2);
     const auto y = loaded.scalar_values("U:y", 2), magnitude = loaded.scalar_values("U:magnitude", 2);
     ASSERT_EQ(y->size(), 27U);
@@ -82,7 +87,7 @@ TEST_F(LoadedTest, ScalarsComponentsAndMagnitudes) {
         EXPECT_EQ((*y)[i], u[3 * i + 1]);
         EXPECT_FLOAT_EQ((*magnitude)[i], std::hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
     }
-    EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->values(), ElementsAreArray(*magnitude));
+    EXPECT_THAT(numbers(loaded.scalar("U:magnitude", 2)), ElementsAreArray(*magnitude));
     EXPECT_EQ(loaded.cell_values("cell:p", 0)->size(), loaded.dataset()->values("cell:p", 0).size());
     EXPECT_THROW((void)loaded.cell_values("p", 0), Error);
     EXPECT_THROW((void)loaded.scalar_values("cell:p", 0), Error);
@@ -142,7 +147,7 @@ TEST_F(LoadedTest, RefreshKeepsWhatIsThere) {
     Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
     EXPECT_TRUE(loaded.refresh());
     EXPECT_EQ(loaded.scalar("p", 0).field, before.field);
-    EXPECT_THAT(loaded.scalar("p", 3).field->values(), ElementsAreArray(p));
+    EXPECT_THAT(numbers(loaded.scalar("p", 3)), ElementsAreArray(p));
 }
 
 TEST_F(LoadedTest, AFileTruncatedUnderAReaderIsNamedAndTheProcessLives) {

@@ -346,15 +346,18 @@ void add_functions(py::module_& module) {
         "interpolate",
         [](const PySurface& surface, const ciel::Mesh& mesh, const py::array& values) {
             const ArrayView numbers = view_of(values, "values");
-            std::vector<float> out;
+            std::vector<double> out;
             {
                 const py::gil_scoped_release free;
                 out = ciel::interpolate(surface.surface, mesh, numbers);
             }
-            return array_of<float>(std::move(out), numbers.columns());
+            if (numbers.type() != ciel::NumberType::float32)
+                return py::array(array_of<double>(std::move(out), numbers.columns()));
+            return py::array(array_of<float>(std::vector<float>(out.begin(), out.end()), numbers.columns()));
         },
         py::arg("surface"), py::arg("mesh"), py::arg("values"),
-        "values: (V,) or (V, K), per point of the mesh. Returns float32 (N,) or (N, K), per point of the surface.");
+        "values: (V,) or (V, K), per point of the mesh. Returns (N,) or (N, K), per point of the surface: float32 for\n"
+        "float32, else float64.");
     module.def(
         "gradients",
         [](const ciel::Mesh& mesh, const py::array& values) {

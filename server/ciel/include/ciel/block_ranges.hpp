@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ciel/topology.hpp"
+#include "ciel/values_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,13 +14,13 @@ namespace ciel {
 
 // By block, over all its vertices, those that it shares with other blocks too.
 struct BlockRanges {
-    std::vector<float> low, high;       // of the finite values; low > high if there are none
+    std::vector<double> low, high;      // of the finite values; low > high if there are none
     std::vector<std::uint32_t> missing; // number of vertices with NaN or an infinity
 };
 
 // values: one per vertex, in the topology's order. Reads the cells of every block. Uses all threads of the parallel
 // loop. Throws Error on another number of values.
-[[nodiscard]] BlockRanges block_ranges(const Topology& topology, std::span<const float> values);
+[[nodiscard]] BlockRanges block_ranges(const Topology& topology, ValuesView values);
 
 // The boxes around the vertices of each block: ranges of x, y and z.
 using BlockBoxes = std::array<BlockRanges, 3>;

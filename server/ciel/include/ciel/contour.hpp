@@ -52,7 +52,7 @@ private:
 
 // Interpolates `values` at the points of the surface. values: one row per point of the mesh. Returns one row of the
 // same width per point of the surface, row by row. Throws Error on another number of rows.
-[[nodiscard]] std::vector<float> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values);
+[[nodiscard]] std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values);
 
 // Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). values: one
 // per point; throws Error on another number. The gradient of a point is zero if none of its cells has both a volume

@@ -18,9 +18,8 @@ struct EdgePoint {
     float t;    // 0 at a, 1 at b
 };
 
-[[nodiscard]] inline float lerp(float a, float b, float t) {
-    return static_cast<float>(a + static_cast<double>(t) * (static_cast<double>(b) - a));
-}
+[[nodiscard]] inline double lerp(double a, double b, float t) { return a + static_cast<double>(t) * (b - a); }
+[[nodiscard]] inline float lerp(float a, float b, float t) { return static_cast<float>(lerp(double{a}, double{b}, t)); }
 
 // An indexed polygon surface. There is one vertex per active edge, in the order of edge ids; blocks share vertices.
 // Polygons are in storage order of their cells. Their right-hand normal points to higher values. A cell that the
@@ -120,6 +119,8 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
 // numbers per mesh vertex, `out` as many per point. Throws Error when `out` has another size or `components` < 1.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out);
+void interpolate(std::span<const EdgePoint> points, std::span<const double> values, int components,
+                 std::span<double> out);
 
 // Returns three vertex indices per triangle. Each polygon becomes a triangle fan. The fan starts at the first corner
 // that gives no thin or reversed triangle, else at the best corner. In a polygon of more than 64 corners only 64 to 127

@@ -18,9 +18,10 @@ class GeometricVertices; // geometric_vertices.hpp
 // are caches that are filled on demand under locks. Thread-safe, except set_direction and vertices_moved.
 class Field {
 public:
-    // Makes a field from one number per point of the mesh, in the caller's order; copies them as floats. NaN and
-    // infinities mean "no value": a cell that touches a point without a value is not cut and adds nothing to gradients.
-    // Throws Error on another number of values. Keeps the mesh alive.
+    // Makes a field from one number per point of the mesh, in the caller's order; copies them: 8-bit integers and
+    // 32-bit floats as floats, all others as doubles. NaN and infinities mean "no value": a cell that touches a point
+    // without a value is not cut and adds nothing to gradients. Throws Error on another number of values. Keeps the
+    // mesh alive.
     Field(const Mesh& mesh, const ArrayView& values);
     // Makes a field from one number per cell. A point gets a weighted mean of the cells around it, which is exact for
     // linear fields if the cells surround the point (point_interpolation.hpp). Throws Error on another number of
@@ -39,21 +40,20 @@ public:
     // Uses one value per vertex in the topology's vertex order, without a copy. `keep_alive` owns the values, which
     // must not change while the field lives. The topology must outlive the field. Throws Error on another number of
     // values.
-    Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive);
+    Field(const Topology& topology, ValuesView values, std::shared_ptr<const void> keep_alive);
     // Likewise, with ranges that block_ranges returned for these values. Reads no value and no block. Throws Error on
     // another number of blocks.
-    Field(const Topology& topology, std::span<const float> values, BlockRanges ranges,
-          std::shared_ptr<const void> keep_alive);
+    Field(const Topology& topology, ValuesView values, BlockRanges ranges, std::shared_ptr<const void> keep_alive);
     ~Field();
     Field(const Field&);
     Field& operator=(const Field&);
     Field(Field&&) noexcept;
     Field& operator=(Field&&) noexcept;
 
-    [[nodiscard]] const Mesh* mesh() const;              // null if the field was made from a Topology
-    [[nodiscard]] std::span<const float> values() const; // empty for a plane on the vertices of a topology
-    [[nodiscard]] float value(Index vertex) const;       // in the topology's vertex order
-    [[nodiscard]] std::array<float, 2> range() const;    // [min, max] of the finite values; {0, 0} when there are none
+    [[nodiscard]] const Mesh* mesh() const;            // null if the field was made from a Topology
+    [[nodiscard]] ValuesView values() const;           // empty for a plane on the vertices of a topology
+    [[nodiscard]] double value(Index vertex) const;    // in the topology's vertex order
+    [[nodiscard]] std::array<double, 2> range() const; // [min, max] of the finite values; {0, 0} when there are none
 
     // Returns the vertices that are strict local minima under the order (value, vertex id), sorted in that order
     // (paper, section 2.2). Vertices without a value are neither minima nor neighbours.
@@ -75,7 +75,8 @@ public:
 
 private:
     Field() = default;
-    Field(const Mesh& mesh, const std::shared_ptr<const std::vector<float>>& stored);
+    template <class T>
+    Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored);
     std::shared_ptr<Data> data_;
 };
 
@@ -85,14 +86,14 @@ private:
 
 // Returns a gradient per vertex: the mean of the least-squares gradients of the cells around it, weighted by volume
 // (paper, section 3). Zero if none of these cells has both a volume and finite values at all vertices.
-[[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values);
+[[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, ValuesView values);
 // Returns the same gradients faster, because the topology of `mesh` need not be built.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh,
-                                                  std::span<const float> values);
+                                                  ValuesView values);
 
 // Returns the number of faces that are ambiguous for some nu (paper, section 4): their loop has more than one local
 // maximum under the order (value, vertex id). Faces with a vertex without a value do not count. Throws Error unless
 // there is one value per vertex.
-[[nodiscard]] std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, std::span<const float> values);
+[[nodiscard]] std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, ValuesView values);
 
 } // namespace ciel

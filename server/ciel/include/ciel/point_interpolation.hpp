@@ -19,9 +19,12 @@ public:
     // Converts `components` interleaved values per cell to as many per vertex. Values that are not finite are left out
     // of the means. A vertex without any finite value gets NaN.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
+    [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
 
 private:
     void find_cells(const FaceMeshView& mesh);
+    template <class T>
+    [[nodiscard]] std::vector<T> apply_to(std::span<const T> cell_values, int components) const;
 
     std::vector<std::uint64_t> offset_; // per vertex and one more: first entry in cell_ and weight_
     std::vector<Index> cell_;

@@ -10,10 +10,10 @@ enum class InRange { all, any }; // which vertices of a cell must lie in the ran
 
 // Returns one flag per cell: 1 if all, or any, of its vertices lie in the range. `values`: one per vertex; throws Error
 // on another number. The range includes both ends. NaN is outside. A cell without faces gets 0.
-[[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
+[[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values,
                                                        std::array<double, 2> range, InRange vertices);
 // Returns one flag per cell: 1 if its value lies in the range, which includes both ends. NaN is outside.
-[[nodiscard]] std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range);
+[[nodiscard]] std::vector<std::uint8_t> cells_in_range(ValuesView of_cells, std::array<double, 2> range);
 
 struct CellFace { // a face, seen from one of its two cells
     Index face, cell;

@@ -10,7 +10,7 @@ namespace ciel {
 
 namespace {
 
-bool is_ambiguous(std::span<const Index> loop, std::span<const float> values) {
+bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
     const auto above = [&](Index a, Index b) { return values[a] != values[b] ? values[a] > values[b] : a > b; };
     int maxima = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -24,7 +24,7 @@ bool is_ambiguous(std::span<const Index> loop, std::span<const float> values) {
 
 } // namespace
 
-std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, std::span<const float> values) {
+std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, ValuesView values) {
     if (values.size() != mesh.vertex_count()) fail("a field must hold one value per vertex");
     std::atomic<std::uint64_t> count{0};
     parallel_for(mesh.face_count(), 16384, [&](std::size_t begin, std::size_t end) {

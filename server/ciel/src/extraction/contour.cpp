@@ -87,22 +87,21 @@ Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const 
     return surface;
 }
 
-std::vector<float> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values) {
+std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values) {
     if (values.rows() != mesh.point_count())
         fail("values to interpolate must be one row per point of the mesh (" + std::to_string(mesh.point_count()) +
              "), not " + std::to_string(values.rows()));
-    std::vector<float> out;
+    std::vector<double> out;
     out.reserve(surface.points.size() * values.columns());
     for (const EdgePoint& point : surface.points)
         for (std::size_t c = 0; c < values.columns(); ++c)
-            out.push_back(lerp(static_cast<float>(values.real(point.a, c)), static_cast<float>(values.real(point.b, c)),
-                               point.t));
+            out.push_back(lerp(values.real(point.a, c), values.real(point.b, c), point.t));
     return out;
 }
 
 std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values) {
-    const std::vector<float> stored = stored_values(mesh, values, PerItem::point);
-    std::vector<Vec3f> of_stored = vertex_gradients(mesh.topology(), mesh.stored(), stored);
+    const StoredValues stored(mesh, values, PerItem::point);
+    std::vector<Vec3f> of_stored = vertex_gradients(mesh.topology(), mesh.stored(), stored.view());
     const std::span<const Index> vertex = mesh.original_vertex();
     if (vertex.empty()) return of_stored;
     std::vector<Vec3f> out(mesh.point_count());
@@ -111,9 +110,9 @@ std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values) {
 }
 
 Surface threshold(const Mesh& mesh, const ArrayView& values, std::array<double, 2> range, bool of_cells) {
-    const std::vector<float> stored = stored_values(mesh, values, of_cells ? PerItem::cell : PerItem::point);
-    const std::vector<std::uint8_t> kept =
-        of_cells ? cells_in_range(stored, range) : cells_in_range(mesh.stored(), stored, range, InRange::all);
+    const StoredValues stored(mesh, values, of_cells ? PerItem::cell : PerItem::point);
+    const std::vector<std::uint8_t> kept = of_cells ? cells_in_range(stored.view(), range)
+                                                    : cells_in_range(mesh.stored(), stored.view(), range, InRange::all);
     Surface surface = threshold_surface(mesh.stored(), kept);
     name_as_given(mesh, surface);
     return surface;

@@ -8,12 +8,6 @@
 
 namespace ciel {
 
-float threshold_of(double nu) {
-    if (std::isnan(nu)) return std::numeric_limits<float>::infinity();
-    const auto nearest = static_cast<float>(nu);
-    return nearest >= nu ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
-
 CutScratch& scratch_of_this_thread() {
     static thread_local CutScratch scratch;
     return scratch;
@@ -24,6 +18,11 @@ CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count,
     for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
 }
 
+CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const double* values, std::size_t count, double threshold,
+                                         std::uint8_t* high) {
+    for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
+}
+
 namespace {
 
 template <class T>
@@ -31,11 +30,14 @@ void grow(std::vector<T>& room, std::size_t size) {
     if (room.size() < size) room.resize(size);
 }
 
-const std::uint8_t* mark(std::span<const float> values, float threshold, CutScratch& scratch) {
+const std::uint8_t* mark(ValuesView values, double threshold, CutScratch& scratch) {
     const std::size_t padded = (values.size() + 63) / 64 * 64;
     grow(scratch.high, std::max(padded, local_ids));
     std::uint8_t* high = scratch.high.data();
-    mark_high(values.data(), values.size(), threshold, high);
+    values.with([&](const auto& all) {
+        using Value = std::ranges::range_value_t<decltype(all)>;
+        mark_high(all.data(), all.size(), static_cast<Value>(threshold), high);
+    });
     std::fill(high + values.size(), high + padded, std::uint8_t{0});
     return high;
 }
@@ -49,7 +51,7 @@ std::uint64_t bits_of(const std::uint8_t* bytes) {
 
 } // namespace
 
-bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut) {
+bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut) {
     const std::uint8_t* high = mark(values, threshold, scratch);
     const std::size_t words = (values.size() + 63) / 64;
     bool same = cut.known;
@@ -65,7 +67,7 @@ bool classify(std::span<const float> values, float threshold, CutScratch& scratc
 
 namespace {
 
-bool crosses(const CellRanges::Range& range, float threshold) { return range[0] < threshold && range[1] >= threshold; }
+bool crosses(const CellRanges::Range& range, double threshold) { return range[0] < threshold && range[1] >= threshold; }
 
 template <std::size_t corners>
 Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {

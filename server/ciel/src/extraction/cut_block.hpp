@@ -9,10 +9,6 @@
 
 namespace ciel {
 
-// Returns the smallest float >= nu, so that value >= nu and value >= threshold are the same for every float value.
-// Returns infinity for NaN, which makes every finite value low.
-[[nodiscard]] float threshold_of(double nu);
-
 // Buffers for cutting many blocks; one object per thread. The buffers by local vertex, edge and half-edge have room for
 // all ids of 16 bits, because a record may change after its check (block.hpp).
 struct CutScratch {
@@ -65,17 +61,18 @@ struct CutScratch {
 
 // Sets high[i] to 1 if values[i] >= threshold, else to 0. `high` must not overlap `values`.
 void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
+void mark_high(const double* values, std::size_t count, double threshold, std::uint8_t* high);
 // Classifies the block's vertices into scratch.high and cut.signature. Returns true when the cut is known and the
 // signature is unchanged. A vertex without a value counts as low, so callers ignore the result for blocks with gaps.
-bool classify(std::span<const float> values, float threshold, CutScratch& scratch, ActiveBlock& cut);
+bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut);
 
 struct BlockValues {
-    std::span<const float> values; // by local vertex; NaN where a vertex has no value
-    bool gaps = false;             // some vertex has no value; cells that touch such a vertex are skipped
-    float threshold = 0;
+    ValuesView values; // by local vertex; NaN where a vertex has no value
+    bool gaps = false; // some vertex has no value; cells that touch such a vertex are skipped
+    double threshold = 0;
     double nu = 0;
     Decider decider = Decider::isolate_high;
-    std::span<const CellRanges::Range> ranges; // [min, max] by group of cells (CellRanges::of), or empty
+    std::span<const CellRanges::Range> ranges; // by group of cells (CellRanges::of), or empty
     bool naive = false;                        // tests every cell of the block
 };
 

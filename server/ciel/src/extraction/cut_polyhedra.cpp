@@ -221,7 +221,7 @@ template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::is_joined(Loop loop) {
     if (in_.decider == Decider::isolate_high || scratch_.crossing.size() < 4) return false;
     cut_.decided = true;
-    return joins_high(loop.size(), in_.nu, [&](std::size_t i) { return double{in_.values[vertex_[loop.begin + i]]}; });
+    return joins_high(loop.size(), in_.nu, [&](std::size_t i) { return in_.values[vertex_[loop.begin + i]]; });
 }
 
 template <class Edges, class Local>

@@ -62,7 +62,7 @@ private:
         for (std::size_t face = 0; face < shape.faces; ++face) {
             if ((ambiguous >> face & 1) == 0) continue;
             const auto value = [&](std::size_t i) {
-                return double{in_.values[vertex[shape.origin[shape.face_begin[face] + i]]]};
+                return in_.values[vertex[shape.origin[shape.face_begin[face] + i]]];
             };
             if (joins_high(shape.face_size(face), in_.nu, value)) joined |= 1U << face;
         }

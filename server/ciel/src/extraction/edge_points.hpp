@@ -17,8 +17,9 @@ namespace ciel {
 }
 
 // Returns the point at nu on an edge. `ends`: local vertices of the block. `values`: by local vertex.
-[[nodiscard]] inline EdgePoint edge_point(const Block& block, std::span<const float> values,
-                                          const std::array<Index, 2>& ends, double nu) {
+template <class Values>
+[[nodiscard]] EdgePoint edge_point(const Block& block, const Values& values, const std::array<Index, 2>& ends,
+                                   double nu) {
     return {block.vertex(ends[0]), block.vertex(ends[1]), share_at(nu, values[ends[0]], values[ends[1]])};
 }
 

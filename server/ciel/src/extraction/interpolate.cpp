@@ -4,8 +4,10 @@
 
 namespace ciel {
 
-void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
-                 std::span<float> out) {
+namespace {
+
+template <class T>
+void interpolate_all(std::span<const EdgePoint> points, std::span<const T> values, int components, std::span<T> out) {
     if (components < 1) fail("an array must have at least one component");
     const auto width = static_cast<std::size_t>(components);
     if (out.size() != points.size() * width)
@@ -17,6 +19,18 @@ void interpolate(std::span<const EdgePoint> points, std::span<const float> value
                 out[i * width + c] =
                     lerp(values[points[i].a * width + c], values[points[i].b * width + c], points[i].t);
     });
+}
+
+} // namespace
+
+void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
+                 std::span<float> out) {
+    interpolate_all(points, values, components, out);
+}
+
+void interpolate(std::span<const EdgePoint> points, std::span<const double> values, int components,
+                 std::span<double> out) {
+    interpolate_all(points, values, components, out);
 }
 
 } // namespace ciel

@@ -13,11 +13,11 @@ public:
 
     void set_field(const Field& field) override { field_ = &field.data(); }
     bool update(double nu, const StopToken& stop) override {
-        const float threshold = threshold_of(nu);
+        const double threshold = field_->threshold(nu);
         parallel_for(cut_.size(), 2, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
                 if (!has(static_cast<Index>(b))) continue;
-                const std::span<const float> values = field_->of_block(static_cast<Index>(b));
+                const ValuesView values = field_->of_block(static_cast<Index>(b));
                 CutScratch& scratch = scratch_of_this_thread();
                 (void)classify(values, threshold, scratch, cut_[b]);
                 cut_block(topology_.blocks().cells(b),

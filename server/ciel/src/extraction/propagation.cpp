@@ -37,7 +37,7 @@ void Propagation::begin(const Topology& topology, const Field& field) {
 void Propagation::restart() {
     count_half_edges(*topology_, half_edges_);
     cells_.resize(topology_->block_count());
-    threshold_ = -std::numeric_limits<float>::infinity();
+    threshold_ = -std::numeric_limits<double>::infinity();
     active_edges_.clear();
     is_active_.assign(topology_->counts().edges, 0);
     is_low_.assign(topology_->counts().vertices, 0);
@@ -47,7 +47,7 @@ void Propagation::restart() {
     is_stale_.assign(cells_.size(), 0);
 }
 
-float Propagation::value(Index vertex) const { return field_->value(vertex); }
+double Propagation::value(Index vertex) const { return field_->value(vertex); }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
@@ -103,7 +103,7 @@ bool Propagation::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     return true;
 }
 
-bool Propagation::sweep_up(float threshold, const StopToken& stop) {
+bool Propagation::sweep_up(double threshold, const StopToken& stop) {
     for (const Index v : field_->minima) {
         if (value(v) >= threshold) break;
         if (!is_low_[v]) pass<Way::up>(v);
@@ -116,7 +116,7 @@ bool Propagation::sweep_up(float threshold, const StopToken& stop) {
         });
 }
 
-bool Propagation::sweep_down(float threshold, const StopToken& stop) {
+bool Propagation::sweep_down(double threshold, const StopToken& stop) {
     for (const Index v : field_->maxima) {
         if (value(v) < threshold) break;
         if (is_low_[v]) pass<Way::down>(v);
@@ -130,7 +130,7 @@ bool Propagation::sweep_down(float threshold, const StopToken& stop) {
 }
 
 bool Propagation::reach(double nu, const StopToken& stop) {
-    const float threshold = threshold_of(nu);
+    const double threshold = field_->threshold(nu);
     field_->make_extrema();
     if (!arrived_) restart();
     arrived_ = false;

@@ -21,7 +21,7 @@ public:
     // then starts below all values, because an incomplete list of active edges is useless. Reuses the buffers of
     // earlier fields.
     bool reach(double nu, const StopToken& stop);
-    [[nodiscard]] float threshold() const { return threshold_; }
+    [[nodiscard]] double threshold() const { return threshold_; }
 
     // Sets `out` to the blocks that may have active cells, ascending.
     void list_blocks(std::vector<Index>& out) const;
@@ -37,21 +37,21 @@ private:
     enum class Way { up, down };
 
     void restart();
-    bool sweep_up(float threshold, const StopToken& stop);
-    bool sweep_down(float threshold, const StopToken& stop);
+    bool sweep_up(double threshold, const StopToken& stop);
+    bool sweep_down(double threshold, const StopToken& stop);
     template <Way way>
     void pass(Index vertex);
     template <Way way>
     void turn(HalfEdge h);
     [[nodiscard]] bool below(Index a, Index b) const;
-    [[nodiscard]] float value(Index vertex) const;
+    [[nodiscard]] double value(Index vertex) const;
     template <class Keep, class Pass>
     bool propagate(const StopToken& stop, Keep&& keep, Pass&& pass);
 
     const Topology* topology_ = nullptr;
     const Field::Data* field_ = nullptr;
     bool arrived_ = false; // the members below are valid for threshold_
-    float threshold_ = 0;
+    double threshold_ = 0;
     std::vector<HalfEdge> active_edges_;    // half-edges, each from the low end to the high end of its edge
     std::vector<std::uint8_t> is_active_;   // by edge: 1 if in active_edges_
     std::vector<std::uint8_t> is_low_;      // by vertex: 1 if its value is below nu

@@ -38,9 +38,9 @@ void PropagationCutter::update_block(Index b, double nu) {
     ActiveBlock& cut = cut_[b];
     if (propagation_.settle(b)) cut.known = false;
     if (cut.known || propagation_.cells(b).empty()) return;
-    const std::span<const float> values = field_->of_block(b);
+    const ValuesView values = field_->of_block(b);
     CutScratch& scratch = scratch_of_this_thread();
-    const float threshold = propagation_.threshold();
+    const double threshold = propagation_.threshold();
     (void)classify(values, threshold, scratch, cut);
     cut_cells(topology_.blocks().cells(b), {values, field_->has_gaps(b), threshold, nu, decider_, {}},
               propagation_.cells(b), scratch, cut);

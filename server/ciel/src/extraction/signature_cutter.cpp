@@ -16,12 +16,12 @@ public:
     bool update(double nu, const StopToken& stop) override;
 
 private:
-    void update_block(Index b, float threshold, double nu);
+    void update_block(Index b, double threshold, double nu);
     const Field::Data* field_ = nullptr;
 };
 
 bool SignatureCutter::update(double nu, const StopToken& stop) {
-    const float threshold = threshold_of(nu);
+    const double threshold = field_->threshold(nu);
     active_.clear();
     for (Index b = 0; b < cut_.size(); ++b)
         if (has(b) && field_->crosses(b, threshold)) active_.push_back(b);
@@ -31,11 +31,11 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
     return !stop.stop_requested();
 }
 
-void SignatureCutter::update_block(Index b, float threshold, double nu) {
+void SignatureCutter::update_block(Index b, double threshold, double nu) {
     const Block& block = topology_.blocks().cells(b);
     ActiveBlock& cut = cut_[b];
     CutScratch& scratch = scratch_of_this_thread();
-    const std::span<const float> values = field_->of_block(b);
+    const ValuesView values = field_->of_block(b);
     const bool gaps = field_->has_gaps(b);
     if (classify(values, threshold, scratch, cut) && !gaps) return;
     cut.known = false; // remains false if cut_block throws

@@ -103,16 +103,18 @@ void Writer::number() {
 
 void Writer::write_points(Index b, const Block& block) {
     const ActiveBlock& cut = cut_[b];
-    const std::span<const float> values = field_.of_block(b);
+    const ValuesView values = field_.of_block(b);
     const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
-    for (Index i = 0; i < cut.owned(); ++i) {
-        if (i + ahead < ends.size())
-            for (const Index end : ends[i + ahead])
-                __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
-        const EdgePoint point = edge_point(block, values, ends[i], nu_);
-        out_.points[cut.first_point + i] = point;
-        out_.positions[cut.first_point + i] = position_of(point, mesh_.positions);
-    }
+    values.with([&](const auto& all) {
+        for (Index i = 0; i < cut.owned(); ++i) {
+            if (i + ahead < ends.size())
+                for (const Index end : ends[i + ahead])
+                    __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
+            const EdgePoint point = edge_point(block, all, ends[i], nu_);
+            out_.points[cut.first_point + i] = point;
+            out_.positions[cut.first_point + i] = position_of(point, mesh_.positions);
+        }
+    });
 }
 
 void Writer::write_normals(Index b) {

@@ -23,9 +23,9 @@ public:
     [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Data& field, Extraction how, Index b,
                                     double nu, std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().cells(b);
-        const std::span<const float> values = field.of_block(b);
+        const ValuesView values = field.of_block(b);
         BlockValues in{
-            values, field.has_gaps(b), threshold_of(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};
+            values, field.has_gaps(b), field.threshold(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};
         if (how.algorithm == Algorithm::signatures) in.ranges = field.ranges.of(block, b, values);
         CutScratch& scratch = scratch_of_this_thread();
         if (cells)
@@ -34,10 +34,12 @@ public:
             cut_block_alone(block, in, scratch, cut_);
         points_.resize(scratch.met_count);
         positions_.resize(scratch.met_count);
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            points_[i] = edge_point(block, values, scratch.ends[i], nu);
-            positions_[i] = position_of(points_[i], mesh.positions);
-        }
+        values.with([&](const auto& all) {
+            for (std::size_t i = 0; i < points_.size(); ++i) {
+                points_[i] = edge_point(block, all, scratch.ends[i], nu);
+                positions_[i] = position_of(points_[i], mesh.positions);
+            }
+        });
         return {points_, positions_, cut_.polygon_end, cut_.polygon_edge, cut_.polygon_cell, block.cell_begin};
     }
 
@@ -78,7 +80,7 @@ struct Pass {
         parallel_for(topology.block_count(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b)
                 for (std::size_t i = 0; i < values.size(); ++i) {
-                    const float threshold = threshold_of(values[i]);
+                    const double threshold = blocks.threshold(values[i]);
                     if (how.algorithm == Algorithm::naive || blocks.crosses(static_cast<Index>(b), threshold))
                         cut(static_cast<Index>(b), i, {});
                 }
@@ -93,7 +95,8 @@ struct Pass {
         propagation.begin(topology, field);
         scratch.order.resize(values.size());
         std::iota(scratch.order.begin(), scratch.order.end(), std::size_t{0});
-        std::ranges::sort(scratch.order, {}, [&](std::size_t i) { return std::pair(threshold_of(values[i]), i); });
+        std::ranges::sort(scratch.order, {},
+                          [&](std::size_t i) { return std::pair(field.data().threshold(values[i]), i); });
         for (const std::size_t i : scratch.order) {
             if (!propagation.reach(values[i], stop)) return false;
             propagation.list_blocks(scratch.reached);

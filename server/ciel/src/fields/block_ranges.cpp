@@ -7,43 +7,59 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <limits>
+#include <type_traits>
 
 namespace ciel {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// [min, max] as integers that sort like the floats. The integers of non-finite values lie outside those of all finite
+// [min, max] as integers that sort like the numbers. The integers of non-finite values lie outside those of all finite
 // values. Integer min and max do not depend on the order of the values, so the compiler can vectorize the loop.
+template <class Value>
+using Key = std::conditional_t<std::same_as<Value, float>, std::int32_t, std::int64_t>;
+template <class Value>
 struct Range {
-    std::int32_t low = std::numeric_limits<std::int32_t>::max(), high = std::numeric_limits<std::int32_t>::min();
+    Key<Value> low = std::numeric_limits<Key<Value>>::max(), high = std::numeric_limits<Key<Value>>::min();
 };
 
-// Maps float bits to integers that sort like the floats. The function is its own inverse.
-constexpr std::int32_t in_order(std::int32_t bits) {
-    return bits ^ (bits >> 31 & std::numeric_limits<std::int32_t>::max());
+// Maps the bits of a number to integers that sort like the numbers. The function is its own inverse.
+template <class K>
+constexpr K in_order(K bits) {
+    return bits ^ (bits >> (8 * sizeof(K) - 1) & std::numeric_limits<K>::max());
 }
-constexpr std::int32_t above_all = std::bit_cast<std::int32_t>(infinity),
-                       below_all = in_order(above_all ^ std::numeric_limits<std::int32_t>::min());
+template <class Value>
+constexpr auto above_all = std::bit_cast<Key<Value>>(std::numeric_limits<Value>::infinity());
+template <class Value>
+constexpr auto below_all = in_order<Key<Value>>(above_all<Value> ^ std::numeric_limits<Key<Value>>::min());
 
-// Extends `out` by `count` values. Vectorized, because it runs over every value of a new field.
-CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range& out) {
-    std::int32_t low = out.low, high = out.high;
+template <class Value>
+inline __attribute__((always_inline)) void widen_all(const Value* from, std::size_t count, Range<Value>& out) {
+    Key<Value> low = out.low, high = out.high;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::int32_t key = in_order(std::bit_cast<std::int32_t>(from[i]));
+        const auto key = in_order(std::bit_cast<Key<Value>>(from[i]));
         low = key < low ? key : low;
         high = key > high ? key : high;
     }
     out = {low, high};
 }
 
+// Extends `out` by `count` values. Vectorized, because it runs over every value of a new field.
+CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range<float>& out) {
+    widen_all(from, count, out);
+}
+CIEL_FOR_ALL_VECTOR_UNITS void widen(const double* from, std::size_t count, Range<double>& out) {
+    widen_all(from, count, out);
+}
+
 // Calls f(values, count) over all of a block's values. The values of ghosts are copied into batches; the values of
 // owned vertices are contiguous and come last, in one call.
-template <class F>
-void for_values(const Block& block, std::span<const float> values, F&& f) {
-    std::array<float, 256> some;
+template <class Value, class F>
+void for_values(const Block& block, std::span<const Value> values, F&& f) {
+    std::array<Value, 256> some;
     std::size_t count = 0;
     block.ghost_vertex.for_each([&](Index vertex) {
         some[count++] = values[vertex];
@@ -56,24 +72,25 @@ void for_values(const Block& block, std::span<const float> values, F&& f) {
     f(values.data() + block.own_vertex_begin, block.vertex_count - ghosts);
 }
 
-void range_of_block(const Block& block, std::span<const float> values, std::size_t b, BlockRanges& out) {
-    Range range;
-    for_values(block, values, [&](const float* from, std::size_t count) { widen(from, count, range); });
-    if (range.low <= below_all || range.high >= above_all) {
+template <class Value>
+void range_of_block(const Block& block, std::span<const Value> values, std::size_t b, BlockRanges& out) {
+    Range<Value> range;
+    for_values(block, values, [&](const Value* from, std::size_t count) { widen(from, count, range); });
+    if (range.low <= below_all<Value> || range.high >= above_all<Value>) {
         range = {};
-        for_values(block, values, [&](const float* from, std::size_t count) {
+        for_values(block, values, [&](const Value* from, std::size_t count) {
             for (std::size_t i = 0; i < count; ++i)
                 std::isfinite(from[i]) ? widen(from + i, 1, range) : void(++out.missing[b]);
         });
     }
     const bool empty = range.low > range.high;
-    out.low[b] = empty ? infinity : std::bit_cast<float>(in_order(range.low));
-    out.high[b] = empty ? -infinity : std::bit_cast<float>(in_order(range.high));
+    out.low[b] = empty ? infinity : std::bit_cast<Value>(in_order(range.low));
+    out.high[b] = empty ? -infinity : std::bit_cast<Value>(in_order(range.high));
 }
 
 } // namespace
 
-BlockRanges block_ranges(const Topology& topology, std::span<const float> values) {
+BlockRanges block_ranges(const Topology& topology, ValuesView values) {
     if (values.size() != topology.counts().vertices)
         fail("a field must hold one value per vertex (" + std::to_string(topology.counts().vertices) + "), not " +
              std::to_string(values.size()));
@@ -83,7 +100,9 @@ BlockRanges block_ranges(const Topology& topology, std::span<const float> values
     out.high.resize(all.count());
     out.missing.resize(all.count());
     parallel_for(all.count(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) range_of_block(all.cells(static_cast<Index>(b)), values, b, out);
+        values.with([&](const auto& typed) {
+            for (std::size_t b = begin; b < end; ++b) range_of_block(all.cells(static_cast<Index>(b)), typed, b, out);
+        });
     });
     return out;
 }

@@ -1,6 +1,7 @@
 #include "fields/cell_ranges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ciel {
 
@@ -14,8 +15,15 @@ void widen(CellRanges::Range& range, float value) {
     range[0] = value < range[0] ? value : range[0];
     range[1] = value > range[1] ? value : range[1];
 }
+void widen(CellRanges::Range& range, double value) {
+    const auto nearest = static_cast<float>(value);
+    widen(range, nearest);
+    if (nearest > value) widen(range, std::nextafter(nearest, -infinity));
+    if (nearest < value) widen(range, std::nextafter(nearest, infinity));
+}
 
-void append(const StandardSection& section, std::span<const float> values, std::vector<CellRanges::Range>& out) {
+template <class Value>
+void append(const StandardSection& section, std::span<const Value> values, std::vector<CellRanges::Range>& out) {
     const std::size_t per_group = std::size_t{StandardSection::cells_per_group} * section.shape->corners;
     for (std::size_t begin = 0; begin < section.vertex.size(); begin += per_group) {
         CellRanges::Range range = nothing;
@@ -25,8 +33,8 @@ void append(const StandardSection& section, std::span<const float> values, std::
     }
 }
 
-template <class Local>
-void append(const PolyhedralSection<Local>& section, std::span<const float> values,
+template <class Local, class Value>
+void append(const PolyhedralSection<Local>& section, std::span<const Value> values,
             std::vector<CellRanges::Range>& out) {
     const std::size_t begin = out.size();
     out.resize(begin + section.count(), nothing);
@@ -64,7 +72,7 @@ void CellRanges::resize(std::size_t blocks) {
     ranges_.resize(blocks);
 }
 
-std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, std::span<const float> values) {
+std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, ValuesView values) {
     std::uint8_t state = state_[b].load(std::memory_order_acquire);
     if (state == made) return ranges_[b];
     if (state == in_the_making) return {};
@@ -72,8 +80,10 @@ std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, s
     if (!state_[b].compare_exchange_strong(state, next, std::memory_order_acquire) || next == asked_once) return {};
     Making making(state_[b]);
     ranges_[b].clear();
-    for (const StandardSection& section : block.standard) append(section, values, ranges_[b]);
-    block.with([&](const auto& polyhedra) { append(polyhedra, values, ranges_[b]); });
+    values.with([&](const auto& all) {
+        for (const StandardSection& section : block.standard) append(section, all, ranges_[b]);
+        block.with([&](const auto& polyhedra) { append(polyhedra, all, ranges_[b]); });
+    });
     making.result = made;
     return ranges_[b];
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "blocks/blocks.hpp"
+#include "ciel/values_view.hpp"
 
 #include <atomic>
 #include <memory>
@@ -12,8 +13,8 @@ namespace ciel {
 // Thread-safe. A block's ranges are built when it is cut a second time: a field that is shown once does not need them.
 class CellRanges {
 public:
-    // [min, max] of the finite values in a group of cells of a standard section, or in one polyhedron. low > high when
-    // there are no finite values.
+    // Floats around the finite values in a group of cells of a standard section, or in one polyhedron: [min, max] of
+    // floats, and of doubles the nearest floats outside. low > high when there are no finite values.
     using Range = std::array<float, 2>;
 
     // Makes room for this many blocks; builds no ranges.
@@ -21,7 +22,7 @@ public:
     // Returns the ranges of the groups of the standard sections in order, then of the polyhedra. Returns an empty span
     // at the first call for a block, and while another thread builds the ranges. `values`: by local vertex of the
     // block; NaN where a vertex has no value.
-    [[nodiscard]] std::span<const Range> of(const Block& block, Index b, std::span<const float> values);
+    [[nodiscard]] std::span<const Range> of(const Block& block, Index b, ValuesView values);
 
 private:
     enum State : std::uint8_t { never_asked, asked_once, in_the_making, made };

@@ -18,7 +18,7 @@ void mark(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order
 
 class RuleOut {
 public:
-    RuleOut(const Block& block, std::span<const float> values, std::vector<std::uint8_t>& not_minimum,
+    RuleOut(const Block& block, ValuesView values, std::vector<std::uint8_t>& not_minimum,
             std::vector<std::uint8_t>& not_maximum)
         : block_(block), values_(values), not_minimum_(not_minimum), not_maximum_(not_maximum) {}
 
@@ -48,7 +48,7 @@ private:
     }
 
     const Block& block_;
-    std::span<const float> values_;
+    ValuesView values_;
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
@@ -86,7 +86,7 @@ bool Field::Data::find_geometric_extrema() const {
             WalkEnds walk(topology->counts());
             for (HalfEdge h = start; sides[i] != 3; walk.step(h)) {
                 const Index other = topology->vertex(h);
-                if (const float there = value(other); std::isfinite(there))
+                if (const double there = value(other); std::isfinite(there))
                     sides[i] |= std::pair(there, other) < std::pair(value(v), v) ? 1 : 2;
                 h = topology->next_around_vertex(h);
                 if (h == start) break;

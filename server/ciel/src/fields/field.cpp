@@ -12,11 +12,10 @@
 
 namespace ciel {
 
-Field::Field(const Topology& topology, std::span<const float> values, std::shared_ptr<const void> keep_alive)
+Field::Field(const Topology& topology, ValuesView values, std::shared_ptr<const void> keep_alive)
     : Field(topology, values, block_ranges(topology, values), std::move(keep_alive)) {}
 
-Field::Field(const Topology& topology, std::span<const float> values, BlockRanges ranges,
-             std::shared_ptr<const void> keep_alive)
+Field::Field(const Topology& topology, ValuesView values, BlockRanges ranges, std::shared_ptr<const void> keep_alive)
     : data_(std::make_shared<Data>()) {
     if (values.size() != topology.counts().vertices) fail("the values belong to another mesh");
     data_->values = values;
@@ -24,7 +23,7 @@ Field::Field(const Topology& topology, std::span<const float> values, BlockRange
     data_->begin(topology, std::move(ranges));
     const BlockRanges& of_blocks = data_->of_blocks;
     if (of_blocks.low.empty()) return;
-    const float low = *std::ranges::min_element(of_blocks.low), high = *std::ranges::max_element(of_blocks.high);
+    const double low = *std::ranges::min_element(of_blocks.low), high = *std::ranges::max_element(of_blocks.high);
     if (low <= high) data_->range = {low, high};
 }
 
@@ -48,41 +47,83 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         fail("the ranges belong to another mesh");
     topology = &of;
     // Untouched pages take no memory. After the last block, a changed record may name any local vertex of 16 bits.
-    local = std::make_unique_for_overwrite<float[]>(all.slot_count() + local_ids);
+    const std::size_t room = all.slot_count() + local_ids;
+    if (values.has_doubles())
+        local_doubles = std::make_unique_for_overwrite<double[]>(room);
+    else
+        local_floats = std::make_unique_for_overwrite<float[]>(room);
     taken = std::make_unique<std::atomic<bool>[]>(all.count());
     ranges.resize(all.count());
     of_blocks = std::move(block_ranges);
 }
 
+double Field::Data::threshold(double nu) const {
+    if (std::isnan(nu)) return std::numeric_limits<double>::infinity();
+    if (values.has_doubles()) return nu;
+    const auto nearest = static_cast<float>(nu);
+    return nearest >= nu ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+namespace {
+
+template <class Value>
+class Given {
+public:
+    explicit Given(std::span<const Value> values) : values_(values) {}
+    [[nodiscard]] Value at(std::size_t vertex) const { return values_[vertex]; }
+
+private:
+    std::span<const Value> values_;
+};
+
+// Copies the values of a block's vertices to their places in block order. Those that are not finite become NaN.
+template <class Values, class Value>
+void copy_block(const Block& block, const Values& values, bool has_gaps, Value* all) {
+    Value *const begin = all + block.vertex_begin, *to = begin;
+    block.ghost_vertex.for_each([&](Index vertex) { *to++ = values.at(vertex); });
+    const std::size_t end = block.own_vertex_begin + (block.vertex_count - block.ghost_vertex.size());
+    for (std::size_t v = block.own_vertex_begin; v < end; ++v) *to++ = values.at(v);
+    if (!has_gaps) return;
+    for (Value* each = begin; each < to; ++each)
+        if (!std::isfinite(*each)) *each = std::numeric_limits<Value>::quiet_NaN();
+}
+
+} // namespace
+
 void Field::Data::take_in(Index b) const {
     const Locked lock(take_in_mutex[b % take_in_mutex.size()]);
     if (taken[b].load(std::memory_order_relaxed)) return;
     const Block& block = topology->blocks().cells(b);
-    float* to = local.get() + block.vertex_begin;
-    block.ghost_vertex.for_each([&](Index vertex) { *to++ = value(vertex); });
-    const std::size_t own = block.vertex_count - block.ghost_vertex.size();
     if (plane)
-        for (std::size_t v = 0; v < own; ++v) *to++ = plane->at(block.own_vertex_begin + v);
+        copy_block(block, *plane, has_gaps(b), local_floats.get());
     else
-        to = std::ranges::copy(values.subspan(block.own_vertex_begin, own), to).out;
-    if (has_gaps(b))
-        for (float* each = local.get() + block.vertex_begin; each < to; ++each)
-            if (!std::isfinite(*each)) *each = std::numeric_limits<float>::quiet_NaN();
+        values.with([&]<class Value>(std::span<const Value> all) {
+            if constexpr (std::same_as<Value, double>)
+                copy_block(block, Given(all), has_gaps(b), local_doubles.get());
+            else
+                copy_block(block, Given(all), has_gaps(b), local_floats.get());
+        });
     taken[b].store(true, std::memory_order_release);
 }
 
-Field::Field(const Mesh& mesh, const ArrayView& values)
-    : Field(mesh, std::make_shared<const std::vector<float>>(stored_values(mesh, values, PerItem::point))) {}
-
 // The vector owns the values and is kept alive by the field. data_->mesh keeps the topology alive.
-Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<float>>& stored)
-    : Field(mesh.topology(), *stored, stored) {
+template <class T>
+Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored)
+    : Field(mesh.topology(), ValuesView(*stored), stored) {
     data_->mesh = mesh;
 }
 
+Field::Field(const Mesh& mesh, const ArrayView& values) {
+    StoredValues(mesh, values, PerItem::point).with([&]<class T>(std::vector<T>& stored) {
+        *this = Field(mesh, std::make_shared<const std::vector<T>>(std::move(stored)));
+    });
+}
+
 Field Field::from_cells(const Mesh& mesh, const ArrayView& values) {
-    const std::vector<float> of_cells = stored_values(mesh, values, PerItem::cell);
-    return {mesh, std::make_shared<const std::vector<float>>(PointInterpolation(mesh.stored()).apply(of_cells, 1))};
+    return StoredValues(mesh, values, PerItem::cell).with([&]<class T>(const std::vector<T>& of_cells) {
+        const PointInterpolation points(mesh.stored());
+        return Field(mesh, std::make_shared<const std::vector<T>>(points.apply(std::span<const T>(of_cells), 1)));
+    });
 }
 
 Field Field::plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal) {
@@ -97,9 +138,9 @@ Field& Field::operator=(const Field&) = default;
 Field::Field(Field&&) noexcept = default;
 Field& Field::operator=(Field&&) noexcept = default;
 
-std::span<const float> Field::values() const { return data_->values; }
-float Field::value(Index vertex) const { return data_->value(vertex); }
-std::array<float, 2> Field::range() const { return data_->range; }
+ValuesView Field::values() const { return data_->values; }
+double Field::value(Index vertex) const { return data_->value(vertex); }
+std::array<double, 2> Field::range() const { return data_->range; }
 
 void Field::set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal) {
     data_->where_extrema = std::move(where);

@@ -15,15 +15,16 @@ namespace ciel {
 struct Field::Data {
     std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
     const Topology* topology = nullptr;
-    std::span<const float> values;
+    ValuesView values;
     std::optional<PlaneDistance> plane; // if set, there are no values: they are computed
     std::shared_ptr<const void> keep_alive;
     BlockRanges of_blocks;
-    std::array<float, 2> range{};
+    std::array<double, 2> range{};
 
     // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
-    // After those of any block, local_ids more can be read, whose values mean nothing.
-    std::unique_ptr<float[]> local;
+    // After those of any block, local_ids more can be read, whose values mean nothing. One of them is null.
+    std::unique_ptr<float[]> local_floats;
+    std::unique_ptr<double[]> local_doubles;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: its part of `local` is filled
     mutable std::array<Mutex, 16> take_in_mutex;
     std::shared_ptr<const GeometricVertices> where_extrema; // vertices that may be extrema; null means all
@@ -35,15 +36,21 @@ struct Field::Data {
     mutable CellRanges ranges;
     mutable GradientCache gradients;
 
-    [[nodiscard]] float value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
+    [[nodiscard]] double value(Index vertex) const { return plane ? double{plane->at(vertex)} : values[vertex]; }
+    // Returns the number with which the values are compared: a value is high if it is >= the threshold. For floats, it
+    // is the smallest float >= nu, so that they compare as with nu; for doubles, nu. Infinity for NaN, which makes
+    // every finite value low.
+    [[nodiscard]] double threshold(double nu) const;
     [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; } // a vertex has no value
-    [[nodiscard]] bool crosses(Index block, float threshold) const {
+    [[nodiscard]] bool crosses(Index block, double threshold) const {
         return of_blocks.low[block] < threshold && of_blocks.high[block] >= threshold;
     }
-    [[nodiscard]] std::span<const float> of_block(Index block) const {
+    [[nodiscard]] ValuesView of_block(Index block) const {
         if (!taken[block].load(std::memory_order_acquire)) take_in(block);
         const std::vector<Index>& slot = topology->blocks().numbers.slot;
-        return {local.get() + slot[block], slot[block + 1] - slot[block]};
+        const std::size_t count = slot[block + 1] - slot[block];
+        if (local_doubles != nullptr) return std::span<const double>(local_doubles.get() + slot[block], count);
+        return std::span<const float>(local_floats.get() + slot[block], count);
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
     void make_extrema() const;                                // sets minima and maxima at the first call

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "blocks/blocks.hpp"
+#include "ciel/values_view.hpp"
 #include "fields/cell_gradient.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct GradientSum {
 // Returns the sample of a local vertex of a block. `values`: by local vertex.
 class BlockSampler {
 public:
-    BlockSampler(const FaceMeshView& mesh, const Block& block, std::span<const float> values)
+    BlockSampler(const FaceMeshView& mesh, const Block& block, ValuesView values)
         : mesh_(mesh), block_(block), values_(values) {}
 
     [[nodiscard]] Sample operator()(Index local) const {
@@ -39,20 +40,22 @@ public:
     // Sets out[local vertex] for all vertices of the block.
     void all(std::vector<Sample>& out) const {
         out.resize(block_.vertex_count);
-        std::size_t local = 0;
-        const auto add = [&](Index vertex) {
-            const float* p = &mesh_.positions[3 * std::size_t{vertex}];
-            out[local] = {p[0], p[1], p[2], values_[local]};
-            ++local;
-        };
-        block_.ghost_vertex.for_each(add);
-        for (Index vertex = block_.own_vertex_begin; local < out.size(); ++vertex) add(vertex);
+        values_.with([&](const auto& values) {
+            std::size_t local = 0;
+            const auto add = [&](Index vertex) {
+                const float* p = &mesh_.positions[3 * std::size_t{vertex}];
+                out[local] = {p[0], p[1], p[2], values[local]};
+                ++local;
+            };
+            block_.ghost_vertex.for_each(add);
+            for (Index vertex = block_.own_vertex_begin; local < out.size(); ++vertex) add(vertex);
+        });
     }
 
 private:
     const FaceMeshView& mesh_;
     const Block& block_;
-    std::span<const float> values_;
+    ValuesView values_;
 };
 
 // Returns the local vertices of the cell that begins at `vertex`. Limits them to those of the block, whatever a changed

@@ -93,11 +93,11 @@ std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::D
     return Everywhere(mesh, field).run();
 }
 
-std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, std::span<const float> values) {
+std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, ValuesView values) {
     return vertex_gradients(Topology(mesh), mesh, values);
 }
 
-std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
+std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, ValuesView values) {
     const Field field(topology, values, nullptr);
     return gradients_everywhere(mesh, field.data());
 }

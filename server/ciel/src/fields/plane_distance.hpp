@@ -22,7 +22,7 @@ public:
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
     // Returns [min, max] over the vertices that blocks own, whose ids begin at `first_vertex`. `bounds`: what ranges()
     // returned.
-    [[nodiscard]] std::array<float, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
+    [[nodiscard]] std::array<double, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
 
 private:
     std::span<const float> positions_;

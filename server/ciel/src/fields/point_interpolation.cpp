@@ -98,26 +98,35 @@ void PointInterpolation::find_cells(const FaceMeshView& mesh) {
     }
 }
 
-std::vector<float> PointInterpolation::apply(std::span<const float> cell_values, int components) const {
+template <class T>
+std::vector<T> PointInterpolation::apply_to(std::span<const T> cell_values, int components) const {
     const std::size_t vertices = offset_.size() - 1;
     const auto width = static_cast<std::size_t>(components);
-    std::vector<float> values(vertices * width);
+    std::vector<T> values(vertices * width);
     parallel_for(vertices, grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t vertex = first; vertex < last; ++vertex)
             for (std::size_t c = 0; c < width; ++c) {
                 double sum = 0;
                 double total = 0;
                 for (std::uint64_t i = offset_[vertex]; i < offset_[vertex + 1]; ++i) {
-                    const float value = cell_values[cell_[i] * width + c];
+                    const T value = cell_values[cell_[i] * width + c];
                     if (!std::isfinite(value)) continue;
                     sum += static_cast<double>(weight_[i]) * value;
                     total += weight_[i];
                 }
                 values[vertex * width + c] =
-                    total > 0 ? static_cast<float>(sum / total) : std::numeric_limits<float>::quiet_NaN();
+                    total > 0 ? static_cast<T>(sum / total) : std::numeric_limits<T>::quiet_NaN();
             }
     });
     return values;
+}
+
+std::vector<float> PointInterpolation::apply(std::span<const float> cell_values, int components) const {
+    return apply_to(cell_values, components);
+}
+
+std::vector<double> PointInterpolation::apply(std::span<const double> cell_values, int components) const {
+    return apply_to(cell_values, components);
 }
 
 } // namespace ciel

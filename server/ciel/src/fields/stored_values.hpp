@@ -2,15 +2,32 @@
 #pragma once
 
 #include "ciel/mesh.hpp"
+#include "ciel/values_view.hpp"
 
+#include <variant>
 #include <vector>
 
 namespace ciel {
 
 enum class PerItem { point, cell };
 
-// Returns the values in stored order, as floats. values: one number per point or cell of the caller's mesh. Throws
-// Error on another number of rows or columns.
-[[nodiscard]] std::vector<float> stored_values(const Mesh& mesh, const ArrayView& values, PerItem item);
+// Owns the values: floats if the type of the caller's numbers has no others, else doubles.
+class StoredValues {
+public:
+    // values: one number per point or cell of the caller's mesh. Throws Error on another number of rows or columns.
+    StoredValues(const Mesh& mesh, const ArrayView& values, PerItem item);
+
+    [[nodiscard]] ValuesView view() const {
+        return std::visit([](const auto& all) { return ValuesView(all); }, values_);
+    }
+    // Calls f with the vector of floats or of doubles, from which it may move.
+    template <class F>
+    decltype(auto) with(F&& f) {
+        return std::visit(std::forward<F>(f), values_);
+    }
+
+private:
+    std::variant<std::vector<float>, std::vector<double>> values_;
+};
 
 } // namespace ciel

@@ -29,8 +29,8 @@ bool is_polygon(const std::vector<Index>& loop) {
 
 } // namespace
 
-std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<const float> values,
-                                         std::array<double, 2> range, InRange vertices) {
+std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values, std::array<double, 2> range,
+                                         InRange vertices) {
     if (values.size() != mesh.vertex_count()) fail("a threshold needs one value per vertex of its mesh");
     std::vector<std::uint8_t> of_face(mesh.face_count());
     parallel_for(of_face.size(), 65536, [&](std::size_t begin, std::size_t end) {
@@ -50,10 +50,12 @@ std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, std::span<con
     return kept;
 }
 
-std::vector<std::uint8_t> cells_in_range(std::span<const float> of_cells, std::array<double, 2> range) {
+std::vector<std::uint8_t> cells_in_range(ValuesView of_cells, std::array<double, 2> range) {
     std::vector<std::uint8_t> kept(of_cells.size());
-    std::ranges::transform(of_cells, kept.begin(),
-                           [&](float value) { return value >= range[0] && value <= range[1] ? 1 : 0; });
+    of_cells.with([&](const auto& values) {
+        std::ranges::transform(values, kept.begin(),
+                               [&](auto value) { return value >= range[0] && value <= range[1] ? 1 : 0; });
+    });
     return kept;
 }
 
