@@ -4,6 +4,9 @@
 #include "import/mesh/joined_mesh.hpp"
 #include "import/source/array_selection.hpp"
 
+class vtkDataArray;
+class vtkDataSet;
+
 namespace ciel::importer {
 
 // Returns the data set's ids of points or cells: VTK's global ids or GlobalNodeId/GlobalElementId, else the pedigree
