@@ -7,9 +7,7 @@
 namespace ciel::geometry {
 namespace {
 
-double rounding(std::array<double, 2> range) {
-    return 1e-6 * (range[1] - range[0]);
-}
+double rounding(std::array<double, 2> range) { return 1e-6 * (range[1] - range[0]); }
 
 } // namespace
 

@@ -207,8 +207,12 @@ std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Datase
         if (!target.steps().empty() && at.time <= target.steps().back().time) continue;
         const FaceMeshView view = source.mesh(at.mesh, at.coordinates);
         const std::size_t mesh = mesh_like(target, source, view);
+        std::vector<Values> held;
         std::vector<ArrayValues> arrays;
-        for (const auto& [name, array] : at.arrays) arrays.push_back({*source.find(name), source.values(name, step)});
+        for (const auto& [name, array] : at.arrays) {
+            held.push_back(source.values(name, step));
+            arrays.push_back({*source.find(name), held.back()});
+        }
         writer.add_step(at.time, mesh, coordinates_like(writer, mesh, view), arrays);
         ++appended;
     }

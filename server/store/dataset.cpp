@@ -88,10 +88,12 @@ public:
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
-        return at(mesh)->view(positions(mesh, coordinates));
+        const Values all = positions(mesh, coordinates);
+        return holding(at(mesh)->view(all), all);
     }
     FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
-        return at(mesh)->view_points(positions(mesh, coordinates));
+        const Values all = positions(mesh, coordinates);
+        return holding(at(mesh)->view_points(all), all);
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -140,7 +142,7 @@ public:
         return BlockBoxes{std::move((*ranges)[0]), std::move((*ranges)[1]), std::move((*ranges)[2])};
     }
 
-    std::span<const float> values(const std::string& array, std::size_t step) const override {
+    Values values(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
         if (step >= steps_.size()) refuse(directory_, "has no step " + std::to_string(step));
         const MarkedStep& marked = marker_.steps[step];
@@ -154,20 +156,24 @@ public:
     }
 
 private:
+    static FaceMeshView holding(FaceMeshView view, const Values& positions) {
+        view.keep_alive = positions.keep_alive();
+        return view;
+    }
+
     // Returns the positions of a coordinate set, which are checked at the first call.
-    std::span<const float> positions(std::size_t mesh, std::size_t coordinates) const {
+    Values positions(std::size_t mesh, std::size_t coordinates) const {
         (void)at(mesh);
         const ArrayLayout& positions = positions_[mesh];
         if (coordinates >= positions.chunks)
             refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
         const auto& sums = coordinate_checksums_[mesh];
         const fs::path file = positions.chunk(coordinates);
-        return chunks_->get(
-            file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
-            [&](std::span<const float> values) {
-                if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
-                    refuse(file, "holds a coordinate that is not finite");
-            });
+        return chunks_->get(file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
+                            [&](std::span<const float> all) {
+                                if (!std::all_of(all.begin(), all.end(), [](float v) { return std::isfinite(v); }))
+                                    refuse(file, "holds a coordinate that is not finite");
+                            });
     }
 
     // Returns the ranges of a chunk with this checksum, which is empty if it is not known.

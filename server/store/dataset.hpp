@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
+#include "store/cache/values.hpp"
 #include "store/format/dataset_info.hpp"
 
 #include <cstdint>
@@ -30,10 +31,10 @@ struct ScalarName {
     [[nodiscard]] bool operator==(const ScalarName&) const = default;
 };
 
-// Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans and views from it
-// stay valid as long as the shared pointer lives. Files are mapped, and writers must replace them instead of truncating
-// or rewriting them. If a file is truncated or rewritten all the same, no read fails: views check each index, and
-// check_intact throws. Thread-safe.
+// Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans from it stay valid as
+// long as the shared pointer lives; views of meshes need it, too. Files are mapped, and writers must replace them
+// instead of truncating or rewriting them. If a file is truncated or rewritten all the same, no read fails: views check
+// each index, and check_intact throws. Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
@@ -78,7 +79,7 @@ public:
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
     // Returns the array's values at a step: `components` numbers per vertex, cell or boundary face, interleaved. Empty
     // when the array was not written at this step. Throws Error for an unknown array or a damaged chunk.
-    [[nodiscard]] virtual std::span<const float> values(const std::string& array, std::size_t step) const = 0;
+    [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
 
     // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
     // was appended with plain Zarr. Throws Error when they are damaged.

@@ -112,11 +112,11 @@ struct LoadedDataset::State {
     }
 
     // Returns the values of an array at a step. Throws NotWritten when there are none, Error for another association.
-    [[nodiscard]] static std::span<const float> written(const Dataset& dataset, const std::string& array,
-                                                        std::size_t step, Association wanted) {
+    [[nodiscard]] static Values written(const Dataset& dataset, const std::string& array, std::size_t step,
+                                        Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
             throw Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " + name_of(wanted));
-        const auto values = dataset.values(array, step);
+        auto values = dataset.values(array, step);
         if (values.empty()) {
             std::ostringstream time;
             time << dataset.steps()[step].time;
@@ -308,7 +308,8 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of_mesh = topology(at.mesh);
     const auto boxes = state_->boxes(*of, at, *of_mesh);
     return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices), [&] {
-        Field made = Field::plane(*of_mesh, of->points(at.mesh, at.coordinates), origin, normal, *boxes, of);
+        const FaceMeshView points = of->points(at.mesh, at.coordinates);
+        Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);
         return made;
     });

@@ -7,25 +7,45 @@
 
 namespace ciel::store {
 
-std::span<const float> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes, const std::string& sum,
-                                       const std::function<void(std::span<const float>)>& verify) {
-    Entry* entry = nullptr;
-    {
-        const std::lock_guard lock(mutex_);
-        auto& slot = entries_[file.string()];
-        if (!slot) slot = std::make_unique<Entry>();
-        entry = slot.get();
+Values ChunkCache::get(const std::filesystem::path& file, std::size_t bytes, const std::string& sum,
+                       const std::function<void(std::span<const float>)>& verify) {
+    Entry& of_file = entry(file);
+    const std::lock_guard lock(of_file.mutex);
+    std::shared_ptr<const MappedFile> mapped = of_file.mapped.lock();
+    if (mapped == nullptr) {
+        mapped = std::make_shared<const MappedFile>(file, bytes, any_lost_);
+        if (of_file.verified != mapped->version()) {
+            if (!sum.empty() && checksum(mapped->bytes()) != sum) refuse_damage(file, "does not match its checksum");
+            if (verify) verify(mapped->as<float>());
+            of_file.verified = mapped->version();
+        }
+        of_file.mapped = mapped;
     }
-    const std::lock_guard lock(entry->mutex);
-    if (!entry->ready) {
-        MappedFile mapped(file, bytes, any_lost_);
-        if (!sum.empty() && checksum(mapped.bytes()) != sum) refuse_damage(file, "does not match its checksum");
-        if (verify) verify(mapped.as<float>());
-        entry->file = std::move(mapped);
-        entry->ready = true;
+    mapped->check_intact();
+    keep(of_file, mapped);
+    return {mapped->as<float>(), mapped};
+}
+
+ChunkCache::Entry& ChunkCache::entry(const std::filesystem::path& file) {
+    const std::lock_guard lock(mutex_);
+    auto& found = entries_[file.string()];
+    if (!found) found = std::make_unique<Entry>();
+    return *found;
+}
+
+void ChunkCache::keep(Entry& entry, const std::shared_ptr<const MappedFile>& file) {
+    Kept let_go; // unmapped after the lock
+    const std::lock_guard lock(mutex_);
+    if (const auto known = place_.find(&entry); known != place_.end()) {
+        known->second->second = file;
+        kept_.splice(kept_.begin(), kept_, known->second);
+        return;
     }
-    entry->file.check_intact();
-    return entry->file.as<float>();
+    kept_.emplace_front(&entry, file);
+    place_[&entry] = kept_.begin();
+    if (kept_.size() <= most_kept) return;
+    place_.erase(kept_.back().first);
+    let_go.splice(let_go.begin(), kept_, std::prev(kept_.end()));
 }
 
 void ChunkCache::check_sizes() const {
@@ -44,7 +64,7 @@ void ChunkCache::for_each(const std::function<void(const MappedFile&)>& visit) c
     }
     for (Entry* entry : all) {
         const std::lock_guard lock(entry->mutex);
-        visit(entry->file);
+        if (const auto mapped = entry->mapped.lock()) visit(*mapped);
     }
 }
 

@@ -83,6 +83,13 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     return *this;
 }
 
+FileVersion MappedFile::version() const {
+    return {opened_.st_dev,
+            opened_.st_ino,
+            {opened_.st_mtim.tv_sec, opened_.st_mtim.tv_nsec},
+            {opened_.st_ctim.tv_sec, opened_.st_ctim.tv_nsec}};
+}
+
 void MappedFile::expect_random_reads() const {
     if (size_ != 0) (void)::madvise(data_, size_, MADV_RANDOM);
 }

@@ -6,8 +6,10 @@
 // check_intact throws as soon as the change has been noticed (watched_mappings.hpp).
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -16,6 +18,13 @@
 namespace ciel::store {
 
 struct WatchedMapping; // watched_mappings.hpp
+
+// Tells a file from the one that was at its path before, and its content from that before a change.
+struct FileVersion {
+    std::uint64_t device = 0, inode = 0;
+    std::array<std::int64_t, 2> modified{}, status_changed{}; // seconds, nanoseconds
+    [[nodiscard]] bool operator==(const FileVersion&) const = default;
+};
 
 // Shared by the mapped files of a dataset. True once one of them is lost; until then no single file must be checked.
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
@@ -41,6 +50,7 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
+    [[nodiscard]] FileVersion version() const; // of the file when it was opened or at the last accept_touch
     // Expect that parts are read here and there, so that a part is not read with what lies behind it.
     void expect_random_reads() const;
     // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the

@@ -5,17 +5,17 @@
 #include "ciel/checked_array.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ciel {
 
-// View of a FaceMesh; the arrays must outlive every use. V vertices, F faces, C cells. Indices are checked at each
-// read, because the arrays may be in a mapped file. Positions and types are not checked: any value is harmless.
-// A face between two cells is stored once. Its loop is wound so that its normal (right hand) points out of `owner` into
-// `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids in a loop (collapsed cells)
-// are allowed and kept.
-// Cells are in storage order, which is a space-filling-curve order. Faces are sorted by owner, vertices by their first
-// use in face_vertex; unused vertices come last.
+// View of a FaceMesh; the arrays must outlive every use, unless keep_alive owns them. V vertices, F faces, C cells.
+// Indices are checked at each read, because the arrays may be in a mapped file. Positions and types are not checked:
+// any value is harmless. A face between two cells is stored once. Its loop is wound so that its normal (right hand)
+// points out of `owner` into `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids
+// in a loop (collapsed cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order.
+// Faces are sorted by owner, vertices by their first use in face_vertex; unused vertices come last.
 struct FaceMeshView {
     using Offsets = CheckedArray<std::uint64_t>;
 
@@ -26,6 +26,7 @@ struct FaceMeshView {
     Ids face_vertex;                          // vertex ids, loop by loop
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
+    std::shared_ptr<const void> keep_alive{}; // owns the positions; null if somebody else does
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
@@ -54,7 +55,8 @@ face_mesh_view(Vec3d origin, std::span<const float> positions, std::span<const s
             {face_offset, face_vertex.size() + 1, keepers.face_offset},
             {face_vertex, vertices, keepers.face_vertex},
             {owner, cells, keepers.owner},
-            {neighbour, cells, keepers.neighbour}};
+            {neighbour, cells, keepers.neighbour},
+            {}};
 }
 
 struct FaceMesh {

@@ -49,7 +49,8 @@ void AdoptedEdges::find(const Topology::Blocks& blocks, Cutter& cutter) {
     });
     for (std::size_t i = 0; i < active.size(); ++i) edges_.insert(edges_.end(), found_[i].begin(), found_[i].end());
     std::ranges::sort(edges_, {}, [](const Edge& at) { return std::pair(at.edge, at.block); });
-    edges_.erase(std::ranges::unique(edges_, {}, &Edge::edge).begin(), edges_.end());
+    const auto same = [](const Edge& a, const Edge& b) { return a.edge == b.edge; };
+    edges_.erase(std::unique(edges_.begin(), edges_.end(), same), edges_.end());
     for (const Edge& edge : edges_) cut[edge.block].adopted.push_back(edge.end);
 }
 
@@ -68,7 +69,7 @@ Index AdoptedEdges::point_of(Index edge) const {
 std::size_t AdoptedEdges::memory_bytes() const {
     std::size_t count = edges_.capacity();
     for (const std::vector<Edge>& found : found_) count += found.capacity();
-    return count * sizeof(Edge) + found_.capacity() * sizeof(found_[0]);
+    return count * sizeof(Edge) + found_.capacity() * sizeof(std::vector<Edge>);
 }
 
 } // namespace ciel
