@@ -3,6 +3,7 @@
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
