@@ -6,6 +6,7 @@
 #include "support/small_dataset/small_dataset.hpp"
 #include "support/views.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
