@@ -35,6 +35,22 @@ protected:
         std::ranges::transform(values, all.begin(), [](float value) { return raised(value); });
         return all;
     }
+
+    // nu_of: the value at which the doubles are cut where the floats are cut at a value of the walk.
+    void expect_same_cuts(const Field& floats, const Field& doubles, const std::vector<double>& walk,
+                          double (*nu_of)(double), bool normals) const {
+        for (const Algorithm algorithm : algorithms) {
+            Query query = mesh.query(algorithm), other = mesh.query(algorithm);
+            query.set_field(floats);
+            other.set_field(doubles);
+            for (const double nu : walk) {
+                Surface expected, found;
+                ASSERT_TRUE(query.extract(nu, normals, expected));
+                ASSERT_TRUE(other.extract(nu_of(nu), normals, found));
+                ASSERT_EQ(bit_difference(expected, found), "") << nu;
+            }
+        }
+    }
 };
 
 TEST_P(Doubles, ThatAreFloatsAreCutLikeFloats) {
@@ -43,17 +59,9 @@ TEST_P(Doubles, ThatAreFloatsAreCutLikeFloats) {
         const std::vector<double> wide(values.begin(), values.end());
         const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, wide, nullptr);
         EXPECT_EQ(field.range(), doubles.range());
-        for (const Algorithm algorithm : algorithms) {
-            Query query = mesh.query(algorithm), other = mesh.query(algorithm);
-            query.set_field(field);
-            other.set_field(doubles);
-            for (const double nu : walk_through(values, 8, 501)) {
-                Surface expected, found;
-                ASSERT_TRUE(query.extract(nu, true, expected));
-                ASSERT_TRUE(other.extract(nu, true, found));
-                ASSERT_EQ(bit_difference(expected, found), "") << named.name << " at " << nu;
-            }
-        }
+        SCOPED_TRACE(named.name);
+        expect_same_cuts(
+            field, doubles, walk_through(values, 8, 501), [](double nu) { return nu; }, true);
     }
 }
 
@@ -63,17 +71,10 @@ TEST_P(Doubles, OfALargeSumAreCutLikeTheirDifferences) {
         const std::vector<double> high = raised_all(values);
         const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, high, nullptr);
         EXPECT_THAT(doubles.sorted_minima(), testing::ElementsAreArray(field.sorted_minima()));
-        for (const Algorithm algorithm : algorithms) {
-            Query query = mesh.query(algorithm), other = mesh.query(algorithm);
-            query.set_field(field);
-            other.set_field(doubles);
-            for (const double nu : walk_through(values, 8, 502)) {
-                Surface expected, found;
-                ASSERT_TRUE(query.extract(coarse(nu), false, expected));
-                ASSERT_TRUE(other.extract(raised(coarse(nu)), false, found));
-                ASSERT_EQ(bit_difference(expected, found), "") << named.name << " at " << nu;
-            }
-        }
+        std::vector<double> walk = walk_through(values, 8, 502);
+        std::ranges::transform(walk, walk.begin(), coarse);
+        SCOPED_TRACE(named.name);
+        expect_same_cuts(field, doubles, walk, raised, false);
     }
 }
 
@@ -100,17 +101,7 @@ TEST_P(Doubles, WithoutAValueLeaveTheirCellsUncut) {
         high[v] = v % 2 == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
     }
     const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, high, nullptr);
-    for (const Algorithm algorithm : algorithms) {
-        Query query = mesh.query(algorithm), other = mesh.query(algorithm);
-        query.set_field(field);
-        other.set_field(doubles);
-        for (const float nu : {0.25F, 0.5F, 0.75F, 0.5F}) {
-            Surface expected, found;
-            ASSERT_TRUE(query.extract(nu, false, expected));
-            ASSERT_TRUE(other.extract(raised(nu), false, found));
-            ASSERT_EQ(bit_difference(expected, found), "") << nu;
-        }
-    }
+    expect_same_cuts(field, doubles, {0.25, 0.5, 0.75, 0.5}, raised, false);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Doubles, testing::ValuesIn(all_meshes()),
