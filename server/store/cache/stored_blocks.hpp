@@ -13,8 +13,8 @@
 
 namespace ciel::store {
 
-// How a topology gets a record: where it lies in the mapped file, which all processes share, or as a copy of its own.
-// Files of other machines are read, since a page of theirs can be lost at any time.
+// mapped: a topology uses the record in the mapped file, which all processes share. read: it uses a copy of its own.
+// Files on other machines are read, because a page of theirs can be lost at any time.
 enum class RecordAccess { mapped, read };
 [[nodiscard]] RecordAccess access_to(const std::filesystem::path& directory);
 
@@ -37,7 +37,6 @@ public:
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
     // Returns a record in its mapped file; likewise. Only for RecordAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
-    [[nodiscard]] RecordAccess access() const { return access_; }
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
     // Throws Error when a file was changed in place and a record no longer has its checksum. Makes a stat call per
     // file.

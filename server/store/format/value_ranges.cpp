@@ -11,7 +11,7 @@ namespace {
 struct RangesHead {
     std::uint64_t blocks = 0, scalars = 0;
     std::uint64_t chunk_checksum = 0;
-    std::array<char, 8> type{'<', 'f', '4'}; // of the limits: floats_type or doubles_type
+    std::array<char, 8> type{}; // of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
     std::array<std::uint64_t, 2> reserved{}; // offsets of a histogram and of checksums by 64 KiB
 };
