@@ -13,9 +13,9 @@ namespace ciel {
 class AdoptedEdges {
 public:
     struct Edge {
-        Index edge, block,
-            end;     // mesh-wide edge; the block that makes its point, and the index in its ActiveBlock::ends
-        Index point; // of the surface
+        Index edge;       // of the mesh
+        Index block, end; // the block that makes the point, and the index of the edge in its ActiveBlock::ends
+        Index point;      // of the surface
     };
 
     // Finds the active edges of the cutter's blocks whose owners the cutter leaves out. Sets `adopted` of its cuts.
