@@ -105,6 +105,14 @@ std::string number_label(double value, int digits) {
     return exponent != 0 && text == "1" ? power_of_ten(exponent) : text + times_power_of_ten(exponent);
 }
 
+int digits_of_range(double low, double high) {
+    constexpr int usual = 6, most = 17;
+    if (low == high) return usual;
+    int digits = usual;
+    while (digits < most && number_label(low, digits) == number_label(high, digits)) ++digits;
+    return digits == usual ? usual : std::min(digits + 1, most);
+}
+
 std::string times_power_of_ten(int exponent) { return exponent == 0 ? "" : " ×" + power_of_ten(exponent); }
 
 Scale nice_scale(double low, double high, int most) {

@@ -27,6 +27,9 @@ struct Scale {
 // Returns a single number as text, with at most `digits` digits and its own power of ten: for a time or a logarithmic
 // tick.
 [[nodiscard]] std::string number_label(double value, int digits = 6);
+// Returns the number of digits with which number_label tells the ends of a range apart: 6, or one more than tells them
+// apart, at most 17.
+[[nodiscard]] int digits_of_range(double low, double high);
 // Returns " ×10⁵" for 5, and an empty text for 0.
 [[nodiscard]] std::string times_power_of_ten(int exponent);
 // Returns units with superscripts: "m²/s²" for "m^2/s^2", as importers write it.

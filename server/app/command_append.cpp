@@ -56,6 +56,7 @@ std::string what_differs(const store::StepPlan& plan) {
     add("; new arrays: ", plan.added);
     add("; made from cell values: ", made);
     add("; not written: ", plan.lacking);
+    add("; rounded to float32, the type of the array in the dataset: ", plan.rounded);
     return text;
 }
 
@@ -69,12 +70,12 @@ int append_files(const Options& options) {
             throw Error("--array '" + argument + "' is not of the form NAME=FILE.npy");
         const std::string path = argument.substr(equals + 1);
         files.push_back({path, store::read_npy(path)});
-        wanted.push_back({argument.substr(0, equals), std::nullopt});
+        wanted.push_back({argument.substr(0, equals), std::nullopt, files.back().values.values.has_doubles()});
         if (dataset->find(wanted.back().name) == nullptr) wanted.back().components = files.back().components();
     }
     const store::StepPlan plan = store::plan_step(*dataset, *options.time, wanted);
     for (std::size_t i = 0; i < files.size(); ++i) check_size(files[i], plan.arrays[i]);
-    const auto values_of = [&](std::size_t i) { return std::span<const float>(files[i].values.values); };
+    const auto values_of = [&](std::size_t i) { return files[i].values.values; };
     const auto done = store::append_step(dataset, *options.time, wanted, values_of);
     std::cout << "1 step appended" << what_differs(done.plan) << '\n';
     return 0;
@@ -90,10 +91,11 @@ void add_append(CLI::App& app, Run& run) {
     auto* from = command->add_option("--from", options->from,
                                      "Dataset OTHER.ciel on the same mesh, whose later steps are appended");
     auto* time = command->add_option("--time", options->time, "Time of the step");
-    auto* arrays = command->add_option("--array", options->arrays,
-                                       "NAME=FILE.npy: float values in the order of the points of the imported file. A "
-                                       "name that begins with 'cell:' needs values in the order of the cells, and "
-                                       "point values are interpolated from the cell values. May be repeated");
+    auto* arrays = command->add_option(
+        "--array", options->arrays,
+        "NAME=FILE.npy: float32 or float64 values in the order of the points of the imported file. A "
+        "name that begins with 'cell:' needs values in the order of the cells, and "
+        "point values are interpolated from the cell values. May be repeated");
     time->needs(arrays)->excludes(from);
     arrays->needs(time)->excludes(from);
     command->callback([options, &run] {

@@ -1,8 +1,8 @@
 // ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: writes iso-surfaces and slices to one file.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
-#include "geometry/flat_shape.hpp"
 #include "geometry/sound_shape.hpp"
+#include "geometry/surface_values.hpp"
 #include "store/files/files.hpp"
 #include "store/statistics.hpp"
 #include "wire/files/joined_surface.hpp"
@@ -50,21 +50,19 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
     for (const std::string& scalar : scalars) {
         // The bare name of a vector means its magnitude; the file calls it ARRAY:magnitude.
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
-        wire::NamedValues values{name.magnitude ? name.array + ":magnitude" : scalar,
-                                 std::vector<float>(surface.points.size())};
-        if (is_of_cells(loaded, scalar))
-            values.values = geometry::flat_values(surface, surface.polygon_cell, *loaded.cell_values(scalar, step));
-        else
-            interpolate(surface.points, *loaded.scalar_values(scalar, step), 1, values.values);
-        all.push_back(std::move(values));
+        const store::Values values =
+            is_of_cells(loaded, scalar)
+                ? geometry::flat_values(surface, surface.polygon_cell, loaded.cell_values(scalar, step))
+                : geometry::values_at(surface.points, loaded.scalar_values(scalar, step));
+        all.push_back(wire::NamedValues::copy_of(name.magnitude ? name.array + ":magnitude" : scalar, values));
     }
     return all;
 }
 
 std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, std::size_t step) {
     const auto values = loaded.scalar_values(scalar, step);
-    const store::ArrayStep found = store::statistics(*values, {});
-    if (found.invalid == values->size()) return scalar + " has no finite value";
+    const store::ArrayStep found = store::statistics(values, {});
+    if (found.invalid == values.size()) return scalar + " has no finite value";
     std::ostringstream text;
     text << scalar << " lies between " << found.range[0] << " and " << found.range[1];
     return text.str();

@@ -1,4 +1,5 @@
 // ciel info: prints a dataset's contents. Reads every chunk, so every checksum is verified.
+#include "annotations/ticks.hpp"
 #include "app/commands.hpp"
 #include "ciel/field.hpp"
 #include "store/cell_extremes.hpp"
@@ -80,6 +81,7 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
             {"component_names", array.component_names},
             {"origin", store::to_text(array.source.origin)},
             {"type", array.source.type},
+            {"stored", array.doubles ? "float64" : "float32"},
             {"file", array.source.file},
             {"extremes",
              extremes ? json{{"lowest", extreme_json(extremes->lowest)}, {"highest", extreme_json(extremes->highest)}}
@@ -164,10 +166,15 @@ std::string grouped(const json& number) {
     return digits;
 }
 
-std::string number(const json& value) {
+std::string number(const json& value, int digits = 6) {
     std::ostringstream text;
-    text << std::setprecision(6) << value.get<double>();
+    text << std::setprecision(digits) << value.get<double>();
     return text.str();
+}
+
+std::string range_text(const json& range) {
+    const int digits = annotations::digits_of_range(range[0], range[1]);
+    return "[" + number(range[0], digits) + ", " + number(range[1], digits) + "]";
 }
 
 void line(const std::string& label, const std::string& text) {
@@ -180,11 +187,13 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
-// Returns an array's origin, type and file, such as "original float64 from 0/p".
+// Returns an array's origin, types and file, such as "original int32 from 0/p, stored as float64".
 std::string source_of(const json& array) {
     std::string text = array["origin"];
     if (const std::string type = array["type"]; !type.empty()) text += " " + type;
     if (const std::string file = array["file"]; !file.empty()) text += " from " + file;
+    if (const std::string type = array["type"]; !type.empty() && type != array["stored"])
+        text += ", stored as " + array["stored"].get<std::string>();
     return text;
 }
 
@@ -192,8 +201,7 @@ std::string describe(const json& array) {
     std::ostringstream text;
     text << std::left << std::setw(14) << array["association"].get<std::string>() << "x"
          << array["components"].get<int>() << "  ";
-    if (!array["range"].is_null())
-        text << "[" << number(array["range"][0]) << ", " << number(array["range"][1]) << "] ";
+    if (!array["range"].is_null()) text << range_text(array["range"]) << ' ';
     text << array["units"].get<std::string>() << "  at " << array["times"].size() << " times";
     if (array["missing_steps"] > 0) text << ", missing at " << array["missing_steps"];
     if (!array["ambiguous_faces"].is_null()) text << ", " << grouped(array["ambiguous_faces"]) << " ambiguous faces";

@@ -29,10 +29,12 @@ std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::st
     return found;
 }
 
-std::shared_ptr<const std::vector<float>> grown(const std::vector<float>& values) {
-    auto changed = std::make_shared<std::vector<float>>(values);
-    for (float& value : *changed) value *= 1.01F;
-    return changed;
+store::Values grown(const store::Values& values) {
+    return values.with([]<class T>(std::span<const T> all) {
+        std::vector<T> changed(all.begin(), all.end());
+        for (T& value : changed) value *= static_cast<T>(1.01);
+        return store::Values(std::move(changed));
+    });
 }
 
 } // namespace
@@ -51,7 +53,7 @@ Case open_case(const std::string& path, const std::string& array) {
     data.mesh = data.dataset->mesh(step.mesh, step.coordinates);
     data.values = loaded.scalar_values(data.array, steps[0]);
     const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
-    data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(*data.values);
+    data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(data.values);
     data.topology = loaded.topology(step.mesh);
     return data;
 }
@@ -67,9 +69,6 @@ std::vector<double> values_between(double low, double high, std::size_t count) {
     return values;
 }
 
-Field field_of(const Case& data, std::shared_ptr<const std::vector<float>> values) {
-    const std::span<const float> view = *values;
-    return {*data.topology, view, std::move(values)};
-}
+Field field_of(const Case& data, const store::Values& values) { return {*data.topology, values, values.keep_alive()}; }
 
 } // namespace ciel::bench

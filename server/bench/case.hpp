@@ -15,10 +15,10 @@ struct Case {
     std::string array;
     double time = 0;
     FaceMeshView mesh;
-    std::shared_ptr<const std::vector<float>> values;
+    store::Values values;
     // The scalar at the previous step at which the array varies, if that step has the same mesh; else `values` times
     // 1.01.
-    std::shared_ptr<const std::vector<float>> changed;
+    store::Values changed;
     std::shared_ptr<const Topology> topology;
 };
 
@@ -37,6 +37,6 @@ struct Case {
 [[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
 // Returns `count` equally spaced values between `low` and `high`, without both ends.
 [[nodiscard]] std::vector<double> values_between(double low, double high, std::size_t count);
-[[nodiscard]] Field field_of(const Case& data, std::shared_ptr<const std::vector<float>> values);
+[[nodiscard]] Field field_of(const Case& data, const store::Values& values);
 
 } // namespace ciel::bench

@@ -179,7 +179,7 @@ scene::Layer volume_of(const Case& data) {
 Table frames_table(const Case& data) {
     Table table{"frames", {}, {}};
     Frames frames(data);
-    const auto [low, high] = std::ranges::minmax(*data.values);
+    const auto [low, high] = std::ranges::minmax(data.values);
     const auto value = [from = double{low}, to = double{high}](double share) { return from + (to - from) * share; };
     const auto& bounds = data.dataset->info().meshes.front().bounds;
     const auto set_value = [&](scene::Scene& scene, double share) {

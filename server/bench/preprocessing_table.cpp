@@ -9,15 +9,15 @@ namespace ciel::bench {
 
 namespace {
 
-std::shared_ptr<const std::vector<float>> coordinate(const FaceMeshView& mesh, std::size_t axis, double sign) {
+store::Values coordinate(const FaceMeshView& mesh, std::size_t axis, double sign) {
     Vec3d normal{};
     normal[axis] = sign;
-    return std::make_shared<const std::vector<float>>(plane_distance(mesh, mesh.origin, normal));
+    return store::Values(plane_distance(mesh, mesh.origin, normal));
 }
 
 // A field computes its extrema once, so each run has its own field.
 Row minima_row(
-    const Case& data, const std::string& what, const std::shared_ptr<const std::vector<float>>& values,
+    const Case& data, const std::string& what, const store::Values& values,
     const std::function<void(Field&)>& prepare = [](Field&) {}) {
     std::optional<Field> field;
     std::size_t found = 0;
@@ -56,8 +56,8 @@ Table preprocessing_table(const Case& data) {
         const Field field = field_of(data, data.values);
         field.take_in();
     });
-    add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, *data.values); });
-    add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, *data.values); });
+    add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, data.values); });
+    add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, data.values); });
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0})
             table.rows.push_back(
@@ -71,8 +71,7 @@ Table preprocessing_table(const Case& data) {
     vertices.note = std::to_string(where->find(*data.topology).vertices.size()) + " vertices";
     const double part = 1 / std::sqrt(3.0);
     const Vec3d screen{part, part, part};
-    const auto distance =
-        std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, screen));
+    const store::Values distance(plane_distance(data.mesh, data.mesh.origin, screen));
     table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, all vertices", distance));
     table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, those vertices", distance,
                                     [&](Field& field) { field.set_direction(where, screen); }));

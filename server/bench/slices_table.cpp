@@ -12,7 +12,8 @@ constexpr std::size_t slice_count = 100;
 
 class Slices {
 public:
-    Slices(const Case& data, Algorithm algorithm) : data_(data), query_(*data.topology, data.mesh, algorithm) {}
+    Slices(const Case& data, Algorithm algorithm)
+        : values_(converted(data.values, false)), query_(*data.topology, data.mesh, algorithm) {}
 
     std::uint64_t draw(const Field& distance) {
         query_.set_field(distance);
@@ -21,14 +22,14 @@ public:
         for (const double nu : values_between(low, high, slice_count)) {
             (void)query_.extract(nu, false, surface_);
             property_.resize(surface_.points.size());
-            interpolate(surface_.points, *data_.values, 1, property_);
+            interpolate(surface_.points, values_.floats(), 1, property_);
             triangles += triangles_of(surface_);
         }
         return triangles;
     }
 
 private:
-    const Case& data_;
+    store::Values values_; // as floats
     Query query_;
     Surface surface_;
     std::vector<float> property_;
@@ -36,12 +37,12 @@ private:
 
 class OnePass {
 public:
-    explicit OnePass(const Case& data) : data_(data) {}
+    explicit OnePass(const Case& data) : data_(data), values_(converted(data.values, false)) {}
 
     std::uint64_t draw(const Field& distance) {
         const auto [low, high] = distance.range();
-        sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count), SliceSink{*data_.values},
-              parts_, slices_);
+        sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count),
+              SliceSink{values_.floats()}, parts_, slices_);
         std::uint64_t triangles = 0;
         for (const SliceSink::Out& slice : slices_) triangles += slice.triangles.size() / 3;
         return triangles;
@@ -49,6 +50,7 @@ public:
 
 private:
     const Case& data_;
+    store::Values values_; // as floats
     SweepParts<SliceSink> parts_;
     std::vector<SliceSink::Out> slices_;
 };
@@ -56,8 +58,7 @@ private:
 // Makes the field whose iso-surfaces are slices across `normal`. Box-aligned rows reuse one field; screen-aligned rows
 // make a field in each run, because the direction is new after every turn of the camera.
 Field distance_along(const Case& data, Vec3d normal) {
-    return field_of(data,
-                    std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, normal)));
+    return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.origin, normal)));
 }
 
 } // namespace

@@ -59,7 +59,7 @@ private:
         double step = span / 100;
         while (step > span * 1e-7) {
             const auto passed =
-                std::ranges::count_if(*data_.values, [&](float value) { return value >= nu && value < nu + step; });
+                std::ranges::count_if(data_.values, [&](double value) { return value >= nu && value < nu + step; });
             // A vertex with a value in the step makes its edges active or inactive, about 12 of them.
             if (12 * static_cast<double>(passed) <= edges / 100) return step;
             step /= 2;

@@ -39,9 +39,10 @@ private:
 } // namespace
 
 VolumePictures::VolumePictures(const Case& data)
-    : data_(data), gradients_(vertex_gradients(*data.topology, data.mesh, *data.values)),
-      limits_(cell_limits(data.mesh, *data.values)),
-      boundary_(slab_boundary(data.mesh, {*data.values, gradients_, limits_})) {
+    : data_(data), values_(converted(data.values, false)),
+      gradients_(vertex_gradients(*data.topology, data.mesh, data.values)),
+      limits_(cell_limits(data.mesh, values_.floats())),
+      boundary_(slab_boundary(data.mesh, {values_.floats(), gradients_, limits_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.origin;
     for (std::size_t i = 0; i < data.mesh.positions.size(); ++i) {
@@ -52,7 +53,7 @@ VolumePictures::VolumePictures(const Case& data)
     }
     turn_back();
     frame_.samples = 1;
-    const auto [lowest, highest] = std::ranges::minmax(*data.values);
+    const auto [lowest, highest] = std::ranges::minmax(data.values);
     volume_.scale.range = {lowest, highest};
     volume_.unit_length = 0.3 * (frame_.bounds_max[1] - frame_.bounds_min[1]);
     volume_.opacity_points = {{0, 0}, {1, 0.9}};
@@ -61,15 +62,15 @@ VolumePictures::VolumePictures(const Case& data)
 }
 
 std::uint64_t VolumePictures::cut(const Vec3d& normal) {
-    const Field planes = field_of(
-        data_, std::make_shared<const std::vector<float>>(plane_distance(data_.mesh, data_.mesh.origin, normal)));
+    const Field planes = field_of(data_, store::Values(plane_distance(data_.mesh, data_.mesh.origin, normal)));
     volume_.normal = normal;
     volume_.first = planes.range()[0];
     volume_.thickness = (double{planes.range()[1]} - planes.range()[0]) / slice_count;
     std::vector<double> places;
     for (std::size_t i = 0; i < slice_count; ++i)
         places.push_back(volume_.first + (static_cast<double>(i) + 0.5) * volume_.thickness);
-    (void)sweep(*data_.topology, data_.mesh, planes, places, SlabSink{{*data_.values, gradients_, limits_}}, slices_);
+    (void)sweep(*data_.topology, data_.mesh, planes, places, SlabSink{{values_.floats(), gradients_, limits_}},
+                slices_);
     volume_.slices = slices_;
     volume_.revision = ++revision_;
     std::uint64_t triangles = 0;

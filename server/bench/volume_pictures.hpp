@@ -38,6 +38,7 @@ public:
 
 private:
     const Case& data_;
+    store::Values values_; // as floats
     std::vector<Vec3f> gradients_;
     std::vector<std::array<float, 2>> limits_;
     SlabMesh boundary_;

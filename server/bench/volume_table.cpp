@@ -33,7 +33,7 @@ Table volume_table(const Case& data) {
     const render::Volume& volume = pictures.volume();
     const double loss = geometry::largest_loss(volume.opacity_points, volume.unit_length,
                                                volume.thickness * static_cast<double>(volume.slices.size()));
-    const std::size_t preview_stride = geometry::moving_stride(VolumePictures::slice_count, data.values->size(), loss);
+    const std::size_t preview_stride = geometry::moving_stride(VolumePictures::slice_count, data.values.size(), loss);
     for (const bool shaded : {true, false}) {
         pictures.turn_back();
         table.rows.push_back(measure(

@@ -11,6 +11,9 @@ namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
+// Share of the range. Values of a range that is as narrow as this slack are doubles, which are not rounded so far.
+constexpr double largest_slack = 1e-3;
+
 // log(1 + |v| / w) at the ends of a range that is logarithmic on both sides of zero (protocol/colors.md).
 const double log_of_reach = std::log1p(1 / linear_share);
 
@@ -64,7 +67,7 @@ std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count) {
 }
 
 bool has_width(const ColorScale& scale) {
-    const float width = static_cast<float>(scale.range[1]) - static_cast<float>(scale.range[0]);
+    const auto width = static_cast<float>(scale.range[1] - scale.range[0]);
     return std::isfinite(width) && width > 0;
 }
 
@@ -91,12 +94,13 @@ double value_at(const ColorScale& scale, double place) {
 }
 
 ColorLimits limits_of(const ColorScale& scale) {
-    if (!has_width(scale)) return {-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+    if (!has_width(scale)) return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     const auto [low, high] = scale.range;
+    const double width = high - low;
     const double rounding = 2.5e-7 * std::max(std::abs(low), std::abs(high)); // two units in a float's last place
-    const double slack = 1e-6 * (high - low) + rounding;
-    if (scale.log && low > 0) return {static_cast<float>(low * (1 - 1e-6)), static_cast<float>(high * (1 + 1e-6))};
-    return {static_cast<float>(low - slack), static_cast<float>(high + slack)};
+    const double slack = 1e-6 * width + std::min(rounding, largest_slack * width);
+    if (scale.log && low > 0) return {low * (1 - 1e-6), high * (1 + 1e-6)};
+    return {low - slack, high + slack};
 }
 
 Rgb8 color_of(const ColorScale& scale, double value) {

@@ -27,8 +27,7 @@ struct ColorPoint {
 struct ColorScale {
     std::string map = "viridis";
     std::vector<ColorPoint> points; // if not empty: at least two, ascending; replace `map`; linear in sRGB between them
-    // Values of the two ends, as the scene gives them: legends show them, pixels use the nearest floats. With `log`
-    // both are above zero, or the range goes from -r to r.
+    // Values of the two ends, as the scene gives them. With `log` both are above zero, or the range goes from -r to r.
     std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal factors have equal lengths on the scale
     int steps = 0;                     // number of steps, 2 to most_color_steps; 0: a smooth scale
@@ -59,7 +58,7 @@ inline constexpr double linear_share = 1e-3;
 
 // Values from `low` to `high` count as inside the range. The limits allow for the rounding of interpolated floats.
 struct ColorLimits {
-    float low = 0, high = 0;
+    double low = 0, high = 0;
 };
 [[nodiscard]] ColorLimits limits_of(const ColorScale& scale);
 // Returns whether the width of the range, as a float, is positive and finite. If not, all values have the middle color.

@@ -14,6 +14,7 @@ namespace ciel::engine {
 struct Uploads::Upload {
     struct Array {
         std::string name;
+        bool doubles = false;
         std::uint64_t begin = 0, bytes = 0, received = 0; // begin: offset in the file
     };
 
@@ -70,6 +71,13 @@ std::string without_directory(std::string sentence, const store::Dataset& datase
     return sentence;
 }
 
+template <class T>
+store::Values read_values(const store::ScratchFile& file, std::uint64_t begin, std::uint64_t bytes) {
+    std::vector<T> values(bytes / sizeof(T));
+    file.read(begin, std::as_writable_bytes(std::span(values)));
+    return store::Values(std::move(values));
+}
+
 } // namespace
 
 std::string to_text(const wire::UploadId& id) {
@@ -94,7 +102,9 @@ wire::UploadId upload_id(const std::string& text) {
     return id;
 }
 
-std::uint64_t upload_bytes(const store::PlannedArray& array) { return array.values() * sizeof(float); }
+std::uint64_t upload_bytes(const store::PlannedArray& array) {
+    return array.values() * (array.doubles ? sizeof(double) : sizeof(float));
+}
 
 Uploads::Uploads(const limits::Limits& limits) : limits_(limits) {}
 Uploads::~Uploads() = default;
@@ -108,7 +118,7 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     BegunUpload begun{random_id(), store::plan_step(*dataset, time, wanted)};
     const auto upload = std::make_shared<Upload>();
     for (const store::PlannedArray& array : begun.plan.arrays) {
-        upload->arrays.push_back({array.info.name, upload->bytes, upload_bytes(array), 0});
+        upload->arrays.push_back({array.info.name, array.doubles, upload->bytes, upload_bytes(array), 0});
         upload->bytes += upload_bytes(array);
     }
     if (upload->bytes > limits_.upload_bytes)
@@ -183,11 +193,13 @@ CommittedUpload Uploads::commit(const wire::UploadId& id) {
         if (array.received < array.bytes)
             throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
                         std::to_string(array.bytes) + " bytes; send the rest, then commit");
-    std::vector<float> values; // values of one array at a time
+    store::Values values; // of one array at a time
     const auto values_of = [&](std::size_t i) {
-        values.resize(upload->arrays[i].bytes / sizeof(float));
-        upload->file->read(upload->arrays[i].begin, std::as_writable_bytes(std::span(values)));
-        return std::span<const float>(values);
+        const Upload::Array& array = upload->arrays[i];
+        values = {}; // before the next array takes memory
+        values = array.doubles ? read_values<double>(*upload->file, array.begin, array.bytes)
+                               : read_values<float>(*upload->file, array.begin, array.bytes);
+        return values;
     };
     const auto dataset = upload->loaded->dataset();
     try {

@@ -16,7 +16,7 @@ namespace {
 // without width.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
-    const double width = static_cast<double>(static_cast<float>(scale.range[1])) - static_cast<float>(scale.range[0]);
+    const double width = scale.range[1] - scale.range[0];
     return scale.log || !(width > 0) || !std::isfinite(width) ? 0 : width / steps;
 }
 
@@ -43,7 +43,7 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
         mesh.points = drawable.points();
         mesh.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
         mesh.map = drawable.scale.map;
-        mesh.range = {static_cast<float>(drawable.scale.range[0]), static_cast<float>(drawable.scale.range[1])};
+        mesh.range = drawable.scale.range;
         mesh.color = drawable.color;
         mesh.lit = drawable.lit;
         mesh.scale = geometry::json_of(drawable.scale).dump();

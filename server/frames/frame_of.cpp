@@ -44,7 +44,8 @@ render::Volume volume_of(const geometry::VolumeDrawable& drawable, const render:
     volume.first = drawable.slabs->first;
     volume.thickness = drawable.slabs->thickness;
     volume.stride = drawable.stride;
-    volume.scale = drawable.scale;
+    volume.scale = drawable.scale; // always linear, so that only the distance of a value from the ends counts
+    for (double& end : volume.scale.range) end -= drawable.value_origin;
     volume.opacity_points = drawable.opacity_points;
     volume.unit_length = drawable.unit_length;
     volume.shaded = drawable.shaded && lighting.headlight > 0;
@@ -73,6 +74,7 @@ render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& s
         mesh.positions = drawable.shape->surface.positions;
         if (drawable.polygons()) mesh.normals = drawable.shape->surface.normals;
         if (drawable.scalars) mesh.scalars = *drawable.scalars;
+        mesh.scalar_origin = drawable.scalar_origin;
         mesh.indices = drawable.indices();
         mesh.lines = drawable.lines();
         mesh.points = drawable.points();

@@ -77,9 +77,8 @@ std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry) {
 }
 
 ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable) {
-    return clip_surface(drawable.shape->surface,
-                        drawable.scalars ? std::span<const float>(*drawable.scalars) : std::span<const float>(),
-                        geometry.clip, clip_slack(geometry));
+    return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), geometry.clip,
+                        clip_slack(geometry));
 }
 
 } // namespace ciel::geometry

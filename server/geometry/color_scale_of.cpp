@@ -29,7 +29,7 @@ std::string hex_of(const color::Rgb8& color) {
 
 } // namespace
 
-color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<float, 2> data_range) {
+color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<double, 2> data_range) {
     color::ColorScale scale;
     scale.map = coloring.map;
     if (coloring.points)
@@ -52,7 +52,7 @@ color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<flo
     return scale;
 }
 
-bool is_shown_by(const scene::Coloring& coloring, std::array<float, 2> data_range) {
+bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range) {
     return !coloring.log || coloring.symmetric || coloring.range || data_range[1] > 0;
 }
 

@@ -13,9 +13,9 @@ namespace ciel::geometry {
 inline constexpr double log_decades = 6;
 
 // `data_range`: of the array at the shown step.
-[[nodiscard]] color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<float, 2> data_range);
+[[nodiscard]] color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<double, 2> data_range);
 // Returns false if a logarithmic scale takes its range from data without a value above zero.
-[[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<float, 2> data_range);
+[[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range);
 
 // Returns the scale's members as in a scene's coloring, without map, range and members with default values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);

@@ -3,8 +3,8 @@
 #include "ciel/boundary_faces.hpp"
 #include "ciel/contour_lines.hpp"
 #include "ciel/polygon_edges.hpp"
-#include "geometry/flat_shape.hpp"
 #include "geometry/sound_shape.hpp"
+#include "geometry/surface_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,20 +20,37 @@ std::uint64_t unique_number() {
 
 namespace {
 
+store::Values same_value(std::size_t count, double value, bool doubles) {
+    if (doubles) return store::Values(std::vector<double>(count, value));
+    return store::Values(std::vector<float>(count, static_cast<float>(value)));
+}
+
 store::Association association_of(const store::Dataset& dataset, const std::string& scalar) {
     return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
 }
 
+// Returns the middle of the finite values if they are doubles, else 0: floats need no other origin than the scale's.
+double origin_of(const store::Values& values) {
+    if (!values.has_doubles()) return 0;
+    double low = INFINITY, high = -INFINITY;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return low <= high ? low / 2 + high / 2 : 0;
+}
+
 } // namespace
 
-std::vector<float> Painted::flat_scalars(store::LoadedDataset& loaded) const {
+store::Values Painted::flat_scalars(store::LoadedDataset& loaded) const {
     const Surface& surface = flat->surface;
     const auto dataset = loaded.dataset();
     if (association_of(*dataset, array) == store::Association::cell)
-        return flat_values(surface, surface.polygon_cell, *loaded.cell_values(array, step));
+        return flat_values(surface, surface.polygon_cell, loaded.cell_values(array, step));
     const store::Step& at = dataset->steps()[step];
     return flat_values(surface, boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face),
-                       *loaded.face_values(array, step));
+                       loaded.face_values(array, step));
 }
 
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
@@ -49,23 +66,21 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
     made.shape = new_shape;
     made.array = new_array;
     made.step = new_step;
-    made.scalars = nullptr;
+    made.scalars = std::nullopt;
     made.flat = nullptr;
     if (!new_array.empty() && association_of(*loaded.dataset(), new_array) != store::Association::point) {
         made.flat = flat && new_sound == sound ? flat : separated(*new_sound);
-        made.scalars = std::make_shared<const std::vector<float>>(made.flat_scalars(loaded));
+        made.scalars = made.flat_scalars(loaded);
     } else if (!new_array.empty()) {
+        const store::Values values = loaded.scalar_values(new_array, new_step);
         const auto& points = new_sound->surface.points;
-        auto values = std::make_shared<std::vector<float>>(points.size());
-        if (of.value)
-            std::fill(values->begin(), values->end(), static_cast<float>(*of.value));
-        else
-            interpolate(points, *loaded.scalar_values(new_array, new_step), 1, *values);
-        made.scalars = std::move(values);
+        made.scalars =
+            of.value ? same_value(points.size(), *of.value, values.has_doubles()) : values_at(points, values);
     }
     made.sound = std::move(new_sound);
-    made.missing = made.scalars && !std::all_of(made.scalars->begin(), made.scalars->end(),
-                                                [](float value) { return std::isfinite(value); });
+    const auto is_finite = [](auto value) { return std::isfinite(value); };
+    made.missing = made.scalars && !made.scalars->with([&](auto all) { return std::ranges::all_of(all, is_finite); });
+    made.scalar_origin = made.scalars ? origin_of(*made.scalars) : 0;
     made.revision = unique_number();
     *this = std::move(made);
 }
@@ -79,22 +94,21 @@ void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
 
 void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
                        const std::vector<double>& new_values, bool colored, store::LoadedDataset& loaded) {
-    const bool is_colored = scalars != nullptr;
+    const bool is_colored = scalars.has_value();
     if (lines && of == shape && array == new_array && step == new_step && values == new_values && is_colored == colored)
         return;
     const auto sound = sound_shape(shape, std::span(&new_array, 1), new_step, loaded);
     const auto& points = sound->surface.points;
-    std::vector<float> at_points(points.size());
-    interpolate(points, *loaded.scalar_values(new_array, new_step), 1, at_points);
+    const store::Values at_points = values_at(points, loaded.scalar_values(new_array, new_step));
     auto made = std::make_shared<Shape>();
     made->lines = true;
     auto& positions = made->surface.positions;
-    auto value_at_points = colored ? std::make_shared<std::vector<float>>() : nullptr;
+    std::vector<double> value_at_points;
     if (!colored) positions = contour_lines(sound->surface, at_points, new_values);
     for (std::size_t i = 0; colored && i < new_values.size(); ++i) {
         const auto of_value = contour_lines(sound->surface, at_points, std::span(&new_values[i], 1));
         positions.insert(positions.end(), of_value.begin(), of_value.end());
-        value_at_points->resize(positions.size(), static_cast<float>(new_values[i]));
+        value_at_points.resize(positions.size(), new_values[i]);
     }
     made->indices.resize(made->surface.positions.size());
     std::iota(made->indices.begin(), made->indices.end(), Index{0});
@@ -103,12 +117,13 @@ void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::str
     step = new_step;
     values = new_values;
     lines = std::move(made);
-    scalars = std::move(value_at_points);
+    scalars = colored ? std::optional(store::Values(std::move(value_at_points))) : std::nullopt;
+    scalar_origin = scalars ? origin_of(*scalars) : 0;
     revision = unique_number();
 }
 
 std::size_t Contoured::memory_bytes() const {
-    return (lines ? bytes_of(*lines) : 0) + (scalars ? scalars->size() * sizeof(float) : 0);
+    return (lines ? bytes_of(*lines) : 0) + (scalars ? scalars->size_bytes() : 0);
 }
 
 void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {

@@ -24,12 +24,13 @@ struct Painted {
     std::shared_ptr<const Shape> flat;  // `sound` with separated polygons; null for point arrays
     std::string array;
     std::size_t step = 0;
-    std::shared_ptr<const std::vector<float>> scalars;
-    bool missing = false; // some scalars are NaN or infinite
+    std::optional<store::Values> scalars; // in the array's type
+    double scalar_origin = 0;             // Drawable::scalar_origin
+    bool missing = false;                 // some scalars are NaN or infinite
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return (scalars ? scalars->size() * sizeof(float) : 0) + (flat ? bytes_of(*flat) : 0) +
+        return (scalars ? scalars->size_bytes() : 0) + (flat ? bytes_of(*flat) : 0) +
                (sound && sound != shape ? bytes_of(*sound) : 0);
     }
     [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : sound; }
@@ -38,7 +39,7 @@ struct Painted {
                store::LoadedDataset& loaded, const OfArray& of = {});
 
 private:
-    [[nodiscard]] std::vector<float> flat_scalars(store::LoadedDataset& loaded) const;
+    [[nodiscard]] store::Values flat_scalars(store::LoadedDataset& loaded) const;
 };
 
 // The edges of one shape's polygons, found again only when it changes.
@@ -55,7 +56,8 @@ struct Outlined {
 // Contour lines of one shape, found again only when the shape, the array, its step or the values change.
 struct Contoured {
     std::shared_ptr<const Shape> of, lines;
-    std::shared_ptr<const std::vector<float>> scalars; // per point the value of its line; null for a solid color
+    std::optional<store::Values> scalars; // per point the value of its line; nullopt for a solid color
+    double scalar_origin = 0;             // Drawable::scalar_origin
     std::string array;
     std::size_t step = 0;
     std::vector<double> values;

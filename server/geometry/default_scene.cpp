@@ -42,12 +42,36 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
     return found;
 }
 
+// Returns whether an iso-surface of the scalar would fill the mesh, as that of noise does: the values of a block of
+// cells cover, in the mean, more than half of the range. False for meshes of few blocks and where no ranges are stored.
+bool fills_the_mesh(const store::Dataset& dataset, const Candidate& of) {
+    constexpr std::size_t fewest_blocks = 27; // of fewer, each may have half of a smooth field's range
+    const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
+    if (!ranges || ranges->low.size() < fewest_blocks) return false;
+    double low = INFINITY, high = -INFINITY, sum = 0;
+    std::size_t count = 0;
+    for (std::size_t block = 0; block < ranges->low.size(); ++block) {
+        if (!(ranges->low[block] <= ranges->high[block])) continue; // no finite value
+        low = std::min(low, ranges->low[block]);
+        high = std::max(high, ranges->high[block]);
+        sum += ranges->high[block] - ranges->low[block];
+        ++count;
+    }
+    return sum > 0.5 * (high - low) * static_cast<double>(count);
+}
+
+// Moves the first scalar whose iso-surface can be looked at to the front. Keeps the order if there is none.
+void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
+    const auto clear = std::ranges::find_if(scalars, [&](const Candidate& of) { return !fills_the_mesh(dataset, of); });
+    if (clear != scalars.end()) std::rotate(scalars.begin(), clear, clear + 1);
+}
+
 bool is_written(const store::Dataset& dataset, const store::Step& step, const std::string& scalar) {
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-double sensible_value(const std::vector<float>& values) {
-    std::vector<float> sample;
+double sensible_value(ValuesView values) {
+    std::vector<double> sample;
     const std::size_t stride = values.size() / sample_size + 1;
     for (std::size_t i = 0; i < values.size(); i += stride)
         if (std::isfinite(values[i])) sample.push_back(values[i]);
@@ -55,7 +79,7 @@ double sensible_value(const std::vector<float>& values) {
     const auto at = [&](double share) {
         const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
         std::nth_element(sample.begin(), place, sample.end());
-        return static_cast<double>(*place);
+        return *place;
     };
     if (at(0.05) < at(0.95)) return (at(0.05) + at(0.95)) / 2;
     return (at(0) + at(1)) / 2;
@@ -209,7 +233,7 @@ void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>
     layers["iso"] = {{"type", "iso"},
                      {"order", 2},
                      {"array", scalar},
-                     {"values", {sensible_value(*loaded.scalar_values(scalar, step_index))}},
+                     {"values", {sensible_value(loaded.scalar_values(scalar, step_index))}},
                      {"color", std::move(color)}};
 }
 
@@ -226,7 +250,8 @@ DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name
     const store::Step& at_end = dataset->steps()[last];
     const auto patches = patches_of(*dataset, at_end);
     const auto bodies = bodies_of(patches, domain_of(*dataset, at_end));
-    const auto scalars = candidates(*dataset);
+    auto scalars = candidates(*dataset);
+    put_clear_surface_first(*dataset, scalars);
     const auto thin = thin_axis(patches, domain_of(*dataset, at_end));
     const store::Step& step =
         !bodies.empty() || thin ? at_end : dataset->steps()[scalars.empty() ? 0 : scalars.front().step];

@@ -35,7 +35,8 @@ bool is_seen(const SlabMesh& boundary, const Geometry& geometry) {
 }
 
 std::string range_text(const std::array<double, 2>& range) {
-    return annotations::number_label(range[0]) + " to " + annotations::number_label(range[1]);
+    const int digits = annotations::digits_of_range(range[0], range[1]);
+    return annotations::number_label(range[0], digits) + " to " + annotations::number_label(range[1], digits);
 }
 
 // Reason for a layer without any polygons, lines or points.

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,16 +24,17 @@ struct Shape {
 struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
     std::string layer;
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const std::vector<Index>> edges;   // drawn instead of the shape's own indices, two per line
-    float line_width = 1.5F;                           // pixels
-    std::shared_ptr<const std::vector<float>> scalars; // one per surface vertex; null: the solid color
-    std::string array;                                 // of the scalars
-    std::string units;                                 // of the array; empty if not known
-    std::vector<std::string> legend_lines;             // further lines of the legend, about the array at this step
-    color::ColorScale scale;                           // of the scalars
-    bool missing = false;                              // some scalars are NaN or infinite
-    bool all_left_out = false;                         // all its polygons were of cells that blew up
-    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};   // alpha: the layer's opacity
+    std::shared_ptr<const std::vector<Index>> edges; // drawn instead of the shape's own indices, two per line
+    float line_width = 1.5F;                         // pixels
+    std::optional<store::Values> scalars;            // one per surface vertex; nullopt: the solid color
+    double scalar_origin = 0;                        // near the scalars if they are doubles, to draw them as floats
+    std::string array;                               // of the scalars
+    std::string units;                               // of the array; empty if not known
+    std::vector<std::string> legend_lines;           // further lines of the legend, about the array at this step
+    color::ColorScale scale;                         // of the scalars
+    bool missing = false;                            // some scalars are NaN or infinite
+    bool all_left_out = false;                       // all its polygons were of cells that blew up
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
     bool lit = true;
     bool contours = false;      // contour lines on the layer, with their own color scale
     std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
@@ -50,7 +52,8 @@ struct Slabs; // volume_cut.hpp
 struct VolumeDrawable {
     std::string layer;
     std::shared_ptr<const Slabs> slabs;
-    std::size_t stride = 1; // one slice in `stride` is drawn
+    std::size_t stride = 1;  // one slice in `stride` is drawn
+    double value_origin = 0; // the slabs have values relative to it
     std::string array, units;
     std::vector<std::string> legend_lines;
     bool all_left_out = false;

@@ -10,15 +10,17 @@
 #include <sstream>
 
 namespace ciel::geometry {
-std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
+std::array<double, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
     const store::ScalarName name = store::parse_scalar(dataset, scalar);
     const auto& arrays = dataset.steps()[step].arrays;
+    const bool doubles = dataset.find(name.array)->doubles;
     const auto found = arrays.find(name.array);
     if (found == arrays.end()) return {0, 1};
     const auto& info = found->second;
     const auto& range =
         name.component ? info.component_ranges.at(static_cast<std::size_t>(*name.component)) : info.range;
-    return {static_cast<float>(range[0]), static_cast<float>(range[1])};
+    if (doubles) return range;
+    return {static_cast<float>(range[0]), static_cast<float>(range[1])}; // a magnitude's may be no floats
 }
 
 std::string full_name(const store::Dataset& dataset, const std::string& scalar) {
@@ -87,6 +89,7 @@ void LayerUpdate::add(Painted& painted, const std::shared_ptr<const Shape>& shap
     drawable.layer = layer.id;
     drawable.shape = painted.shown();
     drawable.scalars = painted.scalars;
+    drawable.scalar_origin = painted.scalar_origin;
     drawable.missing = painted.missing;
     drawable.all_left_out = painted.sound->indices.empty() && !shape->indices.empty();
     drawable.lit = lit;
@@ -119,7 +122,7 @@ void LayerUpdate::color(Drawable& drawable, const scene::Coloring& coloring, con
     drawable.color = with_opacity(coloring.solid, layer.opacity);
     if (coloring.array.empty()) return;
     drawable.array = full_name(*dataset, coloring.array);
-    const std::array<float, 2> range = range_of(*dataset, coloring.array, out.step);
+    const std::array<double, 2> range = range_of(*dataset, coloring.array, out.step);
     drawable.units = dataset->find(store::parse_scalar(*dataset, coloring.array).array)->units;
     drawable.legend_lines = legend_lines(coloring.array);
     drawable.scale = color_scale_of(coloring, range);

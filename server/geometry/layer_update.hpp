@@ -86,7 +86,8 @@ private:
 [[nodiscard]] std::string bits_of(double number); // all its bits: a key, not a text
 [[nodiscard]] std::string plane_name(const std::array<double, 3>& normal, const store::Step& step);
 
-[[nodiscard]] std::array<float, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step);
+[[nodiscard]] std::array<double, 2> range_of(const store::Dataset& dataset, const std::string& scalar,
+                                             std::size_t step);
 // Returns "U:magnitude" for the bare name of a vector, other names unchanged.
 [[nodiscard]] std::string full_name(const store::Dataset& dataset, const std::string& scalar);
 

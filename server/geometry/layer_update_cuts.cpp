@@ -105,17 +105,19 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
     } catch (const store::NotWritten& missing) {
         return lack(layer, "has no contour lines", missing);
     }
+    const int digits = annotations::digits_of_range(own[0], own[1]);
     if (contoured.lines->indices.empty() && !shape->indices.empty())
         out.remarks.push_back("layer " + layer.id + " has no contour lines: " + contours->array +
                               " takes none of the values of the lines on the layer; the data goes from " +
-                              annotations::number_label(own[0]) + " to " + annotations::number_label(own[1]) +
-                              " at this time");
+                              annotations::number_label(own[0], digits) + " to " +
+                              annotations::number_label(own[1], digits) + " at this time");
     tell_left_out(contours->array, true);
     Drawable& lines =
         add_lines(contoured.lines, contours->color, contours->width, layer, contoured.identity, contoured.revision);
     lines.contours = true;
     if (!contours->coloring) return;
     lines.scalars = contoured.scalars;
+    lines.scalar_origin = contoured.scalar_origin;
     color(lines, *contours->coloring, layer);
 }
 

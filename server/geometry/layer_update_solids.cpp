@@ -44,10 +44,10 @@ Boundary& LayerUpdate::boundary(const scene::Layer& layer, const std::string& ke
 std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshold) const {
     const std::string array = store::parse_scalar(*dataset, threshold.array).array;
     if (dataset->find(array)->association == store::Association::cell)
-        return cells_in_range(*loaded->cell_values(threshold.array, out.step), threshold.range);
-    auto kept = cells_in_range(dataset->mesh(step().mesh, step().coordinates),
-                               *loaded->scalar_values(threshold.array, out.step), threshold.range,
-                               threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
+        return cells_in_range(loaded->cell_values(threshold.array, out.step), threshold.range);
+    auto kept =
+        cells_in_range(dataset->mesh(step().mesh, step().coordinates), loaded->scalar_values(threshold.array, out.step),
+                       threshold.range, threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
     if (const auto sound = loaded->sound_cells(threshold.array, out.step))
         for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
     return kept;

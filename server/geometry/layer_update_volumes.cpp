@@ -20,7 +20,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     const std::string place = plane_name(normal, step());
     const auto [low, high] = planes.field->range();
     const double length = double{high} - double{low};
-    const std::size_t vertices = kept.values->size();
+    const std::size_t vertices = kept.values.size();
     const std::size_t slices =
         volume.slices.value_or(usual_slices(length, mean_edge(), vertices, steepness(volume.opacity_points)));
     const double loss = largest_loss(volume.opacity_points, unit_length_of(volume), length);
@@ -42,6 +42,7 @@ VolumeDrawable LayerUpdate::drawable_of(const scene::Layer& layer, const scene::
     drawable.layer = layer.id;
     drawable.slabs = kept.slabs;
     drawable.stride = stride;
+    drawable.value_origin = kept.value_origin;
     drawable.array = full_name(*dataset, volume.array);
     drawable.units = dataset->find(store::parse_scalar(*dataset, volume.array).array)->units;
     drawable.legend_lines = legend_lines(volume.array);

@@ -77,13 +77,16 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     key.clear();
     slabs = nullptr;
     slabs_key.clear();
-    values = loaded.scalar_values(name, step);
-    gradients = vertex_gradients(*field.topology, field.points, *values);
-    limits = cell_limits(field.mesh(), *values);
+    const store::Values stored = loaded.scalar_values(name, step);
+    gradients = vertex_gradients(*field.topology, field.points, stored);
+    const auto [low, high] = field.field->range();
+    value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
+    values = stored.has_doubles() ? store::Values(floats_from(value_origin, stored)) : stored;
+    limits = cell_limits(field.mesh(), values.floats());
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
             if (sound->kept[cell] == 0) limits[cell] = not_filled;
-    boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh(), {*values, gradients, limits}));
+    boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh(), {values.floats(), gradients, limits}));
     key = wanted;
 }
 
@@ -104,8 +107,8 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<SlabMesh> cuts;
-    if (!sweep(*planes.topology, planes.points, *planes.field, places, SlabSink{{*values, gradients, limits}}, cuts,
-               stop, extraction))
+    if (!sweep(*planes.topology, planes.points, *planes.field, places, SlabSink{{values.floats(), gradients, limits}},
+               cuts, stop, extraction))
         return false;
     for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);

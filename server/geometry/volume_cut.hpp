@@ -41,8 +41,9 @@ struct Slabs {
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
-    std::string key; // of the property: array, step
-    std::shared_ptr<const std::vector<float>> values;
+    std::string key;      // of the property: array, step
+    store::Values values; // floats, relative to value_origin
+    double value_origin = 0;
     std::vector<Vec3f> gradients;
     std::vector<std::array<float, 2>> limits; // by cell
     std::shared_ptr<const SlabMesh> boundary;

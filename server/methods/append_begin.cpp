@@ -15,7 +15,7 @@ protocol::ExpectedArray expected(const store::PlannedArray& array) {
 protocol::AppendBeginResult append_begin(Context& context, const protocol::AppendBeginParams& params) {
     context.check_may_append();
     std::vector<store::WantedArray> wanted;
-    for (const auto& array : params.arrays) wanted.push_back({array.name, array.components});
+    for (const auto& array : params.arrays) wanted.push_back({array.name, array.components, array.type == "float64"});
     const auto begun =
         context.server.uploads().begin(params.dataset, context.dataset(params.dataset), params.time, std::move(wanted));
     const limits::Limits& limits = context.server.limits();
@@ -27,6 +27,7 @@ protocol::AppendBeginResult append_begin(Context& context, const protocol::Appen
     }
     upload.added = begun.plan.added;
     upload.lacking = begun.plan.lacking;
+    upload.rounded = begun.plan.rounded;
     return upload;
 }
 

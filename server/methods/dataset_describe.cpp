@@ -28,6 +28,7 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
     info.scalars = store::scalar_names(array);
     info.origin = store::to_text(array.source.origin);
     if (!array.source.type.empty()) info.type = array.source.type;
+    info.stored = array.doubles ? "float64" : "float32";
     if (!array.source.file.empty()) info.file = array.source.file;
     info.extremes = answer_of(store::range_extremes(dataset, array));
     for (const store::Step& step : dataset.steps()) {

@@ -5,21 +5,21 @@
 namespace ciel::methods {
 namespace {
 
-std::array<double, 2> finite_range(const std::vector<float>& values) {
+std::array<double, 2> finite_range(ValuesView values) {
     std::array<double, 2> range{INFINITY, -INFINITY};
-    for (const float value : values)
-        if (std::isfinite(value)) range = {std::min<double>(range[0], value), std::max<double>(range[1], value)};
+    for (const double value : values)
+        if (std::isfinite(value)) range = {std::min(range[0], value), std::max(range[1], value)};
     if (range[0] > range[1]) return {0, 0};
     return range;
 }
 
 // Counts values into the bins of result.range. A bin is [low, high); the last one includes its upper end.
-void count(protocol::DatasetHistogramResult& result, const std::vector<float>& values) {
+void count(protocol::DatasetHistogramResult& result, ValuesView values) {
     const auto [low, high] = result.range;
     const auto bins = static_cast<double>(result.counts.size());
     const double scale = std::isfinite(high - low) ? 1 : 0.5; // the width of the widest ranges overflows a double
     const double width = high * scale - low * scale;
-    for (const float value : values) {
+    for (const double value : values) {
         if (!std::isfinite(value))
             ++result.invalid;
         else if (value < low)
@@ -33,8 +33,8 @@ void count(protocol::DatasetHistogramResult& result, const std::vector<float>& v
     }
 }
 
-std::shared_ptr<const std::vector<float>> values_of(store::LoadedDataset& loaded, store::Association association,
-                                                    const std::string& scalar, std::size_t step) {
+store::Values values_of(store::LoadedDataset& loaded, store::Association association, const std::string& scalar,
+                        std::size_t step) {
     switch (association) {
     case store::Association::point:
         break;
@@ -67,9 +67,9 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
     const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
     const auto values = values_of(*loaded, dataset->find(name.array)->association, params.array, step);
     protocol::DatasetHistogramResult result;
-    result.range = params.range ? *params.range : finite_range(*values);
+    result.range = params.range ? *params.range : finite_range(values);
     result.counts.assign(static_cast<std::size_t>(params.bins), 0);
-    count(result, *values);
+    count(result, values);
     result.cells = answer_of(store::cell_extremes(*dataset, params.array, step));
     return result;
 }

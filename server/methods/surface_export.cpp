@@ -25,7 +25,9 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     shown.whole = &drawable.shape->surface;
     shown.is_cut = !geometry.clip.empty();
     if (shown.is_cut) shown.cut = geometry::clipped(geometry, drawable);
-    if (drawable.scalars) shown.values.push_back({drawable.array, shown.is_cut ? shown.cut.values : *drawable.scalars});
+    if (!drawable.scalars) return shown;
+    shown.values.push_back(wire::NamedValues::copy_of(drawable.array, *drawable.scalars));
+    if (shown.is_cut) shown.values.front().values = shown.cut.values;
     return shown;
 }
 

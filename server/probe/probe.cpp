@@ -10,10 +10,9 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-float scalar_at(std::span<const float> values, const store::ArrayInfo& array, Index item,
-                const store::ScalarName& name) {
+double scalar_at(ValuesView values, const store::ArrayInfo& array, Index item, const store::ScalarName& name) {
     const auto width = static_cast<std::size_t>(array.components);
-    return store::scalar_of(array, values.subspan(width * item, width), name);
+    return store::scalar_of(array, values.subview(width * item, width), name);
 }
 
 // True if the cell blew up. Its corners have the values of its neighbours and do not show that.
@@ -22,7 +21,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
     if (of_cells.empty()) return false;
     const auto values = dataset.values(store::parse_scalar(dataset, of_cells).array, step);
     const auto width = static_cast<std::size_t>(array.components);
-    return !values.empty() && std::ranges::any_of(values.subspan(width * cell, width), store::went_wrong);
+    return !values.empty() && std::ranges::any_of(values.subview(width * cell, width), store::went_wrong);
 }
 
 // The weighted sum of the values of vertices, or of one cell.
@@ -34,7 +33,7 @@ void probe_array(const store::Dataset& dataset, std::size_t step, const store::A
         if (values.empty() || is_wrong) continue;
         const store::ScalarName name = store::parse_scalar(dataset, scalar);
         double sum = 0;
-        for (const auto& [item, share] : weights) sum += share * double{scalar_at(values, array, item, name)};
+        for (const auto& [item, share] : weights) sum += share * scalar_at(values, array, item, name);
         out.values[scalar] = finite(sum);
     }
 }

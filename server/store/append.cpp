@@ -50,9 +50,12 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
         throw Error("array '" + wanted.name +
                     "' has values on the faces of patches, which only an import can write; leave the array out");
     if (known != nullptr) return *known;
-    const bool on_cells = wanted.name.starts_with(cell_prefix);
-    return {wanted.name, on_cells ? Association::cell : Association::point, static_cast<int>(components), "", "", {},
-            {}};
+    ArrayInfo added;
+    added.name = wanted.name;
+    added.association = wanted.name.starts_with(cell_prefix) ? Association::cell : Association::point;
+    added.components = static_cast<int>(components);
+    added.doubles = wanted.doubles;
+    return added;
 }
 
 std::span<const Index> original_ids(const Dataset& dataset, std::size_t mesh, Association association) {
@@ -60,7 +63,7 @@ std::span<const Index> original_ids(const Dataset& dataset, std::size_t mesh, As
 }
 
 PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedArray& wanted) {
-    PlannedArray planned{describe(dataset, wanted), 0, std::nullopt};
+    PlannedArray planned{describe(dataset, wanted), 0, wanted.doubles, std::nullopt};
     const bool on_points = planned.info.association == Association::point;
     planned.tuples = on_points ? dataset.info().input_vertices : dataset.info().input_cells;
     const auto ids = original_ids(dataset, mesh, planned.info.association);
@@ -89,7 +92,7 @@ std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan,
 
 std::uint64_t stored_bytes(const Dataset& dataset, std::size_t mesh, const ArrayInfo& array) {
     return original_ids(dataset, mesh, array.association).size() * static_cast<std::uint64_t>(array.components) *
-           sizeof(float);
+           array.value_bytes();
 }
 
 void check_time(const Dataset& dataset, double time) {
@@ -102,15 +105,16 @@ void check_time(const Dataset& dataset, double time) {
 }
 
 // Reorders values from the order of the imported file to the stored order.
-std::vector<float> to_stored_order(std::span<const float> values, std::span<const Index> original,
-                                   std::size_t components) {
-    std::vector<float> stored(original.size() * components);
-    for (std::size_t i = 0; i < original.size(); ++i) {
-        const std::size_t from = original[i] * components; // read once: the mapped file may have changed since open
-        if (from >= values.size()) throw Error("the dataset's original ids are damaged; import the data again");
-        std::copy_n(&values[from], components, &stored[i * components]);
-    }
-    return stored;
+Values to_stored_order(ValuesView values, std::span<const Index> original, std::size_t components) {
+    return values.with([&]<class T>(std::span<const T> all) {
+        std::vector<T> stored(original.size() * components);
+        for (std::size_t i = 0; i < original.size(); ++i) {
+            const std::size_t from = original[i] * components; // read once: the mapped file may have changed since open
+            if (from >= all.size()) throw Error("the dataset's original ids are damaged; import the data again");
+            std::copy_n(&all[from], components, &stored[i * components]);
+        }
+        return Values(std::move(stored));
+    });
 }
 
 void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
@@ -123,11 +127,12 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
             throw Error("array '" + array.info.name + "' has " + std::to_string(values.size()) + " values where " +
                         std::to_string(array.tuples) + " x " + std::to_string(array.info.components) + " are needed");
         const auto ids = original_ids(dataset, plan.mesh, array.info.association);
-        const auto stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
+        const Values stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
         writer.add_values({array.info, stored});
         if (!array.made) continue;
         if (!points) points.emplace(dataset.mesh(plan.mesh, plan.coordinates));
-        writer.add_values({*array.made, points->apply(stored, array.made->components)});
+        const int components = array.made->components;
+        stored.with([&](auto cells) { writer.add_values({*array.made, points->apply(cells, components)}); });
     }
     dataset.check_intact();
 }
@@ -176,6 +181,7 @@ StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedAr
     for (PlannedArray& array : plan.arrays) {
         array.made = made_from(dataset, plan, array.info);
         written.push_back(array.info);
+        if (array.doubles && !array.info.doubles) plan.rounded.push_back(array.info.name);
         if (array.made) written.push_back(*array.made);
     }
     for (const ArrayInfo& array : written) {

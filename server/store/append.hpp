@@ -12,11 +12,13 @@ namespace ciel::store {
 struct WantedArray {
     std::string name;
     std::optional<std::size_t> components; // default: as many as the array has in the dataset, 1 for a new array
+    bool doubles = false;                  // type of the values; a new array is stored in it
 };
 
 struct PlannedArray {
     ArrayInfo info;
     std::uint64_t tuples = 0;      // points or cells of the imported file; values come in their order
+    bool doubles = false;          // type of the values that come; info.doubles: in which they are stored
     std::optional<ArrayInfo> made; // point array to make from this cell array, as an import does
 
     [[nodiscard]] std::uint64_t values() const { return tuples * static_cast<std::uint64_t>(info.components); }
@@ -29,6 +31,7 @@ struct StepPlan {
     std::vector<PlannedArray> arrays; // in the order of the wanted arrays
     std::vector<std::string> added;   // names of arrays that the dataset does not have yet
     std::vector<std::string> lacking; // names of the dataset's arrays that have no values at this step
+    std::vector<std::string> rounded; // names of arrays that come in doubles and are stored in floats
     std::uint64_t stored_bytes = 0;   // size of the step's values on disk
 };
 
@@ -38,7 +41,7 @@ struct StepPlan {
 [[nodiscard]] StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted);
 
 // Returns the values of plan.arrays[i] in the order of the imported file. They must stay valid until the next call.
-using ValuesOf = std::function<std::span<const float>(std::size_t i)>;
+using ValuesOf = std::function<ValuesView(std::size_t i)>;
 
 struct AppendedStep {
     std::size_t step = 0; // index of the new step

@@ -23,6 +23,7 @@ struct ArrayLayout {
     fs::path directory;
     std::uint64_t chunks = 0;
     std::size_t rank = 0, chunk_bytes = 0;
+    bool doubles = false;
 
     [[nodiscard]] fs::path chunk(std::uint64_t index) const { return layout::chunk(directory, index, rank); }
 };
@@ -35,10 +36,22 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
     const auto is_step = [&](const std::vector<std::uint64_t>& extents) {
         return std::equal(extents.begin() + 1, extents.end(), of_step.begin(), of_step.end());
     };
-    if (array.type != ElementType::f4 || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
-        refuse(document, "does not hold one float32 chunk per step, of " + std::to_string(items) + " x " +
+    const bool is_real = array.type == ElementType::f4 || array.type == ElementType::f8;
+    if (!is_real || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
+        refuse(document, "does not hold one chunk of float32 or float64 per step, of " + std::to_string(items) + " x " +
                              std::to_string(components) + " values");
-    return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document)};
+    return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
+}
+
+ArrayLayout read_positions_layout(const MappedMesh& mesh) {
+    ArrayLayout layout = read_layout(mesh.directory() / "positions", mesh.vertex_count(), 3);
+    if (layout.doubles) refuse(layout.directory / layout::array_document, "must be float32");
+    return layout;
+}
+
+Values values_in(const std::shared_ptr<const MappedFile>& chunk, bool doubles) {
+    if (doubles) return {chunk->as<double>(), chunk};
+    return {chunk->as<float>(), chunk};
 }
 
 class MappedDataset final : public Dataset {
@@ -54,7 +67,7 @@ public:
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
             meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
-            positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
+            positions_.push_back(read_positions_layout(*meshes_[m]));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
             info_.meshes.push_back(meshes_[m]->attributes().info);
         }
@@ -88,12 +101,12 @@ public:
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
-        const Values all = positions(mesh, coordinates);
-        return holding(at(mesh)->view(all), all);
+        const auto all = positions(mesh, coordinates);
+        return holding(at(mesh)->view(all->as<float>()), all);
     }
     FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
-        const Values all = positions(mesh, coordinates);
-        return holding(at(mesh)->view_points(all), all);
+        const auto all = positions(mesh, coordinates);
+        return holding(at(mesh)->view_points(all->as<float>()), all);
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -152,17 +165,21 @@ public:
         if (entry->second.lazy && !is_written(marked, array))
             refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
                                    std::to_string(marked.time) + "; choose another step");
-        return chunks_->get(shape.chunk(entry->second.chunk), shape.chunk_bytes, entry->second.checksum);
+        return values_of(shape, entry->second);
     }
 
 private:
-    static FaceMeshView holding(FaceMeshView view, const Values& positions) {
-        view.keep_alive = positions.keep_alive();
+    static FaceMeshView holding(FaceMeshView view, std::shared_ptr<const MappedFile> positions) {
+        view.keep_alive = std::move(positions);
         return view;
     }
 
+    Values values_of(const ArrayLayout& shape, const MarkedArray& entry) const {
+        return values_in(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), shape.doubles);
+    }
+
     // Returns the positions of a coordinate set, which are checked at the first call.
-    Values positions(std::size_t mesh, std::size_t coordinates) const {
+    std::shared_ptr<const MappedFile> positions(std::size_t mesh, std::size_t coordinates) const {
         (void)at(mesh);
         const ArrayLayout& positions = positions_[mesh];
         if (coordinates >= positions.chunks)
@@ -170,8 +187,8 @@ private:
         const auto& sums = coordinate_checksums_[mesh];
         const fs::path file = positions.chunk(coordinates);
         return chunks_->get(file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
-                            [&](std::span<const float> all) {
-                                if (!std::all_of(all.begin(), all.end(), [](float v) { return std::isfinite(v); }))
+                            [&](const MappedFile& mapped) {
+                                if (!std::ranges::all_of(mapped.as<float>(), [](float v) { return std::isfinite(v); }))
                                     refuse(file, "holds a coordinate that is not finite");
                             });
     }
@@ -225,15 +242,16 @@ private:
         if (layout == layouts_[mesh].end()) {
             const auto directory = layout::values(meshes_[mesh]->directory(), name);
             const auto document = directory / layout::attributes_document;
-            const ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
+            ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
             if (array.name != name) refuse(document, "is named '" + array.name + "', not '" + name + "'");
+            const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
+            layout = layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first;
+            array.doubles = layout->second.doubles;
             const ArrayInfo* known = find(name);
             if (known == nullptr)
                 info_.arrays.push_back(array);
-            else if (known->association != array.association || known->components != array.components)
-                refuse(document, "has another association or number of components than on an earlier mesh");
-            const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
-            layout = layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first;
+            else if (!known->has_shape_of(array) || known->doubles != array.doubles)
+                refuse(document, "has another association, number of components or type than on an earlier mesh");
         }
         if (chunk >= layout->second.chunks)
             refuse(layout->second.directory / layout::array_document,
@@ -271,7 +289,7 @@ private:
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             const ArrayLayout& shape = layouts_[step.mesh].at(name);
-            result = statistics(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), array);
+            result = statistics(values_of(shape, entry), array);
             result.extremes.clear(); // left empty, because finding their places would read all faces
         }
         result.lazy = entry.lazy;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
-#include "store/cache/values.hpp"
 #include "store/format/dataset_info.hpp"
+#include "store/format/values.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -77,8 +77,9 @@ public:
     // may be any numbers and are not indices.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // Returns the array's values at a step: `components` numbers per vertex, cell or boundary face, interleaved. Empty
-    // when the array was not written at this step. Throws Error for an unknown array or a damaged chunk.
+    // Returns the array's values at a step: `components` numbers per vertex, cell or boundary face, interleaved,
+    // doubles if ArrayInfo::doubles. Empty when the array was not written at this step. Throws Error for an unknown
+    // array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
 
     // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
@@ -95,13 +96,12 @@ public:
 // Returns whether the array has a magnitude: the length of a vector of two or three components, or the Frobenius norm
 // of a tensor (an array with component names).
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
-// Returns the scalar of one item. tuple: the components of the item. A magnitude is no_value (no_value.hpp) if one
-// component is.
-[[nodiscard]] float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar);
-[[nodiscard]] double magnitude_of(const ArrayInfo& array, std::span<const float> tuple);
-// Returns that scalar of each tuple. values: the components, interleaved.
-[[nodiscard]] std::vector<float> one_scalar(const ArrayInfo& array, std::span<const float> values,
-                                            const ScalarName& scalar);
+// Returns the scalar of one item, rounded to the type of `tuple`, which has the components of the item. A magnitude is
+// no_value (no_value.hpp) if one component is.
+[[nodiscard]] double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& scalar);
+[[nodiscard]] double magnitude_of(const ArrayInfo& array, ValuesView tuple);
+// Returns a copy: that scalar of each tuple, in the type of `values`, which are the components, interleaved.
+[[nodiscard]] Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar);
 // Returns the scalars of an array, in the order of scalar_names.
 [[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);
 // Throws Error that lists the existing names when there is no scalar `name`.

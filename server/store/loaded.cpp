@@ -18,7 +18,9 @@ struct KeptField {
 };
 
 // Estimates the size of a Field: values in block order, which repeat some vertices in several blocks, and gradients.
-std::size_t field_bytes(std::uint64_t vertices) { return vertices * (2 * sizeof(float) + sizeof(Vec3f)); }
+std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
+    return vertices * (2 * value_bytes + sizeof(Vec3f));
+}
 
 const char* name_of(Association association) {
     switch (association) {
@@ -50,17 +52,17 @@ bool any_went_wrong(const Step& step, const ArrayInfo* array) {
     return written != step.arrays.end() && written->second.invalid > 0;
 }
 
-bool went_wrong_at(std::span<const float> values, std::size_t width, std::size_t item) {
-    return std::ranges::any_of(values.subspan(width * item, width), went_wrong);
+bool went_wrong_at(ValuesView values, std::size_t width, std::size_t item) {
+    return std::ranges::any_of(values.subview(width * item, width), went_wrong);
 }
 
-void leave_out_cells(const ArrayInfo& array, std::span<const float> values, std::vector<std::uint8_t>& kept) {
+void leave_out_cells(const ArrayInfo& array, ValuesView values, std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
     for (std::size_t cell = 0; cell < kept.size(); ++cell)
         if (went_wrong_at(values, width, cell)) kept[cell] = 0;
 }
 
-void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, std::span<const float> values,
+void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, ValuesView values,
                       std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
     std::size_t number = 0; // of the face among the boundary faces
@@ -126,19 +128,17 @@ struct LoadedDataset::State {
         return values;
     }
 
-    [[nodiscard]] std::shared_ptr<const std::vector<float>> plain_values(const std::string& name, std::size_t step,
-                                                                         Association wanted) {
+    [[nodiscard]] Values plain_values(const std::string& name, std::size_t step, Association wanted) {
         const auto of = current();
         (void)step_of(*of, step);
         const ScalarName scalar = parse_scalar(*of, name);
         const auto values = written(*of, scalar.array, step, wanted);
-        auto made = fields.get<std::vector<float>>(step_key("values", name, step), [&]() -> Cache::Made {
-            const ArrayInfo& array = *of->find(scalar.array);
-            return {std::make_shared<std::vector<float>>(one_scalar(array, values, scalar)),
-                    values.size_bytes() / static_cast<std::size_t>(array.components)};
+        const auto made = fields.get<Values>(step_key("values", name, step), [&]() -> Cache::Made {
+            const auto copied = std::make_shared<Values>(one_scalar(*of->find(scalar.array), values, scalar));
+            return {copied, copied->size_bytes()};
         });
         of->check_intact();
-        return made;
+        return *made;
     }
 
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
@@ -235,25 +235,26 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     (void)State::written(*of, scalar.array, step, Association::point);
     const auto of_mesh = topology(at.mesh);
     const std::uint64_t vertices = of_mesh->counts().vertices;
+    const std::size_t value_bytes = of->find(scalar.array)->value_bytes();
     return state_->field(of, step, step_key("field", name, step), of_mesh,
-                         field_bytes(vertices) + vertices * sizeof(float), [&] {
+                         field_bytes(vertices, value_bytes) + vertices * value_bytes, [&] {
                              // A copy, because the kernel reads a value several times and the file may change.
-                             const auto values = scalar_values(name, step);
+                             const Values values = scalar_values(name, step);
                              auto ranges = of->block_ranges(scalar, step);
-                             if (!ranges) ranges = block_ranges(*of_mesh, *values);
-                             return Field(*of_mesh, *values, *std::move(ranges), values);
+                             if (!ranges) ranges = block_ranges(*of_mesh, values);
+                             return Field(*of_mesh, values, *std::move(ranges), values.keep_alive());
                          });
 }
 
-std::shared_ptr<const std::vector<float>> LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
+Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
     return state_->plain_values(name, step, Association::point);
 }
 
-std::shared_ptr<const std::vector<float>> LoadedDataset::cell_values(const std::string& name, std::size_t step) {
+Values LoadedDataset::cell_values(const std::string& name, std::size_t step) {
     return state_->plain_values(name, step, Association::cell);
 }
 
-std::shared_ptr<const std::vector<float>> LoadedDataset::face_values(const std::string& name, std::size_t step) {
+Values LoadedDataset::face_values(const std::string& name, std::size_t step) {
     return state_->plain_values(name, step, Association::boundary_face);
 }
 
@@ -289,7 +290,7 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
         std::vector<std::uint8_t> kept(mesh.cell_count(), 1);
         for (Index face = 0; face < mesh.face_count(); ++face) {
             const auto loop = mesh.loop(face);
-            if (std::ranges::none_of(loop, [&](Index vertex) { return went_wrong((*values)[vertex]); })) continue;
+            if (std::ranges::none_of(loop, [&](Index vertex) { return went_wrong(values[vertex]); })) continue;
             for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
                 if (cell != none) kept[cell] = 0;
         }
@@ -307,7 +308,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
     const auto of_mesh = topology(at.mesh);
     const auto boxes = state_->boxes(*of, at, *of_mesh);
-    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices), [&] {
+    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices, sizeof(float)), [&] {
         const FaceMeshView points = of->points(at.mesh, at.coordinates);
         Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);

@@ -42,14 +42,14 @@ public:
     // Returns the field of a scalar on points. Throws NotWritten when its array was not written at the step, Error when
     // the scalar does not exist or is not on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Returns a scalar on points as an array, one value per vertex, for coloring and probing. Components and magnitudes
-    // are computed once. Throws like scalar().
-    [[nodiscard]] std::shared_ptr<const std::vector<float>> scalar_values(const std::string& name, std::size_t step);
+    // Returns a scalar on points as an array in the dataset's type, one value per vertex, for coloring and probing.
+    // Components and magnitudes are computed once. Throws like scalar().
+    [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
     // cell_values returns one value per cell of a scalar on cells; face_values returns one value per boundary face of a
     // scalar on boundary faces. Both throw NotWritten when its array was not written at the step, and Error for any
     // other scalar.
-    [[nodiscard]] std::shared_ptr<const std::vector<float>> cell_values(const std::string& name, std::size_t step);
-    [[nodiscard]] std::shared_ptr<const std::vector<float>> face_values(const std::string& name, std::size_t step);
+    [[nodiscard]] Values cell_values(const std::string& name, std::size_t step);
+    [[nodiscard]] Values face_values(const std::string& name, std::size_t step);
     // Returns the cells whose values of the scalar's array are sound at the step, in all components; null if all cells
     // are. A value is not sound if it is a NaN or infinite result of the solver. For a point array that was
     // interpolated from cells, the values on cells count. For an array on patches, those on cells and those on its

@@ -8,11 +8,12 @@
 
 namespace ciel::store {
 
-inline constexpr std::uint32_t no_value_bits = 0x7fc0ce1e; // a quiet NaN
-inline constexpr float no_value = std::bit_cast<float>(no_value_bits);
+// A quiet NaN. Converted to double it has the bits of no_value_bits, and no_value converted back.
+inline constexpr float no_value = std::bit_cast<float>(std::uint32_t{0x7fc0ce1e});
+inline constexpr std::uint64_t no_value_bits = 0x7ff819c3c0000000;
 
-[[nodiscard]] inline bool is_no_value(float value) { return std::bit_cast<std::uint32_t>(value) == no_value_bits; }
+[[nodiscard]] inline bool is_no_value(double value) { return std::bit_cast<std::uint64_t>(value) == no_value_bits; }
 // Returns whether the value is a NaN or infinite result of the solver, and not a missing value.
-[[nodiscard]] inline bool went_wrong(float value) { return !std::isfinite(value) && !is_no_value(value); }
+[[nodiscard]] inline bool went_wrong(double value) { return !std::isfinite(value) && !is_no_value(value); }
 
 } // namespace ciel::store

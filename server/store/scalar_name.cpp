@@ -46,32 +46,42 @@ double weight(const ArrayInfo& array, std::size_t component) {
     return name.size() == 2 && name[0] != name[1] ? 2 : 1;
 }
 
+template <class Tuple>
+double magnitude_in(const ArrayInfo& array, const Tuple& tuple) {
+    double squares = 0;
+    for (std::size_t c = 0; c < tuple.size(); ++c) squares += weight(array, c) * (double{tuple[c]} * tuple[c]);
+    return std::sqrt(squares);
+}
+
+template <class T>
+T scalar_in(const ArrayInfo& array, std::span<const T> tuple, const ScalarName& scalar) {
+    if (scalar.component) return tuple[static_cast<std::size_t>(*scalar.component)];
+    if (!scalar.magnitude) return tuple[0];
+    if (std::ranges::any_of(tuple, is_no_value)) return static_cast<T>(no_value);
+    return static_cast<T>(magnitude_in(array, tuple));
+}
+
 } // namespace
 
 bool has_magnitude(const ArrayInfo& array) {
     return array.components == 2 || array.components == 3 || !array.component_names.empty();
 }
 
-double magnitude_of(const ArrayInfo& array, std::span<const float> tuple) {
-    double squares = 0;
-    for (std::size_t c = 0; c < tuple.size(); ++c) squares += weight(array, c) * (double{tuple[c]} * tuple[c]);
-    return std::sqrt(squares);
+double magnitude_of(const ArrayInfo& array, ValuesView tuple) { return magnitude_in(array, tuple); }
+
+double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& scalar) {
+    return tuple.with([&](auto values) { return double{scalar_in(array, values, scalar)}; });
 }
 
-float scalar_of(const ArrayInfo& array, std::span<const float> tuple, const ScalarName& scalar) {
-    if (scalar.component) return tuple[static_cast<std::size_t>(*scalar.component)];
-    if (!scalar.magnitude) return tuple[0];
-    if (std::ranges::any_of(tuple, is_no_value)) return no_value;
-    return static_cast<float>(magnitude_of(array, tuple));
-}
-
-std::vector<float> one_scalar(const ArrayInfo& array, std::span<const float> values, const ScalarName& scalar) {
+Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar) {
     const auto components = static_cast<std::size_t>(array.components);
-    if (components == 1) return {values.begin(), values.end()};
-    std::vector<float> result(values.size() / components);
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = scalar_of(array, values.subspan(i * components, components), scalar);
-    return result;
+    return values.with([&]<class T>(std::span<const T> all) {
+        if (components == 1) return Values(std::vector<T>(all.begin(), all.end()));
+        std::vector<T> result(all.size() / components);
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = scalar_in(array, all.subspan(i * components, components), scalar);
+        return Values(std::move(result));
+    });
 }
 
 std::vector<ScalarName> scalars_of(const ArrayInfo& array) {

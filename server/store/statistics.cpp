@@ -41,9 +41,8 @@ std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>
     return extremes;
 }
 
-} // namespace
-
-ArrayStep statistics(std::span<const float> values, const ArrayInfo& array) {
+template <class T>
+ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
     const auto width = static_cast<std::size_t>(array.components);
     const bool by_magnitude = width > 1 && has_magnitude(array);
     std::vector<Range> of_component(width);
@@ -54,20 +53,26 @@ ArrayStep statistics(std::span<const float> values, const ArrayInfo& array) {
         for (std::size_t c = 0; c < width; ++c) {
             const double value = values[at + c];
             if (!std::isfinite(value)) {
-                ++(is_no_value(values[at + c]) ? result.missing : result.invalid);
+                ++(is_no_value(value) ? result.missing : result.invalid);
                 continue;
             }
             of_component[c].add(value, item);
             if (!by_magnitude) all.add(value, item);
         }
         if (!by_magnitude) continue;
-        const double magnitude = magnitude_of(array, values.subspan(at, width));
+        const auto magnitude = static_cast<T>(magnitude_of(array, values.subspan(at, width))); // as scalar_of
         if (std::isfinite(magnitude)) all.add(magnitude, item);
     }
     for (const Range& range : of_component) result.component_ranges.push_back(range.get());
     result.range = all.get();
     if (array.association == Association::cell) result.extremes = extremes_of(all, of_component);
     return result;
+}
+
+} // namespace
+
+ArrayStep statistics(ValuesView values, const ArrayInfo& array) {
+    return values.with([&](auto all) { return statistics_of(all, array); });
 }
 
 } // namespace ciel::store

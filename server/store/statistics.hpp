@@ -6,6 +6,6 @@
 namespace ciel::store {
 
 // Leaves the places of the extremes zero; cell_places.hpp computes them.
-[[nodiscard]] ArrayStep statistics(std::span<const float> values, const ArrayInfo& array);
+[[nodiscard]] ArrayStep statistics(ValuesView values, const ArrayInfo& array);
 
 } // namespace ciel::store

@@ -73,11 +73,11 @@ ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices) {
     return {ElementType::f4, {sets, vertices, 3}, {1, vertices, 3}};
 }
 
-ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components) {
-    ZarrArray array{ElementType::f4, {steps, items}, {1, items}};
-    if (components > 1) {
-        array.shape.push_back(static_cast<std::uint64_t>(components));
-        array.chunks.push_back(static_cast<std::uint64_t>(components));
+ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo& of) {
+    ZarrArray array{of.doubles ? ElementType::f8 : ElementType::f4, {steps, items}, {1, items}};
+    if (of.components > 1) {
+        array.shape.push_back(static_cast<std::uint64_t>(of.components));
+        array.chunks.push_back(static_cast<std::uint64_t>(of.components));
     }
     return array;
 }

@@ -25,6 +25,6 @@ void check_finite(std::span<const float> positions);
 // Return the shape and chunks of a mesh's positions with `sets` coordinate sets, and of an array with `steps` steps of
 // `items` vertices, cells or boundary faces.
 [[nodiscard]] ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices);
-[[nodiscard]] ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, int components);
+[[nodiscard]] ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo& of);
 
 } // namespace ciel::store

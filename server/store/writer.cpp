@@ -151,7 +151,7 @@ struct Writer::State {
 
     void put_array(const ArrayInfo& array, const WrittenMesh& on, const fs::path& path, std::uint64_t steps) const {
         put_text(path / layout::attributes_document, to_text(array));
-        put_text(path / layout::array_document, to_text(values_shape(steps, on.items(array), array.components)));
+        put_text(path / layout::array_document, to_text(values_shape(steps, on.items(array), array)));
     }
 
     void put_mesh(std::size_t index) const {
@@ -181,28 +181,41 @@ struct Writer::State {
             throw Error("array '" + array.info.name + "' has " + std::to_string(array.values.size()) +
                         " values where " + std::to_string(items) + " x " + std::to_string(array.info.components) +
                         " are needed");
-        for (const WrittenMesh& mesh : meshes)
-            if (const auto known = mesh.arrays.find(array.info.name);
-                known != mesh.arrays.end() && (known->second.association != array.info.association ||
-                                               known->second.components != array.info.components))
-                throw Error("array '" + array.info.name +
-                            "' has another association or number of components than at earlier steps");
+        if (const ArrayInfo* known = find(array.info.name); known != nullptr && !known->has_shape_of(array.info))
+            throw Error("array '" + array.info.name +
+                        "' has another association or number of components than at earlier steps");
     }
 
-    void put_values(const ArrayInfo& array, std::span<const float> values) {
+    // Returns an array of an earlier step; null if there is none of the name.
+    [[nodiscard]] const ArrayInfo* find(const std::string& array) const {
+        for (const WrittenMesh& mesh : meshes)
+            if (const auto known = mesh.arrays.find(array); known != mesh.arrays.end()) return &known->second;
+        return nullptr;
+    }
+
+    // Returns the array with the type in which its values are stored.
+    [[nodiscard]] ArrayInfo with_type(const ArrayInfo& array, ValuesView values) const {
+        ArrayInfo typed = with_valid_text(array);
+        const ArrayInfo* known = find(typed.name);
+        typed.doubles = known != nullptr ? known->doubles : values.has_doubles();
+        return typed;
+    }
+
+    // REQUIRES: the values have the array's type.
+    void put_values(const ArrayInfo& array, ValuesView values) {
         MarkedStep& step = under_way->step;
         const std::uint64_t row = mesh(step.mesh).steps;
         const fs::path path = layout::values(layout::mesh(directory, step.mesh), array.name);
         make_directory(path);
         under_way->chunks.push_back(layout::chunk(path, row, array.components > 1 ? 3 : 2));
-        const auto bytes = std::as_bytes(values);
+        const auto bytes = values.bytes();
         put(under_way->chunks.back(), bytes);
         if (array.association == Association::point) put_ranges(array, values, path, row);
         under_way->arrays.push_back(array);
         step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
     }
 
-    void put_ranges(const ArrayInfo& array, std::span<const float> values, const fs::path& path, std::uint64_t row) {
+    void put_ranges(const ArrayInfo& array, ValuesView values, const fs::path& path, std::uint64_t row) {
         const auto topology = topology_of(under_way->step.mesh);
         if (!topology) return;
         ValueRanges ranges;
@@ -211,7 +224,7 @@ struct Writer::State {
         const fs::path file = layout::value_ranges(path, row);
         make_directory(file.parent_path());
         under_way->chunks.push_back(file);
-        put(file, to_bytes(ranges, info.id, checksum_number(std::as_bytes(values))));
+        put(file, to_bytes(ranges, info.id, checksum_number(values.bytes())));
     }
 
     // Returns the topology of a mesh of the dataset; null if the mesh was stored without blocks.
@@ -410,11 +423,11 @@ void Writer::add_values(const ArrayValues& array) {
     State& state = *state_;
     if (!state.under_way) throw Error("array '" + array.info.name + "' belongs to no step; begin a step first");
     try {
-        const ArrayInfo info = with_valid_text(array.info);
+        const ArrayInfo info = state.with_type(array.info, array.values);
         const MarkedStep& step = state.under_way->step;
         state.check_array({info, array.values}, state.mesh(step.mesh));
         if (step.arrays.count(info.name) > 0) throw Error("array '" + info.name + "' is given twice");
-        state.put_values(info, array.values);
+        state.put_values(info, converted(array.values, info.doubles));
     } catch (...) {
         state.take_back();
         throw;
@@ -461,6 +474,11 @@ void Writer::end_step() {
 void Writer::add_note(const std::string& sentence) {
     state_->info.notes.push_back(valid_utf8(sentence));
     state_->info_changed = true;
+}
+
+std::optional<bool> Writer::has_doubles(const std::string& array) const {
+    const ArrayInfo* known = state_->find(array);
+    return known == nullptr ? std::nullopt : std::optional(known->doubles);
 }
 
 void Writer::finish() {

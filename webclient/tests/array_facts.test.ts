@@ -13,6 +13,7 @@ const array: ArrayInfo = {
   scalars: ["p"],
   times: [0, 1],
   origin: "interpolated",
+  stored: "float64",
   invalid: 0,
   missing: 0,
 };
@@ -23,6 +24,7 @@ test("where an array comes from, and what is wrong with it", () => {
     "interpolated from cells float64",
     "0/p",
   ]);
+  expect(arrayFacts({ ...array, type: "int32" }, 2)).toContain("stored as float64");
   const bad: ArrayInfo = { ...array, association: "boundary_face", origin: "original", invalid: 12 };
   expect(arrayFacts(bad, 5)).toEqual([
     "on patches",

@@ -29,7 +29,7 @@ describe("the color scale", () => {
     expect(scale.range.every(Number.isFinite)).toBe(true);
     for (const end of scale.range) {
       expect(labelOn(scale, end)).not.toBe("n/a");
-      expect(labelOn(scale, end).length).toBeLessThan(12);
+      expect(labelOn(scale, end).length).toBeLessThan(15);
     }
     const ticks = colorTicks(scale);
     expect(ticks.length).toBeGreaterThan(0);

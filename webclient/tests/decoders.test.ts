@@ -142,7 +142,8 @@ describe("geometry", () => {
       lines: false,
       points: false,
       positions,
-      scalars,
+      scalars: scalars.map((value) => value - 0.5), // exact, as is the origin
+      scalarOrigin: 0.5,
       indices,
       scale: {
         map: "viridis",
@@ -196,6 +197,14 @@ describe("geometry", () => {
       indices: Uint32Array.of(0, 1, 2, 3, 4, 5),
     });
     expect(decoded?.positions.length).toBe(18);
+  });
+
+  test("values of a small range far from zero keep their digits", () => {
+    const far = 101325;
+    const values = { ...batch.values, step: 2 ** -20, origin: far, low: 3 };
+    const decoded = decodeGeometry(frameOf(geometryPayload({ ...batch, values }, [vertices, corners, places])));
+    expect(decoded?.scalarOrigin).toBe(far);
+    expect(decoded?.scalars?.[0]).toBe(2 ** -20 * 3);
   });
 
   const meshKept = { ...batch.mesh, bytes: undefined }; // undefined stands for a member that is absent in the JSON

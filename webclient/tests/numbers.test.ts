@@ -3,6 +3,7 @@ import { keyed } from "../src/panels/controls/histogram_slider";
 import {
   barHeights,
   formatCount,
+  formatMeasured,
   formatNumber,
   fractionOf,
   logarithmicStart,
@@ -38,6 +39,16 @@ describe("writing numbers", () => {
     [2e9, 0, "2e9"],
   ])("%d within a span of %d is %s", (value, span, text) => {
     expect(formatNumber(value, span)).toBe(text);
+  });
+
+  test.each([
+    [101325.0042, [101324.99, 101325.01] as [number, number], "101325.0042"],
+    [101325.0042, null, "101325"],
+    [-16777217, [0, 2 ** 30] as [number, number], "\u221216777217"],
+    [0.123456, [0, 1000] as [number, number], "0.1235"],
+    [4000000.25, [4000000, 4000001] as [number, number], "4.00000025e6"],
+  ])("%d, measured in %j, is %s", (value, range, text) => {
+    expect(formatMeasured(value, range)).toBe(text);
   });
 
   test("what is written can be typed", () => {

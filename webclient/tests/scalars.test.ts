@@ -24,6 +24,7 @@ const array = (name: string, components: number, scalars: string[]): ArrayInfo =
   scalars,
   times: [0],
   origin: "original",
+  stored: "float32",
   invalid: 0,
   missing: 0,
 });

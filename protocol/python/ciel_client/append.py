@@ -11,11 +11,13 @@ from typing import Any
 
 HEADER = struct.Struct("<4sBBH16sIIQ")
 PIECE = 16
+ITEM_TYPE = {"float32": "<f4", "float64": "<f8"}
+FITS_FLOAT32 = {"f2", "f4", "b1", "i1", "i2", "u1", "u2"}
 
 
 @dataclass
 class Pushed:
-    """One array of an upload: its entry in the params of append.begin, and its values as little-endian float32."""
+    """One array of an upload: its entry in the params of append.begin, and its values, little-endian."""
 
     wanted: dict[str, Any]
     data: memoryview
@@ -24,28 +26,32 @@ class Pushed:
 def pushed(name: str, values: Any) -> Pushed:
     """Converts an array for upload.
 
-    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers.
+    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers. What float32 can
+    hold whatever its value (float32, float16, integers of 8 and 16 bits) is sent as float32, all else as float64.
     """
-    wanted: dict[str, Any] = {"name": name}
+    wanted: dict[str, Any] = {"name": name, "type": "float64"}
     if hasattr(values, "astype"):
         if values.ndim not in (1, 2):
             raise ValueError(f"array '{name}' must have one or two dimensions: values, or values x components")
         if values.ndim == 2:
             wanted["components"] = int(values.shape[1])
-        data = values.astype("<f4").tobytes()
+        if values.dtype.kind + str(values.dtype.itemsize) in FITS_FLOAT32:
+            wanted["type"] = "float32"
+        data = values.astype(ITEM_TYPE[wanted["type"]]).tobytes()
     else:
-        floats = array("f", values)
+        doubles = array("d", values)
         if sys.byteorder == "big":
-            floats.byteswap()
-        data = floats.tobytes()
+            doubles.byteswap()
+        data = doubles.tobytes()
     return Pushed(wanted, memoryview(data))
 
 
 def check_sizes(arrays: list[Pushed], upload: Mapping[str, Any]) -> None:
     for one, expected in zip(arrays, upload["arrays"], strict=True):
         if len(one.data) != expected["bytes"]:
+            found = len(one.data) // int(ITEM_TYPE[one.wanted["type"]][2:])
             raise ValueError(
-                f"array '{expected['name']}' has {len(one.data) // 4} values where {expected['tuples']} x "
+                f"array '{expected['name']}' has {found} values where {expected['tuples']} x "
                 f"{expected['components']} are needed, in the order of the imported file"
             )
 

@@ -410,7 +410,7 @@ class AsyncCalls:
         upload: as append.begin answered
         array: its place among the arrays of append.begin, from 0
         offset: of the first byte among the array's; at most as many as have come, so that a piece may be sent again
-        data: base64 (RFC 4648) of little-endian float32 values, interleaved by component; at most `piece_bytes` bytes
+        data: base64 (RFC 4648) of little-endian values in the `type` of append.begin, interleaved by component; at most `piece_bytes` bytes
         """
         return await self.call("append.piece", upload=upload, array=array, offset=offset, data=data)
 

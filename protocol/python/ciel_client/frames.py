@@ -145,4 +145,4 @@ def _values(description: dict[str, Any], data: bytes) -> array[float]:
         return array("f", (value for (value,) in struct.iter_unpack("<f", plain)))
     origin, low, step = values["origin"], values["low"], values["step"]
     places = (place for (place,) in struct.iter_unpack("<I", plain))
-    return array("f", (math.nan if place == 0xFFFFFFFF else origin + step * (low + place) for place in places))
+    return array("d", (math.nan if place == 0xFFFFFFFF else origin + step * (low + place) for place in places))

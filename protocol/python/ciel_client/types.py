@@ -258,7 +258,8 @@ class ArrayInfo(TypedDict):
     scalars: list[str]  # names usable in layers: U:x, U:magnitude, R:xx. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
     times: list[float]  # steps at which the array was written
     origin: Literal["unknown", "original", "interpolated", "derived"]  # as the file has it; made from values of the cells; computed by the reader of the file
-    type: NotRequired[str]  # of the numbers in the file, such as float64; they are kept as float32. Absent where it is not known
+    type: NotRequired[str]  # of the numbers in the imported file, such as int32; absent where it is not known
+    stored: Literal["float32", "float64"]  # of the numbers in the dataset: the smaller one that can hold all numbers of the file's type, and float64 for integers of 32 and 64 bits
     file: NotRequired[str]  # where it was first read from; absent where it is not known
     invalid: int  # values that are not finite, at all steps together
     missing: int  # values that are not there: of blocks without the array, of parts that could not be read
@@ -308,6 +309,7 @@ class DatasetDescription(TypedDict):
 class WantedArray(TypedDict):
     name: str  # of an array of the dataset, or of a new one; begins with 'cell:' for values of the cells
     components: NotRequired[int]  # of a new array, 1 when absent; that of another must be the same
+    type: NotRequired[Literal["float32", "float64"]]  # of the values to be sent, float32 when absent; a new array is stored in it
 
 
 class ExpectedArray(TypedDict):
@@ -315,7 +317,7 @@ class ExpectedArray(TypedDict):
     association: Literal["point", "cell"]
     components: int
     tuples: int  # values of each component: in the order of the imported file's points or cells
-    bytes: int  # 4 x tuples x components
+    bytes: int  # 4 or 8 (float64) x tuples x components
 
 
 class Upload(TypedDict):
@@ -326,6 +328,7 @@ class Upload(TypedDict):
     made: list[str]  # arrays of the points that are made from arrays of the cells, as an import makes them
     added: list[str]  # arrays that the dataset does not have yet: a misspelt name is among them
     lacking: list[str]  # arrays of the dataset that have no values at this step
+    rounded: list[str]  # arrays that are sent as float64 and stored as float32, as they are at earlier steps
 
 
 class SessionState(TypedDict):
@@ -686,7 +689,7 @@ class AppendPieceParams(TypedDict):
     upload: str  # as append.begin answered
     array: int  # its place among the arrays of append.begin, from 0
     offset: int  # of the first byte among the array's; at most as many as have come, so that a piece may be sent again
-    data: str  # base64 (RFC 4648) of little-endian float32 values, interleaved by component; at most `piece_bytes` bytes
+    data: str  # base64 (RFC 4648) of little-endian values in the `type` of append.begin, interleaved by component; at most `piece_bytes` bytes
 
 
 class AppendPieceResult(TypedDict):

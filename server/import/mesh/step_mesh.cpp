@@ -170,6 +170,15 @@ Cut find_cuts(const JoinedMesh& joined, const DataSets& data_sets) {
     return {data_sets.same_points, data_sets.joined_faces, data_sets.single_faces, 0};
 }
 
+template <class T>
+std::vector<T> reordered(std::span<const T> running, std::span<const Index> stored_to_running, std::size_t width) {
+    std::vector<T> stored(stored_to_running.size() * width);
+    for (std::size_t i = 0; i < stored_to_running.size(); ++i)
+        std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
+                    stored.begin() + static_cast<std::ptrdiff_t>(i * width));
+    return stored;
+}
+
 } // namespace
 
 StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference) {
@@ -222,16 +231,13 @@ void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = data_sets.volumes[i].data;
     if (!moved) return;
     const std::vector<float> offsets = point_offsets(mesh.parts, mesh.point_count, mesh.assembled.mesh.origin);
-    mesh.assembled.mesh.positions = to_stored(offsets, mesh.point_of_vertex, 3);
+    mesh.assembled.mesh.positions = reordered(std::span<const float>(offsets), mesh.point_of_vertex, 3);
 }
 
-std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running, int components) {
-    const auto width = static_cast<std::size_t>(components);
-    std::vector<float> stored(stored_to_running.size() * width);
-    for (std::size_t i = 0; i < stored_to_running.size(); ++i)
-        std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
-                    stored.begin() + static_cast<std::ptrdiff_t>(i * width));
-    return stored;
+store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components) {
+    return running.with([&](auto all) {
+        return store::Values(reordered(all, stored_to_running, static_cast<std::size_t>(components)));
+    });
 }
 
 std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running, std::span<const Index> stored_to_running) {

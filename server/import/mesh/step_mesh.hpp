@@ -33,8 +33,7 @@ struct StepMesh {
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved);
 
 // Reorders values to stored vertices or cells. `running`: `components` values per running point or cell.
-[[nodiscard]] std::vector<float> to_stored(std::span<const float> running, std::span<const Index> stored_to_running,
-                                           int components);
+[[nodiscard]] store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components);
 
 // Reorders ids to stored vertices or cells. Returns nothing if `running` is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,

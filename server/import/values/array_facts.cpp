@@ -42,6 +42,8 @@ std::string type_name(vtkDataArray* array) {
     }
 }
 
+bool needs_doubles(vtkDataArray* array) { return array->GetDataTypeSize() >= 4 && array->GetDataType() != VTK_FLOAT; }
+
 std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes, vtkDataArray* array) {
     const int components = array->GetNumberOfComponents();
     if (components != 6 && components != 9) return {};

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -48,6 +48,7 @@ void collect(const JoinedMesh::Member& part, FieldOf of, Found& found) {
         FieldName field{{of, name}, array->GetNumberOfComponents()};
         field.component_names = tensor_component_names(data, array);
         field.type = type_name(array);
+        field.doubles = needs_doubles(array);
         found[name].push_back(std::move(field));
     }
 }
@@ -67,8 +68,9 @@ std::vector<std::size_t> permutation(const std::vector<std::string>& own, const 
     return from;
 }
 
-void permute(std::vector<float>& values, const std::vector<std::size_t>& from) {
-    std::vector<float> tuple(from.size());
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::size_t>& from) {
+    std::vector<T> tuple(from.size());
     for (std::size_t at = 0; at + from.size() <= values.size() && !from.empty(); at += from.size()) {
         for (std::size_t c = 0; c < from.size(); ++c) tuple[c] = values[at + from[c]];
         std::ranges::copy(tuple, values.begin() + static_cast<std::ptrdiff_t>(at));
@@ -101,7 +103,10 @@ std::vector<FieldName> field_names(const std::vector<JoinedMesh::Member>& parts)
     std::vector<FieldName> names;
     for (const FieldOf of : {FieldOf::points, FieldOf::cells})
         for (const auto& [name, fields] : found_in(parts, of))
-            if (have_equal_components(fields)) names.push_back(fields.front());
+            if (have_equal_components(fields)) {
+                names.push_back(fields.front());
+                names.back().doubles = std::ranges::any_of(fields, &FieldName::doubles);
+            }
     return names;
 }
 
@@ -147,19 +152,23 @@ std::vector<FieldName> field_names(const DataSets& data_sets) {
     return field_names(parts);
 }
 
-std::vector<float> array_values(vtkDataSet* data, const FieldName& field) {
+namespace {
+
+template <class T>
+std::vector<T> values_as(vtkDataSet* data, const FieldName& field) {
     vtkDataArray* array = attributes(data, field.of)->GetArray(field.name.c_str());
     if (array == nullptr || array->GetNumberOfComponents() != field.components) return {};
-    vtkNew<vtkFloatArray> floats;
-    floats->DeepCopy(array); // converts to float
-    const float* begin = floats->GetPointer(0);
-    std::vector<float> values(begin, begin + floats->GetNumberOfValues());
+    vtkNew<vtkAOSDataArrayTemplate<T>> numbers;
+    numbers->DeepCopy(array); // converts to T
+    const T* begin = numbers->GetPointer(0);
+    std::vector<T> values(begin, begin + numbers->GetNumberOfValues());
     if (!field.component_names.empty())
         permute(values, permutation(tensor_component_names(attributes(data, field.of), array), field.component_names));
     return values;
 }
 
-std::vector<float> gather_field(const std::vector<JoinedMesh::Member>& parts, const FieldName& field) {
+template <class T>
+store::Values gather_as(const std::vector<JoinedMesh::Member>& parts, const FieldName& field) {
     const bool points = field.of == FieldOf::points;
     const auto size_of = [&](const JoinedMesh::Member& part) {
         return static_cast<std::size_t>(points ? part.data->GetNumberOfPoints() : part.data->GetNumberOfCells());
@@ -171,9 +180,9 @@ std::vector<float> gather_field(const std::vector<JoinedMesh::Member>& parts, co
     for (const JoinedMesh::Member& part : parts) count = std::max(count, first_of(part) + size_of(part));
 
     const auto components = static_cast<std::size_t>(field.components);
-    std::vector<float> values(count * components, store::no_value);
+    std::vector<T> values(count * components, store::no_value);
     for (const JoinedMesh::Member& part : parts) {
-        const std::vector<float> own = array_values(part.data, field);
+        const std::vector<T> own = values_as<T>(part.data, field);
         if (own.empty()) continue;
         if (own.size() != size_of(part) * components)
             throw Error("array \"" + field.name + "\" of block \"" + part.name + "\" has " +
@@ -181,7 +190,18 @@ std::vector<float> gather_field(const std::vector<JoinedMesh::Member>& parts, co
                         " are needed");
         std::copy(own.begin(), own.end(), values.begin() + static_cast<std::ptrdiff_t>(first_of(part) * components));
     }
-    return values;
+    return store::Values(std::move(values));
+}
+
+} // namespace
+
+store::Values array_values(vtkDataSet* data, const FieldName& field) {
+    if (field.doubles) return store::Values(values_as<double>(data, field));
+    return store::Values(values_as<float>(data, field));
+}
+
+store::Values gather_field(const std::vector<JoinedMesh::Member>& parts, const FieldName& field) {
+    return field.doubles ? gather_as<double>(parts, field) : gather_as<float>(parts, field);
 }
 
 } // namespace ciel::importer

@@ -18,20 +18,23 @@ PatchFaces::PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patch
             if (const Index of_face = *number++; of_face != none) entries_[patch].push_back({of_face, cell});
 }
 
-std::vector<float> PatchFaces::values(const std::vector<PatchValues>& of_patches, int components) const {
+template <class T>
+std::vector<T> PatchFaces::values(const std::vector<PatchValues>& of_patches, int components) const {
     const auto has_some = [](const PatchValues& values) { return values.has_value(); };
     if (std::ranges::none_of(of_patches, has_some)) return {};
     const auto width = static_cast<std::size_t>(components);
-    std::vector<float> values(count_ * width, store::no_value);
+    std::vector<T> values(count_ * width, store::no_value);
     for (std::size_t patch = 0; patch < entries_.size(); ++patch) {
         if (!of_patches[patch]) continue;
-        const std::vector<float>& own = *of_patches[patch];
+        const ValuesView own = *of_patches[patch];
         for (const Entry& entry : entries_[patch])
-            if ((entry.cell + 1) * width <= own.size())
-                std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(entry.cell * width), width,
-                            values.begin() + static_cast<std::ptrdiff_t>(entry.number * width));
+            for (std::size_t c = 0; c < width && (entry.cell + 1) * width <= own.size(); ++c)
+                values[entry.number * width + c] = static_cast<T>(own[entry.cell * width + c]);
     }
     return values;
 }
+
+template std::vector<float> PatchFaces::values(const std::vector<PatchValues>&, int) const;
+template std::vector<double> PatchFaces::values(const std::vector<PatchValues>&, int) const;
 
 } // namespace ciel::importer

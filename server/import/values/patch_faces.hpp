@@ -10,9 +10,10 @@ class PatchFaces {
 public:
     PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // Returns `components` values per boundary face; store::no_value on faces without values. Empty if no patch has
-    // values.
-    [[nodiscard]] std::vector<float> values(const std::vector<PatchValues>& of_patches, int components) const;
+    // Returns `components` values per boundary face, in the type T of the patches' values; store::no_value on faces
+    // without values. Empty if no patch has values.
+    template <class T>
+    [[nodiscard]] std::vector<T> values(const std::vector<PatchValues>& of_patches, int components) const;
 
 private:
     struct Entry {

@@ -13,20 +13,19 @@ namespace {
 // Share of a field's range. Two copies of a value differ by less after the rounding of a file.
 constexpr double field_tolerance = 1e-4;
 
-bool values_differ(const std::vector<float>& values, std::size_t width, const std::vector<Seam>& seams) {
-    float low = std::numeric_limits<float>::infinity();
-    float high = -low;
-    for (const float value : values) {
+bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>& seams) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values) {
         if (!std::isfinite(value)) continue;
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    const double tolerance = field_tolerance * (static_cast<double>(high) - low);
+    const double tolerance = field_tolerance * (high - low);
     for (const Seam& seam : seams)
         for (const auto& [a, b] : seam.points)
             for (std::size_t c = 0; c < width; ++c)
-                if (std::abs(static_cast<double>(values[a * width + c]) - values[b * width + c]) > tolerance)
-                    return true;
+                if (std::abs(values[a * width + c] - values[b * width + c]) > tolerance) return true;
     return false;
 }
 

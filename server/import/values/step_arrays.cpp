@@ -42,7 +42,7 @@ std::vector<PatchValues> patch_values(const StepMesh& mesh, const DataSets& data
     std::vector<PatchValues> values(mesh.patches.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (mesh.patches[i].surface == Patch::none_of_them) continue;
-        std::vector<float> own = array_values(data_sets.surfaces[mesh.patches[i].surface].data, field);
+        store::Values own = array_values(data_sets.surfaces[mesh.patches[i].surface].data, field);
         if (!own.empty()) values[i] = std::move(own);
     }
     return values;
@@ -98,7 +98,7 @@ bool StepArrays::accept(FieldName& field, const std::string& stored) {
 }
 
 void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
-                     store::Origin origin, std::vector<float> values) {
+                     store::Origin origin, store::Values values) {
     const auto units = units_.find(field.name);
     values_.push_back(std::move(values));
     store::ArrayValues array;
@@ -115,7 +115,7 @@ void StepArrays::add(const FieldName& field, const std::string& name, store::Ass
 void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets, FieldName field,
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
-    std::vector<float> cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
+    store::Values cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
     // accept() may refuse: at other steps a point array of this name may have other components.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
@@ -123,12 +123,17 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets,
                                                             WallValues(mesh.view(), mesh.patches),
                                                             PatchFaces(mesh.view(), mesh.patches)});
         const std::vector<PatchValues> on_patches = patch_values(mesh, data_sets, field);
-        std::vector<float> points = maker->interpolation.apply(cells, field.components);
-        maker->walls.overlay(on_patches, patch_roles(mesh, data_sets, no_slip_, field.name), field.components, points);
+        const std::vector<PatchRole> roles = patch_roles(mesh, data_sets, no_slip_, field.name);
         note_unknown_conditions(mesh, data_sets, field);
-        add(field, name, store::Association::point, store::Origin::interpolated, std::move(points));
-        if (std::vector<float> faces = maker->patch_faces.values(on_patches, field.components); !faces.empty())
-            add(field, "patch:" + name, store::Association::boundary_face, origin_of(field), std::move(faces));
+        cells.with([&]<class T>(std::span<const T> of_cells) {
+            std::vector<T> points = maker->interpolation.apply(of_cells, field.components);
+            maker->walls.overlay(on_patches, roles, field.components, points);
+            add(field, name, store::Association::point, store::Origin::interpolated, store::Values(std::move(points)));
+            std::vector<T> faces = maker->patch_faces.values<T>(on_patches, field.components);
+            if (!faces.empty())
+                add(field, "patch:" + name, store::Association::boundary_face, origin_of(field),
+                    store::Values(std::move(faces)));
+        });
     }
     add(field, "cell:" + name, store::Association::cell, origin_of(field), std::move(cells));
 }
@@ -163,8 +168,9 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
             notes_.insert("Two arrays have the name " + name + "; the first was kept.");
             continue;
         }
-        if (!accept(field, (cell ? "cell:" : "") + name)) continue;
-        loss_.look_at(mesh.parts, field);
+        const std::string stored = (cell ? "cell:" : "") + name;
+        if (!accept(field, stored)) continue;
+        loss_.look_at(mesh.parts, field, doubles_.try_emplace(stored, field.doubles).first->second);
         if (cell)
             add_cell_field(mesh, data_sets, field, has_points(name), maker);
         else

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] const std::vector<store::ArrayValues>&
     make(std::size_t step, const StepMesh& mesh, const DataSets& data_sets, std::unique_ptr<PointMaker>& maker);
 
-    // Returns sentences on arrays left out of the steps so far, and on values that 32-bit floats change.
+    // Returns sentences on arrays left out of the steps so far, and on values that change because of the stored type.
     [[nodiscard]] std::vector<std::string> notes() const;
     // Returns sentences on arrays that should be in the dataset but are not.
     [[nodiscard]] std::vector<std::string> lost() const { return {lost_.begin(), lost_.end()}; }
@@ -42,7 +42,7 @@ public:
 
 private:
     void add(const FieldName& field, const std::string& name, store::Association association, store::Origin origin,
-             std::vector<float> values);
+             store::Values values);
     [[nodiscard]] bool accept(FieldName& field, const std::string& stored);
     [[nodiscard]] store::Origin origin_of(const FieldName& field) const;
     void add_cell_field(const StepMesh& mesh, const DataSets& data_sets, FieldName field, bool point_field_exists,
@@ -54,11 +54,12 @@ private:
     std::map<std::string, std::string> units_;
     FieldComponents components_;
     std::map<std::string, std::vector<std::string>> order_; // dataset name -> order of the tensor's components
+    std::map<std::string, bool> doubles_; // dataset name -> type of the array, which its first step decides
     std::size_t step_ = 0;
     ValueLoss loss_;
     std::set<std::string> notes_, lost_;
     std::vector<bool> no_slip_;
-    std::deque<std::vector<float>> values_;
+    std::deque<store::Values> values_;
     std::vector<store::ArrayValues> arrays_;
 };
 

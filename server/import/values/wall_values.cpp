@@ -12,14 +12,14 @@ namespace {
 
 enum Kind : std::uint8_t { wall_at_rest, fixed, varying, untouched };
 
-bool holds_one_value(const std::vector<float>& values, std::size_t width) {
+bool holds_one_value(ValuesView values, std::size_t width) {
     for (std::size_t i = width; i < values.size(); ++i)
         if (values[i] != values[i - width]) return false;
     return true;
 }
 
 // Whether a face's value is finite. overlay() ignores other values, because the solution has diverged there.
-bool is_finite(const std::vector<float>& values, std::size_t begin, std::size_t width) {
+bool is_finite(ValuesView values, std::size_t begin, std::size_t width) {
     for (std::size_t i = begin; i < begin + width; ++i)
         if (!std::isfinite(values[i])) return false;
     return true;
@@ -27,8 +27,8 @@ bool is_finite(const std::vector<float>& values, std::size_t begin, std::size_t 
 
 } // namespace
 
-bool holds_only_zero(const std::vector<float>& values) {
-    return !values.empty() && std::all_of(values.begin(), values.end(), [](float value) { return value == 0; });
+bool holds_only_zero(ValuesView values) {
+    return !values.empty() && std::ranges::all_of(values, [](double value) { return value == 0; });
 }
 
 WallValues::WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patches)
@@ -50,15 +50,16 @@ WallValues::WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patch
     }
 }
 
+template <class T>
 void WallValues::overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
-                         std::span<float> points) const {
+                         std::vector<T>& points) const {
     const auto width = static_cast<std::size_t>(components);
     std::vector<std::uint8_t> kinds(vertices_.size(), untouched);
     std::vector<double> total(vertices_.size());
     std::vector<double> sum(vertices_.size() * width);
     for (std::size_t patch = 0; patch < entries_.size(); ++patch) {
         if (!values[patch]) continue;
-        const std::vector<float>& own = *values[patch];
+        const ValuesView own = *values[patch];
         Kind kind = varying;
         if (roles[patch] == PatchRole::no_slip_wall)
             kind = wall_at_rest;
@@ -74,29 +75,35 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
             }
             total[entry.vertex] += entry.weight;
             for (std::size_t c = 0; c < width; ++c)
-                sum[entry.vertex * width + c] += entry.weight * static_cast<double>(own[entry.cell * width + c]);
+                sum[entry.vertex * width + c] += entry.weight * own[entry.cell * width + c];
         }
     }
     for (std::size_t i = 0; i < vertices_.size(); ++i)
         if (kinds[i] != untouched && total[i] > 0)
             for (std::size_t c = 0; c < width; ++c)
-                points[vertices_[i] * width + c] = static_cast<float>(sum[i * width + c] / total[i]);
+                points[vertices_[i] * width + c] = static_cast<T>(sum[i * width + c] / total[i]);
     if (components == 3) put_into_planes(roles, kinds, points);
 }
 
 // Makes vectors tangential on patches with the role `plane`, except at vertices of no-slip walls and of patches with a
 // fixed value.
+template <class T>
 void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
-                                 std::span<float> points) const {
+                                 std::vector<T>& points) const {
     for (std::size_t patch = 0; patch < planes_.size(); ++patch) {
         if (roles[patch] != PatchRole::plane) continue;
         for (const Plane& plane : planes_[patch]) {
             if (kinds[plane.vertex] == wall_at_rest || kinds[plane.vertex] == fixed) continue;
-            float* const at = &points[3 * std::size_t{vertices_[plane.vertex]}];
+            T* const at = &points[3 * std::size_t{vertices_[plane.vertex]}];
             const Vec3d along = without_parts_along(plane.normals, {at[0], at[1], at[2]});
-            for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = static_cast<float>(along[axis]);
+            for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = static_cast<T>(along[axis]);
         }
     }
 }
+
+template void WallValues::overlay(const std::vector<PatchValues>&, const std::vector<PatchRole>&, int,
+                                  std::vector<float>&) const;
+template void WallValues::overlay(const std::vector<PatchValues>&, const std::vector<PatchRole>&, int,
+                                  std::vector<double>&) const;
 
 } // namespace ciel::importer

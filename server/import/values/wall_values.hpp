@@ -10,7 +10,7 @@
 namespace ciel::importer {
 
 // The values of one array on one patch: one tuple per cell of the patch's surface; nullopt if it has none.
-using PatchValues = std::optional<std::vector<float>>;
+using PatchValues = std::optional<store::Values>;
 
 enum class PatchRole : std::uint8_t {
     no_slip_wall, // a vector such as the velocity is zero on the patch; the role holds for all arrays
@@ -28,8 +28,10 @@ public:
 
     // `values`, `roles`: one per patch. `points`: `components` values per stored vertex; those on patches with values
     // are overwritten. Arrays of three components are vectors.
+    // T: float or double.
+    template <class T>
     void overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
-                 std::span<float> points) const;
+                 std::vector<T>& points) const;
 
 private:
     struct Entry {
@@ -41,8 +43,9 @@ private:
         Index vertex; // index into vertices_
         std::vector<Vec3d> normals;
     };
+    template <class T>
     void put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
-                         std::span<float> points) const;
+                         std::vector<T>& points) const;
 
     std::vector<Index> vertices_;             // stored vertices on patches
     std::vector<std::vector<Entry>> entries_; // per patch
@@ -50,6 +53,6 @@ private:
 };
 
 // Returns whether all values are zero and there is at least one.
-[[nodiscard]] bool holds_only_zero(const std::vector<float>& values);
+[[nodiscard]] bool holds_only_zero(ValuesView values);
 
 } // namespace ciel::importer

@@ -3,6 +3,7 @@
 
 #include "annotations/annotations.hpp"
 #include "ciel/types.hpp"
+#include "ciel/values_view.hpp"
 #include "color/color_scale.hpp"
 #include "render/frame/volume.hpp"
 
@@ -20,7 +21,8 @@ inline constexpr std::size_t most_clip_planes = 6;
 struct Primitives {
     std::span<const Vec3f> positions; // offsets from the frame's origin
     std::span<const Vec3f> normals;   // one per vertex; triangles are counterclockwise around them; empty: flat shading
-    std::span<const float> scalars;   // one per vertex; empty: solid color
+    ValuesView scalars;               // one per vertex; empty: solid color
+    double scalar_origin = 0;         // near the scalars if they are doubles, so that floats relative to it are precise
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels

@@ -43,9 +43,10 @@ float origin_of(const color::ColorScale& scale) {
     return scale.log || std::abs(scale.range[0]) > farthest ? 0 : static_cast<float>(scale.range[0]);
 }
 
-float less(float limit, double origin) {
+float less(double limit, double origin) {
     constexpr double largest = std::numeric_limits<float>::max();
-    return std::isfinite(limit) ? static_cast<float>(std::clamp(limit - origin, -largest, largest)) : limit;
+    if (!std::isfinite(limit)) return static_cast<float>(limit);
+    return static_cast<float>(std::clamp(limit - origin, -largest, largest));
 }
 
 void append_rule(std::vector<float>& rules, const color::ColorScale& scale) {

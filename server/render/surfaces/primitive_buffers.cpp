@@ -49,7 +49,10 @@ void PrimitiveBuffers::load(const Primitives& mesh) {
     gl_.BindVertexArray(array_);
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
-    attribute(attribute_scalar, scalars_, 1, mesh.scalars.size_bytes(), mesh.scalars.data());
+    std::vector<float> relative;
+    if (mesh.scalars.has_doubles()) relative = floats_from(mesh.scalar_origin, mesh.scalars);
+    const std::span<const float> scalars = mesh.scalars.has_doubles() ? relative : mesh.scalars.floats();
+    attribute(attribute_scalar, scalars_, 1, scalars.size_bytes(), scalars.data());
     upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
     identity_ = mesh.identity;
     primitive_ = mesh.points ? GL_POINTS : mesh.lines ? GL_LINES : GL_TRIANGLES;
@@ -63,7 +66,9 @@ void PrimitiveBuffers::draw(const Primitives& mesh, const ScaleRow& scale) const
     gl_.VertexAttrib1f(attribute_scalar, 0);
     gl_.VertexAttrib1f(attribute_size, mesh.point_size);
     gl_.VertexAttrib4f(attribute_color, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
-    gl_.VertexAttrib3f(attribute_style, scale.row, mesh.lit ? 1.0F : 0.0F, scale.origin);
+    const double loaded_from = mesh.scalars.has_doubles() ? mesh.scalar_origin : 0;
+    gl_.VertexAttrib3f(attribute_style, scale.row, mesh.lit ? 1.0F : 0.0F,
+                       static_cast<float>(scale.origin - loaded_from));
     draw_elements(gl_, primitive_, 0, count_);
 }
 

@@ -65,7 +65,7 @@ void TransparentTriangles::add(const ScaledPrimitives& part) {
         for (; i < end; ++i) {
             vertex.position = mesh.positions[i];
             if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-            if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[i] - part.scale.origin;
+            if (!mesh.scalars.empty()) vertex.scalar = static_cast<float>(mesh.scalars[i] - part.scale.origin);
             vertices_.push_back(vertex);
         }
     });

@@ -55,7 +55,8 @@ void TransparentPoints::add(const ScaledPrimitives& part) {
     in_pieces(gl_, mesh.indices.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
             vertex.position = mesh.positions[mesh.indices[i]];
-            if (!mesh.scalars.empty()) vertex.scalar = mesh.scalars[mesh.indices[i]] - part.scale.origin;
+            if (!mesh.scalars.empty())
+                vertex.scalar = static_cast<float>(mesh.scalars[mesh.indices[i]] - part.scale.origin);
             vertices_.push_back(vertex);
         }
     });

@@ -7,8 +7,9 @@
 
 namespace ciel::store {
 
-Values ChunkCache::get(const std::filesystem::path& file, std::size_t bytes, const std::string& sum,
-                       const std::function<void(std::span<const float>)>& verify) {
+std::shared_ptr<const MappedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
+                                                  const std::string& sum,
+                                                  const std::function<void(const MappedFile&)>& verify) {
     Entry& of_file = entry(file);
     const std::lock_guard lock(of_file.mutex);
     std::shared_ptr<const MappedFile> mapped = of_file.mapped.lock();
@@ -16,14 +17,14 @@ Values ChunkCache::get(const std::filesystem::path& file, std::size_t bytes, con
         mapped = std::make_shared<const MappedFile>(file, bytes, any_lost_);
         if (of_file.verified != mapped->version()) {
             if (!sum.empty() && checksum(mapped->bytes()) != sum) refuse_damage(file, "does not match its checksum");
-            if (verify) verify(mapped->as<float>());
+            if (verify) verify(*mapped);
             of_file.verified = mapped->version();
         }
         of_file.mapped = mapped;
     }
     mapped->check_intact();
     keep(of_file, mapped);
-    return {mapped->as<float>(), mapped};
+    return mapped;
 }
 
 ChunkCache::Entry& ChunkCache::entry(const std::filesystem::path& file) {

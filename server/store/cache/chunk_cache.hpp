@@ -3,7 +3,6 @@
 #pragma once
 
 #include "store/cache/mapped_file.hpp"
-#include "store/cache/values.hpp"
 
 #include <functional>
 #include <list>
@@ -15,19 +14,20 @@
 
 namespace ciel::store {
 
-// Keeps the files that were used last mapped, besides those whose Values somebody holds: the system allows a process
-// 65,530 mappings, and a dataset may have more chunks.
+// Keeps the files that were used last mapped, besides those that somebody holds: the system allows a process 65,530
+// mappings, and a dataset may have more chunks.
 class ChunkCache {
 public:
     static constexpr std::size_t most_kept = 64;
 
     explicit ChunkCache(AnyLost any_lost) : any_lost_(std::move(any_lost)) {}
-    // Returns the values in `file`. The first call maps the file, compares it with `checksum` (empty: not known) and
+    // Returns `file`, mapped. The first call maps the file, compares it with `checksum` (empty: not known) and
     // calls `verify`. If one of these throws, the next call tries again. A file that has been let go and has not
     // changed since is mapped again without these checks. Throws Error when the file was truncated or rewritten since
     // it was mapped.
-    [[nodiscard]] Values get(const std::filesystem::path& file, std::size_t bytes, const std::string& checksum,
-                             const std::function<void(std::span<const float>)>& verify = {});
+    [[nodiscard]] std::shared_ptr<const MappedFile> get(const std::filesystem::path& file, std::size_t bytes,
+                                                        const std::string& checksum,
+                                                        const std::function<void(const MappedFile&)>& verify = {});
     void check_sizes() const;
     void check_intact() const;
 

@@ -34,6 +34,13 @@ struct ArrayInfo {
     std::string description;
     std::vector<std::string> component_names = {}; // "xx", "xy"... for a tensor, in the order of the file; else empty
     ArraySource source = {};
+    bool doubles = false; // stored as float64, else as float32; the same on all meshes
+
+    [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
+    // Returns whether a value of one can stand where one of the other does, up to its precision.
+    [[nodiscard]] bool has_shape_of(const ArrayInfo& other) const {
+        return association == other.association && components == other.components;
+    }
 };
 
 struct MeshInfo;

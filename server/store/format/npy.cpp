@@ -61,14 +61,10 @@ std::vector<std::size_t> parse_shape(std::string_view text, const std::filesyste
 }
 
 template <typename T>
-std::vector<float> convert(std::string_view data) {
-    std::vector<float> values(data.size() / sizeof(T));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        T value;
-        std::memcpy(&value, data.data() + i * sizeof(T), sizeof(T));
-        values[i] = static_cast<float>(value);
-    }
-    return values;
+Values copied(std::string_view data) {
+    std::vector<T> values(data.size() / sizeof(T));
+    std::memcpy(values.data(), data.data(), values.size() * sizeof(T));
+    return Values(std::move(values));
 }
 
 } // namespace
@@ -91,7 +87,7 @@ NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path
         size *= extent;
     }
     if (size != bytes_left) refuse(file, "is longer than its header declares; save the array again");
-    array.values = is_double ? convert<double>(data) : convert<float>(data);
+    array.values = is_double ? copied<double>(data) : copied<float>(data);
     return array;
 }
 

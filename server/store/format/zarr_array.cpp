@@ -17,7 +17,7 @@ struct TypeRow {
 };
 constexpr std::array type_table{TypeRow{ElementType::u1, "|u1", 1}, TypeRow{ElementType::u4, "<u4", 4},
                                 TypeRow{ElementType::u8, "<u8", 8}, TypeRow{ElementType::i8, "<i8", 8},
-                                TypeRow{ElementType::f4, "<f4", 4}};
+                                TypeRow{ElementType::f4, "<f4", 4}, TypeRow{ElementType::f8, "<f8", 8}};
 
 const TypeRow& row(ElementType type) {
     return *std::find_if(type_table.begin(), type_table.end(), [&](const TypeRow& r) { return r.type == type; });
@@ -95,7 +95,8 @@ ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& f
 
 std::string to_text(const ZarrArray& array) {
     nlohmann::json fill = 0;
-    if (array.type == ElementType::f4) fill = "NaN"; // Zarr libraries then read a missing chunk as NaN, not as zeros
+    const bool is_real = array.type == ElementType::f4 || array.type == ElementType::f8;
+    if (is_real) fill = "NaN"; // Zarr libraries then read a missing chunk as NaN, not as zeros
     return to_text(nlohmann::json{{"zarr_format", 2},
                                   {"shape", array.shape},
                                   {"chunks", array.chunks},

@@ -10,7 +10,7 @@
 
 namespace ciel::store {
 
-enum class ElementType { u1, u4, u8, i8, f4 };
+enum class ElementType { u1, u4, u8, i8, f4, f8 };
 [[nodiscard]] std::size_t element_bytes(ElementType type);
 
 struct ZarrArray {

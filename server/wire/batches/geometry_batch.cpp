@@ -149,12 +149,12 @@ bool has_values(const Primitives& mesh) { return !mesh.scalars.empty() || !mesh.
 
 Quantized values_part(const Batch& batch) {
     const Primitives& mesh = *batch.mesh;
-    std::vector<float> values;
+    std::vector<double> values;
     if (!mesh.scalars.empty()) {
         values.reserve(batch.vertices.size());
         for (const Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
     } else if (!mesh.values.empty()) {
-        const auto own = mesh.values.subspan(batch.first, batch.indices.size() / corners_of(mesh));
+        const auto own = mesh.values.subview(batch.first, batch.indices.size() / corners_of(mesh));
         values.assign(own.begin(), own.end());
     }
     Quantized part;
@@ -164,7 +164,7 @@ Quantized values_part(const Batch& batch) {
         part.low[0] = places.low;
         for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, places.places[i]);
     } else {
-        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, static_cast<float>(values[i]));
     }
     const std::array<double, 4> rest{mesh.value_step, double(part.low[0]), mesh.range[0], double(mesh.values.empty())};
     part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(part.bytes.data(), part.bytes.size()));

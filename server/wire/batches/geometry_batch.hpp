@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/types.hpp"
+#include "ciel/values_view.hpp"
 
 #include <cstdint>
 #include <span>
@@ -15,14 +16,14 @@ namespace ciel::wire {
 struct Primitives {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
-    std::span<const float> scalars; // one per vertex; empty if there are `values`
-    std::span<const float> values;  // one per triangle, line or point; empty if there are `scalars`
+    ValuesView scalars; // one per vertex; empty if there are `values`
+    ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
     // Quantization step of scalars or values; the error is at most half a step. 0: they are sent as floats.
     double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     std::string map;
-    std::array<float, 2> range{0, 1};
+    std::array<double, 2> range{0, 1};
     std::array<float, 4> color{};
     bool lit = true;
     float line_width = 1.5F;                    // pixels

@@ -35,14 +35,14 @@ Vec3f from_octahedral(const std::array<std::int8_t, 2>& place) {
     return {x / length, y / length, z / length};
 }
 
-QuantizedValues quantized(std::span<const float> values, double origin, double step) {
+QuantizedValues quantized(std::span<const double> values, double origin, double step) {
     constexpr double most = 1 << 30;
     constexpr std::int64_t nothing = std::numeric_limits<std::int64_t>::max();
     QuantizedValues out;
     std::vector<std::int64_t> steps;
     steps.reserve(values.size());
     std::int64_t low = nothing;
-    for (const float value : values) {
+    for (const double value : values) {
         const bool is_number = !std::isnan(value);
         const double at = is_number ? std::clamp((value - origin) / step, -most, most) : 0;
         steps.push_back(is_number ? std::llrint(at) : nothing);

@@ -39,6 +39,6 @@ struct QuantizedValues {
 };
 // Quantizes values to multiples of `step` from `origin`; the error is at most half a step. Values are clamped to 2^30
 // steps from `origin`. NaN becomes no_value.
-[[nodiscard]] QuantizedValues quantized(std::span<const float> values, double origin, double step);
+[[nodiscard]] QuantizedValues quantized(std::span<const double> values, double origin, double step);
 
 } // namespace ciel::wire

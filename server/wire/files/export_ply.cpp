@@ -21,7 +21,8 @@ void write_ply_header(const ExportSurface& surface, const ExportedPolygons& poly
     for (const char axis : {'x', 'y', 'z'}) out << "property double " << axis << '\n';
     if (!surface.surface.normals.empty())
         for (const char axis : {'x', 'y', 'z'}) out << "property float n" << axis << '\n';
-    for (const NamedValues& values : surface.values) out << "property float " << property_name(values.name) << '\n';
+    for (const NamedValues& values : surface.values)
+        out << (values.doubles ? "property double " : "property float ") << property_name(values.name) << '\n';
     out << "element face " << polygons.offset.size() - 1 << '\n';
     out << "property list int int vertex_indices\nend_header\n";
 }
@@ -35,7 +36,7 @@ ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out) {
         for (std::size_t k = 0; k < 3; ++k)
             write_raw(out, surface.origin[k] - surface.file_origin[k] + double{surface.surface.positions[vertex][k]});
         if (!surface.surface.normals.empty()) write_raw(out, surface.surface.normals[vertex]);
-        for (const NamedValues& values : surface.values) write_raw(out, values.values[vertex]);
+        for (const NamedValues& values : surface.values) write_value(out, values, vertex);
     }
     for (std::size_t i = 0; i + 1 < polygons.offset.size(); ++i) {
         const Index begin = polygons.offset[i];

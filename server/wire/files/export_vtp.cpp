@@ -69,8 +69,9 @@ void declare_point_data(const ExportSurface& surface, const ExportedPolygons& po
         });
     }
     for (const NamedValues& values : surface.values) {
-        arrays.declare(out, "Float32", values.name, 1, 4 * points, [&](std::ostream& to) {
-            for (const Index vertex : polygons.vertices) write_raw(to, values.values[vertex]);
+        const char* type = values.doubles ? "Float64" : "Float32";
+        arrays.declare(out, type, values.name, 1, values.value_bytes() * points, [&](std::ostream& to) {
+            for (const Index vertex : polygons.vertices) write_value(to, values, vertex);
         });
     }
     out << "</PointData>\n";

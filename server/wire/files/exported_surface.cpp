@@ -1,6 +1,7 @@
 #include "wire/files/exported_surface.hpp"
 
 #include "ciel/vectors.hpp"
+#include "wire/bytes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,13 @@ private:
 };
 
 } // namespace
+
+void write_value(std::ostream& out, const NamedValues& values, Index vertex) {
+    if (values.doubles)
+        write_raw(out, values.values[vertex]);
+    else
+        write_raw(out, static_cast<float>(values.values[vertex]));
+}
 
 Vec3d file_origin(const std::array<double, 6>& bounds) {
     double farthest = 0;

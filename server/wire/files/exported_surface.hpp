@@ -2,8 +2,10 @@
 #pragma once
 
 #include "ciel/extract.hpp"
+#include "ciel/values_view.hpp"
 
 #include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,8 +13,17 @@ namespace ciel::wire {
 
 struct NamedValues {
     std::string name;
-    std::vector<float> values; // one per surface vertex
+    std::vector<double> values; // one per surface vertex
+    bool doubles = false;       // written as float64, else as float32
+
+    [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
+    // Returns the named values as they are written.
+    [[nodiscard]] static NamedValues copy_of(std::string name, ValuesView values) {
+        return {std::move(name), {values.begin(), values.end()}, values.has_doubles()};
+    }
 };
+
+void write_value(std::ostream& out, const NamedValues& values, Index vertex);
 
 struct ExportSurface {
     const Surface& surface;

@@ -25,7 +25,7 @@ std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vecto
     std::unordered_map<Index, Index> at_mesh_vertex;
     const auto have_equal_values = [&](Index a, Index b) {
         return std::ranges::all_of(values, [&](const NamedValues& named) {
-            return std::bit_cast<std::uint32_t>(named.values[a]) == std::bit_cast<std::uint32_t>(named.values[b]);
+            return std::bit_cast<std::uint64_t>(named.values[a]) == std::bit_cast<std::uint64_t>(named.values[b]);
         });
     };
     for (Index v = 0; v < kept.size(); ++v) {

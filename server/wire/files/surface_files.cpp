@@ -32,7 +32,8 @@ std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface) {
     const bool is_stl = format == SurfaceFormat::stl;
     const ExportedPolygons polygons = exported_polygons(surface.surface, is_stl || surface.triangles);
     const std::uint64_t faces = polygons.counts().polygons, vertices = polygons.vertices.size();
-    const std::uint64_t per_vertex = 24 + (surface.surface.normals.empty() ? 0 : 12) + 4 * surface.values.size();
+    std::uint64_t per_vertex = 24 + (surface.surface.normals.empty() ? 0 : 12);
+    for (const NamedValues& values : surface.values) per_vertex += values.value_bytes();
     const std::uint64_t indices = faces + polygons.corner.size(); // a size or offset per face, and its corners
     switch (format) {
     case SurfaceFormat::ply:

@@ -25,7 +25,7 @@ Outcome duel(const std::string& what, const Contender& ciel, const std::vector<C
 // Cells and points are in the order of the dataset's source, as a reader would give them.
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> as_grid(const bench::Case& data);
 // Replaces the grid's point scalars by `values`, reordered to the source's order.
-void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const std::vector<float>& values);
+void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const store::Values& values);
 // True when all cells are tetrahedra, hexahedra, wedges or pyramids.
 [[nodiscard]] bool is_linear(const bench::Case& data);
 

@@ -19,7 +19,7 @@ void gradients(const bench::Case& data, vtkUnstructuredGrid* grid) {
     }
     duel("gradients at all vertices",
          {"CIEL, least squares",
-          [&] { return static_cast<std::uint64_t>(vertex_gradients(*data.topology, data.mesh, *data.values).size()); }},
+          [&] { return static_cast<std::uint64_t>(vertex_gradients(*data.topology, data.mesh, data.values).size()); }},
          vtk);
 }
 

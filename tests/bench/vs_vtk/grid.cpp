@@ -111,16 +111,16 @@ vtkSmartPointer<vtkUnstructuredGrid> as_grid(const bench::Case& data) {
     std::ranges::sort(order, [&](Index a, Index b) { return cells[a] < cells[b]; });
     for (const Index cell : order)
         insert(grid, static_cast<CellType>(data.mesh.cell_types[cell]), loops_of(data.mesh, source, loops, cell));
-    set_values(grid, data, *data.values);
+    set_values(grid, data, data.values);
     return grid;
 }
 
-void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const std::vector<float>& values) {
+void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const store::Values& values) {
     const std::span<const Index> source = data.dataset->original_vertex(0);
     vtkNew<vtkFloatArray> scalars;
     scalars->SetName("values");
     scalars->SetNumberOfValues(grid->GetNumberOfPoints());
-    for (Index v = 0; v < source.size(); ++v) scalars->SetValue(source[v], values[v]);
+    for (Index v = 0; v < source.size(); ++v) scalars->SetValue(source[v], static_cast<float>(values[v]));
     grid->GetPointData()->SetScalars(scalars);
 }
 

@@ -54,11 +54,11 @@ Contender cutter(const char* name, vtkUnstructuredGrid* grid, const Planes& plan
 
 void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many) {
     const double part = 1 / std::sqrt(3.0);
+    const store::Values property = store::converted(data.values, false);
     for (const auto& [normal, name] :
          {std::pair{Vec3d{1, 0, 0}, "box-aligned"}, {Vec3d{part, part, part}, "screen-aligned"}}) {
         const auto distance = [&, along = normal] {
-            return bench::field_of(
-                data, std::make_shared<const std::vector<float>>(plane_distance(data.mesh, data.mesh.origin, along)));
+            return bench::field_of(data, store::Values(plane_distance(data.mesh, data.mesh.origin, along)));
         };
         const auto [low, high] = distance().range();
         const Planes planes{normal, bench::values_between(low, high, many)};
@@ -71,7 +71,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many
         duel(std::to_string(planes.at.size()) + " slices, " + name + ", from nothing",
              {"CIEL, property interpolated",
               [&] {
-                  sweep(*data.topology, data.mesh, distance(), planes.at, SliceSink{*data.values}, parts, made);
+                  sweep(*data.topology, data.mesh, distance(), planes.at, SliceSink{property.floats()}, parts, made);
                   std::uint64_t triangles = 0;
                   for (const SliceSink::Out& slice : made) triangles += slice.triangles.size() / 3;
                   return triangles;

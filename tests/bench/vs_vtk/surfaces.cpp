@@ -125,7 +125,7 @@ public:
         return triangles;
     }
     void set_normals(Normals normals) { query_.set_normals(normals); }
-    void change(const std::shared_ptr<const std::vector<float>>& values) {
+    void change(const store::Values& values) {
         Field changed = bench::field_of(data_, values);
         query_.set_field(changed);
         field_ = std::move(changed);
@@ -151,10 +151,10 @@ void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own,
     for (Contender& contender : vtk)
         contender.prepare = [&] {
             theirs = !theirs;
-            set_values(grid, data, theirs ? *data.changed : *data.values);
+            set_values(grid, data, theirs ? data.changed : data.values);
         };
     duel("the field changed, then one surface, normals", ciel, vtk);
-    set_values(grid, data, *data.values);
+    set_values(grid, data, data.values);
     own.change(data.values);
 }
 

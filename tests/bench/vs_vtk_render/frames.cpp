@@ -141,7 +141,7 @@ std::vector<Named> pipelines(const bench::Case& data, vtkUnstructuredGrid* grid,
 } // namespace
 
 void frames(const bench::Case& data, vtkUnstructuredGrid* grid, engine::FrameWorkers& drawing) {
-    const auto [low, high] = std::ranges::minmax(*data.values);
+    const auto [low, high] = std::ranges::minmax(data.values);
     // VTK needs half a second per surface for arbitrary polyhedra.
     const std::vector<double> values = bench::values_between(low, high, is_linear(data) ? 20 : 4);
     Own own(data);

@@ -104,7 +104,7 @@ TEST_F(DemoTest, TwentyStepsOfAFlowThatSticksToTheWall) {
     const FaceMeshView mesh = dataset->mesh(0, 0);
     for (std::size_t step = 0; step < dataset->steps().size(); ++step) {
         const auto velocity = dataset->values("U", step);
-        float highest = 0;
+        double highest = 0;
         for (const Index face : group("cylinder"))
             for (const Index v : mesh.loop(face))
                 for (std::size_t c = 0; c < 3; ++c) highest = std::max(highest, std::abs(velocity[3 * v + c]));

@@ -86,5 +86,28 @@ TEST_F(default_scene_of, a_mesh_without_bodies_is_an_iso_surface_of_the_whole) {
     EXPECT_NEAR(looked_at.high[0] - looked_at.low[0], 6, 1);
 }
 
+TEST_F(default_scene_of, noise_is_an_iso_surface_of_another_array_if_there_is_one) {
+    const test::Polyhedra input = test::hexahedra({{49, 49, 49}, 0, 1, 1});
+    const Assembled assembled = assemble(test::view(input));
+    std::vector<float> smooth, noise;
+    for (std::size_t i = 0; i < assembled.mesh.positions.size(); i += 3) {
+        smooth.push_back(assembled.mesh.positions[i]);
+        noise.push_back(static_cast<float>(i * 7919 % 1009));
+    }
+    const auto array = [](const char* name) { return store::ArrayInfo{name, store::Association::point, 1, "", ""}; };
+    const auto iso_of = [&](const std::vector<store::ArrayValues>& values) {
+        store::Writer writer(box(), {"a generator", "m", input.vertex_count(), 0, input.cell_count(), {}}, true);
+        writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
+        writer.add_step(0, 0, 0, values);
+        writer.finish();
+        return shown().document["layers"]["iso"];
+    };
+    const auto other = iso_of({{array("a"), noise}, {array("b"), smooth}});
+    EXPECT_EQ(other["array"], "b");
+    EXPECT_EQ(other["color"]["array"], "a");
+    EXPECT_EQ(iso_of({{array("a"), noise}})["array"], "a") << "there is no other array";
+    EXPECT_EQ(iso_of({{array("a"), smooth}, {array("b"), smooth}})["array"], "a") << "the first";
+}
+
 } // namespace
 } // namespace ciel::geometry

@@ -1,5 +1,5 @@
 // Surfaces colored by an array of the cells. Every polygon has the value of its cell; no value is interpolated.
-#include "geometry/flat_shape.hpp"
+#include "geometry/surface_values.hpp"
 
 #include "geometry/clip.hpp"
 #include "probe/visible_range.hpp"
@@ -34,11 +34,11 @@ protected:
     void expect_flat(const Drawable& drawable) const {
         const auto of_cells = loaded->cell_values("cell:q", 0);
         const Surface& surface = drawable.shape->surface;
-        ASSERT_NE(drawable.scalars, nullptr);
+        ASSERT_TRUE(drawable.scalars);
         ASSERT_EQ(drawable.scalars->size(), surface.positions.size());
         for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i)
             for (Index k = surface.polygon_offset[i]; k < surface.polygon_offset[i + 1]; ++k)
-                ASSERT_EQ((*drawable.scalars)[surface.polygon_vertex[k]], (*of_cells)[surface.polygon_cell[i]]);
+                ASSERT_EQ((*drawable.scalars)[surface.polygon_vertex[k]], of_cells[surface.polygon_cell[i]]);
         for (std::size_t i = 0; i < drawable.shape->indices.size(); i += 3)
             for (const std::size_t corner : {1U, 2U})
                 ASSERT_EQ((*drawable.scalars)[drawable.shape->indices[i]],
@@ -81,7 +81,7 @@ TEST_F(flat_values, are_on_caps_and_on_what_a_threshold_keeps) {
     ASSERT_FALSE(cut.surface.polygon_cell.empty());
     for (std::size_t i = 0; i < cut.surface.polygon_cell.size(); ++i)
         for (Index k = cut.surface.polygon_offset[i]; k < cut.surface.polygon_offset[i + 1]; ++k)
-            EXPECT_EQ(cut.values[cut.surface.polygon_vertex[k]], (*of_cells)[cut.surface.polygon_cell[i]]);
+            EXPECT_EQ(cut.values[cut.surface.polygon_vertex[k]], of_cells[cut.surface.polygon_cell[i]]);
 }
 
 TEST_F(flat_values, leave_edges_and_contour_lines_as_they_are) {

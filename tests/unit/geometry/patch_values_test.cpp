@@ -83,8 +83,8 @@ TEST_F(patch_values, of_single_patches_are_those_of_their_faces) {
     const auto shown = show({{"a", {{"type", "surface"}, {"groups", {"some"}}, {"color", by_patches}}}});
     const Drawable& drawable = shown->drawables.at(0);
     ASSERT_EQ(drawable.shape->surface.polygon_face.size(), 2U);
-    EXPECT_EQ(drawable.scalars->front(), 2);
-    EXPECT_EQ(drawable.scalars->back(), 9);
+    EXPECT_EQ((*drawable.scalars)[0], 2);
+    EXPECT_EQ((*drawable.scalars)[drawable.scalars->size() - 1], 9);
 }
 
 TEST_F(patch_values, are_none_inside_so_that_caps_have_those_of_points) {

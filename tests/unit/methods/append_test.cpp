@@ -84,7 +84,7 @@ TEST_F(Append, a_step_is_pushed_committed_and_seen_at_once) {
     EXPECT_EQ(note["params"]["times"], json({0, 1, 2, 3}));
     const auto dataset = store::Dataset::open(folder_ / "box.ciel");
     EXPECT_THAT(dataset->values("p", 3), testing::Each(7.0F));
-    EXPECT_THAT(dataset->values("w", 3), testing::Each(testing::FloatEq(7)));
+    EXPECT_THAT(dataset->values("w", 3), testing::Each(testing::DoubleNear(7, 1e-5)));
     EXPECT_EQ(server_.uploads().count(), 0U);
     refusal("append.commit", only(upload), not_found);
 }

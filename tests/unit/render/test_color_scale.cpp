@@ -69,6 +69,44 @@ color::ColorScale scale_of(const char* map, std::array<double, 2> range) {
 }
 
 // Absolute pressure in a slow flow: the range is only 26 float32 steps wide. Tests a smooth scale and one of 13 colors.
+// The values are doubles around 2^20 that differ by 2^-9 in all. As floats they would have one value.
+TEST_P(ColorScalePicture, DoublesFarFromZeroHaveTheColorsOfTheSameDoublesAroundZero) {
+    const double far = std::ldexp(1, 20);
+    for (const int steps : {0, 7})
+        for (const float opacity : {1.0F, 0.5F}) {
+            Shape shape = band(-0.25F, 0.25F, 64);
+            std::vector<double> near_zero(shape.scalars.size()), far_away(shape.scalars.size());
+            for (std::size_t i = 0; i < near_zero.size(); ++i) {
+                near_zero[i] = std::ldexp(std::round(std::ldexp(double{shape.scalars[i]}, 20)), -28);
+                far_away[i] = far + near_zero[i];
+            }
+            const double reach = std::ldexp(0.125, -8);
+            color::ColorScale scale;
+            scale.range = {-reach, reach};
+            scale.steps = steps;
+            scale.below = color::Rgb8{255, 0, 0};
+            scale.above = color::Rgb8{0, 255, 0};
+            Primitives mesh = shape.mesh();
+            mesh.lit = false;
+            mesh.color[3] = opacity;
+            mesh.scale = scale;
+            mesh.scalars = near_zero;
+            draw({mesh});
+            const Image wanted = image;
+            mesh.scale.range = {far - reach, far + reach};
+            mesh.scalars = far_away;
+            mesh.scalar_origin = far + 0.001; // any number near the values
+            draw({mesh});
+            std::size_t unlike = 0;
+            for (std::size_t i = 0; i < image.rgb.size(); ++i) unlike += std::abs(image.rgb[i] - wanted.rgb[i]) > 2;
+            EXPECT_LE(unlike, 3U * height * 9) << "at the ends of the steps alone; " << steps << ' ' << opacity;
+            if (steps == 0 && opacity == 1) {
+                EXPECT_EQ(at(10), *scale.below);
+                EXPECT_EQ(at(width - 10), *scale.above);
+            }
+        }
+}
+
 TEST_P(ColorScalePicture, OfASmallRangeBesideItsValuesIsAsSmooth) {
     const double low = 101325 - 13.0 / 128, high = 101325 + 13.0 / 128;
     for (const int steps : {0, 13})

@@ -272,7 +272,7 @@ TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
          "do not match"},
         {"unknown map",
          [&](Frame& f) {
-             f.primitives[0].scalars = {&shape.positions[0][0], shape.positions.size()};
+             f.primitives[0].scalars = std::span(&shape.positions[0][0], shape.positions.size());
              f.primitives[0].scale.map = "rainbow";
          },
          "no color map 'rainbow'"},

@@ -70,19 +70,22 @@ DecodedBatch decode_mesh(const json& description, std::span<const std::uint8_t>&
     return out;
 }
 
-std::vector<float> decode_values(const json& description, std::span<const std::uint8_t>& rest) {
+std::vector<double> decode_values(const json& description, std::span<const std::uint8_t>& rest) {
     const json& values = description["values"];
     const std::size_t corners = description["kind"] == "triangles" ? 3 : description["kind"] == "lines" ? 2 : 1;
     const std::size_t count = values["of"] == "vertices" ? description["vertices"].get<std::size_t>()
                                                          : description["indices"].get<std::size_t>() / corners;
     const auto bytes = take(rest, values["bytes"]);
-    if (!values.contains("step")) return records<float>(bytes, count);
-    std::vector<float> out;
+    std::vector<double> out;
+    if (!values.contains("step")) {
+        const std::vector<float> floats = records<float>(bytes, count);
+        out.assign(floats.begin(), floats.end());
+        return out;
+    }
     for (const std::uint32_t place : records<std::uint32_t>(bytes, count))
-        out.push_back(place == no_value
-                          ? NAN
-                          : static_cast<float>(values["origin"].get<double>() +
-                                               values["step"].get<double>() * (values["low"].get<double>() + place)));
+        out.push_back(place == no_value ? NAN
+                                        : values["origin"].get<double>() +
+                                              values["step"].get<double>() * (values["low"].get<double>() + place));
     return out;
 }
 

@@ -15,7 +15,7 @@ namespace ciel::wire {
 struct DecodedBatch {
     nlohmann::json description;
     std::vector<Vec3f> positions, normals;
-    std::vector<float> values; // one per vertex, triangle, line or point; the description says which
+    std::vector<double> values; // one per vertex, triangle, line or point; the description says which
     std::vector<Index> indices;
 };
 
@@ -27,7 +27,7 @@ public:
 
 private:
     std::map<std::string, DecodedBatch> meshes_;
-    std::map<std::string, std::vector<float>> values_;
+    std::map<std::string, std::vector<double>> values_;
 };
 
 } // namespace ciel::wire

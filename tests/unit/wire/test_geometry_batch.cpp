@@ -193,12 +193,32 @@ TEST(GeometryBatch, ValuesOutsideTheRangeAndNoNumbersComeBack) {
             if (std::abs(batch.positions[i][0] - wave.positions[vertex][0]) < 0.5F &&
                 std::abs(batch.positions[i][1] - wave.positions[vertex][1]) < 0.5F)
                 return batch.values[i];
-        return -1.0F;
+        return -1.0;
     };
     EXPECT_TRUE(std::isnan(value_of(0)));
     EXPECT_FLOAT_EQ(value_of(1), 25);
     EXPECT_FLOAT_EQ(value_of(2), -3);
     EXPECT_GT(value_of(3), 10'000) << "above every range";
+}
+
+TEST(GeometryBatch, DoublesAreAsPreciseAsTheRangeIsNarrow) {
+    Wave wave(4);
+    const double far = 101325, reach = 0.01;
+    std::vector<double> scalars;
+    for (const float value : wave.scalars) scalars.push_back(far + reach * std::sin(double{value}));
+    Primitives mesh = wave.mesh("a");
+    mesh.scalars = scalars;
+    mesh.range = {far - reach, far + reach};
+    mesh.value_step = 2 * reach / 16384;
+    const auto payload = encode_geometry(std::vector{mesh}, {}, step).payloads.at(0);
+    const DecodedBatch batch = decode(payload);
+    EXPECT_EQ(batch.description["range"], (nlohmann::json{far - reach, far + reach})) << "not rounded to floats";
+    EXPECT_EQ(batch.description["values"]["origin"], far - reach);
+    const auto spread = std::ranges::minmax(batch.values);
+    const auto sent = std::ranges::minmax(scalars);
+    EXPECT_GT(sent.max - sent.min, reach / 10) << "less than two floats are apart";
+    EXPECT_NEAR(spread.min, sent.min, mesh.value_step / 2);
+    EXPECT_NEAR(spread.max, sent.max, mesh.value_step / 2);
 }
 
 TEST(GeometryBatch, AValuePerTriangle) {
@@ -219,7 +239,7 @@ TEST(GeometryBatch, AValuePerTriangle) {
         }
         EXPECT_EQ(got, values) << "in the order of the triangles";
     }
-    mesh.values = mesh.values.first(1);
+    mesh.values = mesh.values.subview(0, 1);
     EXPECT_THROW(static_cast<void>(encode_geometry(std::vector{mesh}, {}, step)), Error);
 }
 
@@ -312,7 +332,7 @@ TEST(GeometryBatch, ArraysThatDoNotFitAreRefused) {
     };
     for (const Row& row :
          {Row{"normals", [](Primitives&m, const std::vector<Index>&) { m.normals = m.normals.first(1); }},
-          Row{"scalars", [](Primitives&m, const std::vector<Index>&) { m.scalars = m.scalars.first(1); }},
+          Row{"scalars", [](Primitives&m, const std::vector<Index>&) { m.scalars = m.scalars.subview(0, 1); }},
           Row{"corners", [](Primitives&m, const std::vector<Index>&) { m.indices = m.indices.first(4); }},
           Row{"beyond", [](Primitives&m, const std::vector<Index>&b) { m.indices = b; }}}) {
         Primitives mesh = sheet.mesh("a");

@@ -21,6 +21,7 @@ export function arrayFacts(array: ArrayInfo, steps: number): string[] {
   return [
     `on ${PLACES[array.association]}`,
     [ORIGINS[array.origin], array.type ?? ""].join(" ").trim(),
+    array.type === undefined || array.type === array.stored ? "" : `stored as ${array.stored}`,
     array.file ?? "",
     missing === 0 ? "" : `missing at ${missing} of ${steps} times`,
     array.missing === 0 ? "" : `${formatCount(array.missing)} values are missing`,

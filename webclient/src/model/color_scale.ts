@@ -9,10 +9,7 @@ export interface ColorScale {
   map: string;
   /** Two or more custom color points replace the map. Empty: the map is used. */
   points: readonly ColorPoint[];
-  /**
-   * Lowest and highest value of the scale. Drawing rounds both to 32-bit floats. A logarithmic range is above zero, or
-   * from -r to r.
-   */
+  /** Lowest and highest value of the scale. A logarithmic range is above zero, or from -r to r. */
   range: Range;
   reverse: boolean;
   log: boolean;
@@ -75,7 +72,7 @@ export const colorRow = (scale: ColorScale, smoothCount: number): Rgb8[] =>
   colorsAlong({ ...scale, steps: 0 }, scale.steps > 1 ? scale.steps : smoothCount);
 
 export function hasWidth({ range: [low, high] }: ColorScale): boolean {
-  const width = Math.fround(Math.fround(high) - Math.fround(low));
+  const width = Math.fround(high - low);
   return Number.isFinite(width) && width > 0;
 }
 
@@ -108,6 +105,9 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
+/** Share of the range. Values of a range that is as narrow as this slack are doubles, which are not rounded so far. */
+const LARGEST_SLACK = 1e-3;
+
 /**
  * Values outside these limits get the `below` or `above` color. The limits exceed the range by the rounding error of
  * interpolated floats.
@@ -115,9 +115,11 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];
   const [low, high] = scale.range;
-  if (scale.log && low > 0) return [Math.fround(low * (1 - 1e-6)), Math.fround(high * (1 + 1e-6))];
-  const slack = 1e-6 * (high - low) + 2.5e-7 * Math.max(Math.abs(low), Math.abs(high));
-  return [Math.fround(low - slack), Math.fround(high + slack)];
+  if (scale.log && low > 0) return [low * (1 - 1e-6), high * (1 + 1e-6)];
+  const width = high - low;
+  const rounding = 2.5e-7 * Math.max(Math.abs(low), Math.abs(high));
+  const slack = 1e-6 * width + Math.min(rounding, LARGEST_SLACK * width);
+  return [low - slack, high + slack];
 }
 
 export function colorOf(scale: ColorScale, value: number): Rgb8 {

@@ -12,10 +12,17 @@ export function formatNumber(value: number, span = Math.abs(value)): string {
   const places = Math.floor(Math.log10(size));
   const wanted = places - Math.floor(Math.log10(resolution)) + 1;
   const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // never rounds whole numbers
-  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(Math.min(digits - 1, 5)) : value.toPrecision(digits);
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
   const [mantissa = "", exponent] = text.split("e");
   const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
   return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
+}
+
+/** Formats a measured value of an array. Whole numbers keep all digits: they may be ids. `range`: of the array. */
+export function formatMeasured(value: number, range: Range | null): string {
+  if (Number.isSafeInteger(value)) return value.toFixed(0).replaceAll("-", MINUS);
+  const span = range === null ? 0 : range[1] - range[0];
+  return formatNumber(value, span > 0 ? Math.min(span, Math.abs(value)) : undefined);
 }
 
 // Numbers with groups of three digits, separated by spaces (thin, no-break or plain) or commas. The first group has one

@@ -2,6 +2,7 @@
 import { scaleOf } from "./color_range";
 import { layersInOrder } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
+import { formatMeasured } from "./numbers";
 import { prettyUnits } from "../wasm/numbers_as_text";
 import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
 
@@ -55,13 +56,18 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** Units of a scalar or of a whole array. A probe reads whole vectors, so an array's name is accepted too. */
-export function unitsOf(description: DatasetDescription | null, name: string): string {
-  const array =
-    arrayOf(description, name) ??
-    description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
-  return prettyUnits(array?.units ?? "");
-}
+/** The array of a scalar or of an array's name. A probe reads all arrays, with those that are no scalars of layers. */
+const arrayNamed = (description: DatasetDescription | null, name: string): ArrayInfo | undefined =>
+  arrayOf(description, name) ??
+  description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
+
+/** Units of a scalar or of a whole array. */
+export const unitsOf = (description: DatasetDescription | null, name: string): string =>
+  prettyUnits(arrayNamed(description, name)?.units ?? "");
+
+/** A probed value with its units, and with the digits that distinguish it from other values of the array. */
+export const measured = (description: DatasetDescription | null, name: string, value: number): string =>
+  `${formatMeasured(value, arrayNamed(description, name)?.range ?? null)} ${unitsOf(description, name)}`.trim();
 
 /**
  * Range of a scalar over all time steps; null if unknown. Known for single-component arrays and for magnitudes, but not

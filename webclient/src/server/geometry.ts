@@ -17,7 +17,8 @@ export interface GeometryBatch {
   points: boolean;
   positions: Float32Array; // offsets from `origin`, x y z per vertex
   normals: Float32Array | null;
-  scalars: Float32Array | null;
+  scalars: Float32Array | null; // offsets from `scalarOrigin`
+  scalarOrigin: number;
   indices: Uint32Array;
   scale: ColorScale;
   color: [number, number, number, number];
@@ -154,14 +155,15 @@ function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, res
   return { positions, normals: directions, indices: corners };
 }
 
+/** Returns offsets from `sent.origin`: values of a small range far from 0 then keep their digits as floats. */
 function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest: Rest): Float32Array {
   const count = sent.of === "vertices" ? vertices : indices / CORNERS[sent.of];
   const values = new Float32Array(count);
   MeshoptDecoder.decodeVertexBuffer(new Uint8Array(values.buffer), count, 4, rest.take(sent.bytes ?? 0));
-  const { step, origin = 0, low = 0 } = sent;
+  const { step, low = 0 } = sent;
   if (step === undefined) return values;
   const places = new Uint32Array(values.buffer);
-  places.forEach((place, i) => (values[i] = place === NO_VALUE ? NaN : origin + step * (low + place)));
+  places.forEach((place, i) => (values[i] = place === NO_VALUE ? NaN : step * (low + place)));
   return values;
 }
 
@@ -229,6 +231,7 @@ export class GeometryDecoder {
       positions: drawn.positions,
       normals: drawn.normals,
       scalars: drawn.values,
+      scalarOrigin: values?.origin ?? 0,
       indices: drawn.indices,
       scale: scaleOf({ ...header.scale, map, range }, range),
       color,

@@ -3,7 +3,6 @@ import { boundsRadius } from "../model/camera";
 import { depthRange, projectionMatrix, viewMatrix } from "./matrices";
 import type { GeometryBatch } from "../server/geometry";
 import { clamp } from "../model/numbers";
-import type { ColorScale } from "../model/color_scale";
 import type { Program } from "./gl_program";
 import { uploadLines, VERTICES_PER_LINE } from "./lines";
 import type { Look } from "./look";
@@ -123,7 +122,7 @@ export class UploadedBatches {
     gl.uniform1f(program.at("scale_row"), batch.scalars === null ? -1 : 0);
     gl.uniform1i(program.at("clip_planes"), batch.clip.length);
     if (batch.clip.length > 0) gl.uniform4fv(program.at("clip"), batch.clip.flat());
-    if (batch.scalars !== null) this.useScale(program, batch.scale);
+    if (batch.scalars !== null) this.useScale(program, batch);
     gl.uniform1i(program.at("lit"), batch.lit && look.lights.on ? 1 : 0);
     gl.uniform1f(program.at("place_in_order"), place);
     gl.bindVertexArray(vertexArray);
@@ -174,9 +173,9 @@ export class UploadedBatches {
     return buffers;
   }
 
-  private useScale(program: Program, scale: ColorScale): void {
+  private useScale(program: Program, { scale, scalarOrigin }: GeometryBatch): void {
     const { gl } = this;
     gl.uniform1i(program.at("scale_rules"), RULES_UNIT);
-    gl.uniform1f(program.at("value_origin"), this.textures.bind(scale, RULES_UNIT));
+    gl.uniform1f(program.at("value_origin"), this.textures.bind(scale, RULES_UNIT) - scalarOrigin);
   }
 }

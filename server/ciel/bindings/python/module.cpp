@@ -372,9 +372,9 @@ void add_functions(py::module_& module) {
         py::arg("mesh"), py::arg("values"), "(V, 3) float32: the least-squares gradient at each point of the mesh.");
     module.def(
         "contour_lines",
-        [](const PySurface& surface, const py::array_t<float, py::array::c_style | py::array::forcecast>& values,
+        [](const PySurface& surface, const py::array_t<double, py::array::c_style | py::array::forcecast>& values,
            const std::vector<double>& levels) {
-            const std::span<const float> numbers(values.data(), static_cast<std::size_t>(values.size()));
+            const std::span<const double> numbers(values.data(), static_cast<std::size_t>(values.size()));
             std::vector<ciel::Vec3f> out;
             {
                 const py::gil_scoped_release free;

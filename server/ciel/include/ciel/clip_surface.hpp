@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ciel/extract.hpp"
+#include "ciel/values_view.hpp"
 
 namespace ciel {
 
@@ -13,8 +14,8 @@ struct HalfSpace {
 };
 
 struct ClippedSurface {
-    Surface surface;           // input vertices that are kept come first; `points` has entries for them only
-    std::vector<float> values; // one per vertex; empty if the input had none
+    Surface surface;            // input vertices that are kept come first; `points` has entries for them only
+    std::vector<double> values; // one per vertex; empty if the input had none
 };
 
 // Returns the part of `surface` inside all half-spaces. `values`: one per vertex, or empty; throws Error on another
@@ -23,7 +24,7 @@ struct ClippedSurface {
 // cracks open. The result has no chunks.
 // Vertices at most `slack` outside a plane are kept. Otherwise rounding would tear a surface that lies in the plane,
 // such as a cap. The parts of a polygon that is not convex may stay joined by an edge along the plane, passed twice.
-[[nodiscard]] ClippedSurface clip_surface(const Surface& surface, std::span<const float> values,
-                                          std::span<const HalfSpace> planes, double slack);
+[[nodiscard]] ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
+                                          double slack);
 
 } // namespace ciel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/extract.hpp"
+#include "ciel/values_view.hpp"
 
 namespace ciel {
 
@@ -11,7 +12,6 @@ namespace ciel {
 // polygons meet on their common side to the last bit.
 // A point is high when its value >= the line's value. A polygon whose loop has several runs of high points gets one
 // segment per run. A polygon with a value that is not finite has no lines. A NaN in `at` gives no lines.
-[[nodiscard]] std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> values,
-                                               std::span<const double> at);
+[[nodiscard]] std::vector<Vec3f> contour_lines(const Surface& surface, ValuesView values, std::span<const double> at);
 
 } // namespace ciel

@@ -3,14 +3,48 @@
 
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <ranges>
 #include <span>
+#include <vector>
 
 namespace ciel {
 
-// Does not own the values.
+// Does not own the values. As a range it has doubles; a float becomes the double that is equal to it, and a NaN keeps
+// its payload.
 class ValuesView {
 public:
+    class Iterator {
+    public:
+        using iterator_category = std::input_iterator_tag; // of C++17, because it gives no reference
+        using iterator_concept = std::forward_iterator_tag;
+        using value_type = double;
+        using difference_type = std::ptrdiff_t;
+        using pointer = void;
+        using reference = double;
+
+        Iterator() = default;
+        Iterator(const ValuesView& of, std::size_t at) : values_(of.begin_), doubles_(of.doubles_), at_(at) {}
+        double operator*() const { return ValuesView::at(values_, doubles_, at_); }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        Iterator operator++(int) {
+            Iterator before = *this;
+            ++at_;
+            return before;
+        }
+        bool operator==(const Iterator&) const = default;
+
+    private:
+        const void* values_ = nullptr;
+        bool doubles_ = false;
+        std::size_t at_ = 0;
+    };
+    using value_type = double;
+    using const_iterator = Iterator;
+
     ValuesView() = default;
     // NOLINTBEGIN(google-explicit-constructor): arrays of both types are values
     ValuesView(std::span<const float> values) : begin_(values.data()), size_(values.size()) {}
@@ -23,8 +57,23 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] bool has_doubles() const { return doubles_; }
-    [[nodiscard]] double operator[](std::size_t i) const {
-        return doubles_ ? static_cast<const double*>(begin_)[i] : double{static_cast<const float*>(begin_)[i]};
+    [[nodiscard]] double operator[](std::size_t i) const { return at(begin_, doubles_, i); }
+    [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+    [[nodiscard]] Iterator end() const { return {*this, size_}; }
+    [[nodiscard]] const void* data() const { return begin_; }
+    [[nodiscard]] std::size_t size_bytes() const { return size_ * (doubles_ ? sizeof(double) : sizeof(float)); }
+    [[nodiscard]] std::span<const std::byte> bytes() const {
+        return {static_cast<const std::byte*>(begin_), size_bytes()};
+    }
+    [[nodiscard]] std::span<const float> floats() const { // REQUIRES: !has_doubles()
+        return {static_cast<const float*>(begin_), size_};
+    }
+    // REQUIRES: begin + count <= size().
+    [[nodiscard]] ValuesView subview(std::size_t begin, std::size_t count) const {
+        ValuesView part = *this;
+        part.begin_ = bytes().data() + begin * (doubles_ ? sizeof(double) : sizeof(float));
+        part.size_ = count;
+        return part;
     }
     // Calls f(span of floats) or f(span of doubles): for loops in which asking at each value would cost.
     template <class F>
@@ -34,9 +83,20 @@ public:
     }
 
 private:
+    static double at(const void* values, bool doubles, std::size_t i) {
+        return doubles ? static_cast<const double*>(values)[i] : double{static_cast<const float*>(values)[i]};
+    }
+
     const void* begin_ = nullptr;
     std::size_t size_ = 0;
     bool doubles_ = false;
 };
+
+// Returns value - origin as the nearest floats. Values that differ by little then differ as floats, too.
+[[nodiscard]] inline std::vector<float> floats_from(double origin, ValuesView values) {
+    std::vector<float> floats(values.size());
+    for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = static_cast<float>(values[i] - origin);
+    return floats;
+}
 
 } // namespace ciel

@@ -82,7 +82,7 @@ private:
 
 } // namespace
 
-ClippedSurface clip_surface(const Surface& surface, std::span<const float> values, std::span<const HalfSpace> planes,
+ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
                             double slack) {
     if (!values.empty() && values.size() != surface.positions.size())
         fail("a surface to clip needs one value per vertex, or none");

@@ -11,9 +11,10 @@ namespace ciel {
 
 namespace {
 
+template <class T>
 class PolygonContours {
 public:
-    PolygonContours(const Surface& surface, std::span<const float> values) : surface_(surface), values_(values) {}
+    PolygonContours(const Surface& surface, std::span<const T> values) : surface_(surface), values_(values) {}
 
     // Appends one segment per run of high corners: from the side on which the loop enters the run to the side on which
     // it leaves the run.
@@ -49,14 +50,11 @@ private:
     }
 
     const Surface& surface_;
-    std::span<const float> values_;
+    std::span<const T> values_;
 };
 
-} // namespace
-
-std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> values, std::span<const double> at) {
-    if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
-    if (at.empty()) return {};
+template <class T>
+std::vector<Vec3f> lines_of(const Surface& surface, std::span<const T> values, std::span<const double> at) {
     constexpr std::size_t chunk = 4096;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const double nu : at) { // a NaN changes neither lowest nor highest
@@ -77,6 +75,14 @@ std::vector<Vec3f> contour_lines(const Surface& surface, std::span<const float> 
     std::vector<Vec3f> out;
     for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
     return out;
+}
+
+} // namespace
+
+std::vector<Vec3f> contour_lines(const Surface& surface, ValuesView values, std::span<const double> at) {
+    if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
+    if (at.empty()) return {};
+    return values.with([&](auto all) { return lines_of(surface, all, at); });
 }
 
 } // namespace ciel

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { project } from "../../model/camera";
 import { extremesText } from "../../model/cell_extremes";
 import { formatNumber } from "../../model/numbers";
-import { unitsOf } from "../../model/scalars";
+import { measured } from "../../model/scalars";
 import { IconButton } from "../controls/controls";
 import { useCommands, useModel, useCamera } from "../context";
 
@@ -57,9 +57,7 @@ export function ProbeCard(): JSX.Element | null {
           {Object.entries(result.values).map(([name, value]) => (
             <div key={name}>
               <dt>{name}</dt>
-              <dd>
-                {value === null ? "no value here" : `${formatNumber(value)} ${unitsOf(description, name)}`.trim()}
-              </dd>
+              <dd>{value === null ? "no value here" : measured(description, name, value)}</dd>
             </div>
           ))}
         </dl>

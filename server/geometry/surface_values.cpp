@@ -1,4 +1,4 @@
-#include "geometry/flat_shape.hpp"
+#include "geometry/surface_values.hpp"
 
 #include "geometry/cut.hpp"
 #include "store/no_value.hpp"
@@ -20,6 +20,14 @@ std::vector<T> at(const std::vector<T>& of_vertices, const std::vector<Index>& v
 
 } // namespace
 
+store::Values values_at(std::span<const EdgePoint> points, ValuesView values) {
+    return values.with([&]<class T>(std::span<const T> all) {
+        std::vector<T> found(points.size());
+        interpolate(points, all, 1, found);
+        return store::Values(std::move(found));
+    });
+}
+
 std::shared_ptr<const Shape> separated(const Shape& shape) {
     const Surface& whole = shape.surface;
     Surface apart;
@@ -34,15 +42,17 @@ std::shared_ptr<const Shape> separated(const Shape& shape) {
     return triangles_shape(std::move(apart));
 }
 
-std::vector<float> flat_values(const Surface& separated, std::span<const Index> items, std::span<const float> values) {
-    std::vector<float> flat(separated.positions.size(), store::no_value);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i] == none) continue;
-        if (items[i] >= values.size()) throw Error("the surface belongs to another mesh than the values");
-        for (Index corner = separated.polygon_offset[i]; corner < separated.polygon_offset[i + 1]; ++corner)
-            flat[separated.polygon_vertex[corner]] = values[items[i]];
-    }
-    return flat;
+store::Values flat_values(const Surface& separated, std::span<const Index> items, ValuesView values) {
+    return values.with([&]<class T>(std::span<const T> all) {
+        std::vector<T> flat(separated.positions.size(), store::no_value);
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (items[i] == none) continue;
+            if (items[i] >= all.size()) throw Error("the surface belongs to another mesh than the values");
+            for (Index corner = separated.polygon_offset[i]; corner < separated.polygon_offset[i + 1]; ++corner)
+                flat[separated.polygon_vertex[corner]] = all[items[i]];
+        }
+        return store::Values(std::move(flat));
+    });
 }
 
 } // namespace ciel::geometry

@@ -1,0 +1,44 @@
+// Values: the numbers of an array at one step, floats or doubles.
+#pragma once
+
+#include "ciel/values_view.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ciel::store {
+
+// A ValuesView that keeps its numbers alive as long as the object or a copy of it lives. Numbers of a mapped file may
+// change while another process rewrites the file (Dataset).
+class Values : public ValuesView {
+public:
+    Values() = default;
+    Values(ValuesView numbers, std::shared_ptr<const void> keep_alive)
+        : ValuesView(numbers), keep_alive_(std::move(keep_alive)) {}
+    // Takes the numbers over. T: float or double.
+    template <class T>
+    explicit Values(std::vector<T>&& own) : Values(std::make_shared<const std::vector<T>>(std::move(own))) {}
+
+    [[nodiscard]] const std::shared_ptr<const void>& keep_alive() const { return keep_alive_; }
+
+private:
+    template <class T>
+    explicit Values(const std::shared_ptr<const std::vector<T>>& own) : ValuesView(*own), keep_alive_(own) {}
+
+    std::shared_ptr<const void> keep_alive_;
+};
+
+// Returns the values as doubles or as the nearest floats; a view if they have that type already.
+[[nodiscard]] inline Values converted(ValuesView values, bool to_doubles) {
+    if (values.has_doubles() == to_doubles) return {values, nullptr};
+    return values.with([&](auto all) {
+        if (to_doubles) return Values(std::vector<double>(all.begin(), all.end()));
+        std::vector<float> floats(all.size());
+        std::ranges::transform(all, floats.begin(), [](auto value) { return static_cast<float>(value); });
+        return Values(std::move(floats));
+    });
+}
+
+} // namespace ciel::store
