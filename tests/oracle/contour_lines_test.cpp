@@ -46,7 +46,7 @@ TEST_P(ContourLines, GoOnInTheNextPolygon) {
     for (const Vec3f& end : lines) ++met[end];
     for (const auto& [side, count] : sides) {
         const double from = values[side.first], to = values[side.second];
-        const auto t = static_cast<float>((nu - from) / (to - from));
+        const double t = (nu - from) / (to - from);
         const Vec3f &a = surface.positions[side.first], &b = surface.positions[side.second];
         expected[{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)}] += count;
     }

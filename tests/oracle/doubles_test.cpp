@@ -92,6 +92,23 @@ TEST_P(Doubles, OfALargeSumHaveTheirGradients) {
     }
 }
 
+TEST_P(Doubles, HaveTheIsoValueAtThePointsOfTheSurface) {
+    for (const NamedField& named : all_fields()) {
+        std::vector<double> values;
+        for (const float value : mesh.stored(named.make(input))) values.push_back(101325 + 0.01 * double{value});
+        const Field field(mesh.topology, values, nullptr);
+        Query query = mesh.query();
+        query.set_field(field);
+        const auto [low, high] = field.range();
+        const double nu = low + 0.4321 * (high - low);
+        Surface surface;
+        ASSERT_TRUE(query.extract(nu, false, surface));
+        std::vector<double> found(surface.points.size());
+        interpolate(surface.points, std::span<const double>(values), 1, found);
+        for (const double value : found) ASSERT_NEAR(value, nu, 5e-11) << named.name; // a few last places of 101325
+    }
+}
+
 TEST_P(Doubles, WithoutAValueLeaveTheirCellsUncut) {
     if (input.vertex_count() < 8) return;
     std::vector<float> values = floats(all_fields()[0]);
@@ -120,7 +137,7 @@ TEST(DoublesOfLargeIds, StayDifferent) {
     Surface surface;
     for (int time = 0; time < 3; ++time) ASSERT_TRUE(query.extract(16777216.5, true, surface)); // with ranges of cells
     EXPECT_FALSE(surface.points.empty());
-    for (const EdgePoint& point : surface.points) EXPECT_EQ(point.t, 0.5F);
+    for (const EdgePoint& point : surface.points) EXPECT_EQ(point.t, 0.5);
     std::vector<double> between(surface.points.size());
     interpolate(surface.points, std::span<const double>(ids), 1, between);
     EXPECT_THAT(between, testing::Each(16777216.5));
@@ -138,7 +155,7 @@ TEST(DoublesOfACaller, AreKept) {
     const std::vector<double> pressure{101325, 101325.001, 101325, 101325};
     const Surface surface = contour(mesh, ArrayView(pressure), 101325.0005);
     ASSERT_EQ(surface.polygon_cell.size(), 1U);
-    for (const EdgePoint& point : surface.points) EXPECT_NEAR(point.t, 0.5F, 1e-6);
+    for (const EdgePoint& point : surface.points) EXPECT_NEAR(point.t, 0.5, 1e-6);
     const std::vector<std::int64_t> ids{16777216, 16777217, 16777216, 16777216};
     EXPECT_EQ(contour(mesh, ArrayView(ids), 16777216.5).polygon_cell.size(), 1U);
 }

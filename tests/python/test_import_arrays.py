@@ -195,8 +195,8 @@ def test_patches_that_are_empty_have_no_values(tmp_path):
     block = Block((2, 2, 1), {"bottom": "empty", "top": "empty"})
     entries = {side: "type empty;" if side in ("bottom", "top") else "type zeroGradient;" for side in block.types}
     dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (np.ones(4), entries)}))
-    values = dataset.values("patch:T").view(np.uint32)
-    assert np.count_nonzero(values == 0x7FC0CE1E) == 8, "the no-value of store/no_value.hpp"
+    values = dataset.values("patch:T").view(np.uint64)
+    assert np.count_nonzero(values == 0x7FF819C3C0000000) == 8, "the no-value of store/no_value.hpp"
 
 
 # Invalid values, and arrays that differ between steps.

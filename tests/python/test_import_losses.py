@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import vtk
 from import_support import imported
+from vtk.util.numpy_support import numpy_to_vtk
 from vtk_files import CUBE, add_array, multi_block, unstructured, with_fields, write
 
 HEXAHEDRON = [(vtk.VTK_HEXAHEDRON, list(range(8)))]
@@ -68,7 +69,7 @@ def test_a_face_of_one_or_two_corners_goes_and_its_cell_stays_where_the_others_c
     assert "1 cell was left out: not closed (first ids: 1)." in dataset.notes
 
 
-def test_what_floats_lose_is_said(tmp_path):
+def test_values_that_floats_lose_are_kept(tmp_path):
     """Two hexahedra 10,000 km apart, one of which is 0.1 mm thick, and values that are equal in float32."""
     thin = [(x, y, z * 1e-4) for x, y, z in CUBE]
     far = [(x + 1e7, y, z) for x, y, z in CUBE]
@@ -81,10 +82,30 @@ def test_what_floats_lose_is_said(tmp_path):
         ids.InsertNextValue(value)
     grid.GetCellData().AddArray(ids)
     path = write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)
-    notes = imported(tmp_path, path).notes
-    assert "15 of 16 values of \"p\" differ from the value before in the input and are equal to it in the dataset" in notes
-    assert "1 of 2 values of \"cell:id\" are integers beyond 16,777,216" in notes
-    assert "\"q\"" not in notes and "The volume of" not in notes
+    dataset = imported(tmp_path, path)
+    assert len(np.unique(dataset.values("p"))) == 16
+    assert sorted(dataset.values("cell:id")) == [2**24 + 1, 2**24 + 2]
+    assert not any(f"\"{name}\"" in dataset.notes for name in ("p", "q", "cell:id"))
+    assert "The volume of" not in dataset.notes
+
+
+def test_what_the_type_of_the_first_step_loses_is_said(tmp_path):
+    """A series whose second file has more precise arrays than the first."""
+    for step, (real, whole) in enumerate([("f4", "i2"), ("f8", "i4")]):
+        grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8)))], CUBE)
+        for attributes, name, values in ((grid.GetPointData(), "p", (101325 + 1e-5 * np.arange(8)).astype(real)),
+                                         (grid.GetCellData(), "id", np.array([7 + step * 2**24], dtype=whole))):
+            array = numpy_to_vtk(values, deep=1)
+            array.SetName(name)
+            attributes.AddArray(array)
+        write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / f"a_{step}.vtu", grid)
+    files = "".join(f'<DataSet timestep="{step}" file="a_{step}.vtu"/>' for step in range(2))
+    (tmp_path / "a.pvd").write_text(f'<VTKFile type="Collection"><Collection>{files}</Collection></VTKFile>')
+    dataset = imported(tmp_path, tmp_path / "a.pvd")
+    assert dataset.values("p", 1).dtype == np.float32
+    assert ("7 of 8 values of \"p\" differ from the value before in the input and are equal to it in the dataset, which "
+            "stores the array as 32-bit floats, the type of its first step.") in dataset.notes
+    assert "1 of 1 values of \"cell:id\" are integers beyond 16,777,216 that a 32-bit float" in dataset.notes
 
 
 def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):

@@ -66,7 +66,7 @@ class Truth:
         return sum(leaf.GetNumberOfCells() for leaf in self.leaves)
 
     def fields(self, of):
-        """Maps names to values as float32, [n, components]."""
+        """Maps names to values, [n, components], as float32 if the reader has them so, else as float64."""
         attributes = [getattr(leaf, f"Get{of}Data")() for leaf in self.leaves]
         counts = [leaf.GetNumberOfPoints() if of == "Point" else leaf.GetNumberOfCells() for leaf in self.leaves]
         found = {}
@@ -80,7 +80,7 @@ class Truth:
             for data, count in zip(attributes, counts):
                 array = data.GetArray(name)
                 part = np.full((count, components), np.nan) if array is None else vtk_to_numpy(array).reshape(count, -1)
-                parts.append(part.astype("f4"))
+                parts.append(part if part.dtype == np.float32 else part.astype("f8"))
             values[name] = np.concatenate(parts)
         return values
 

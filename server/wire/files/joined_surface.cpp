@@ -32,8 +32,9 @@ std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vecto
         kept[v] = v;
         if (v >= surface.points.size()) continue;
         const EdgePoint& point = surface.points[v];
-        if (point.t != 0 && point.t != 1) continue;
-        const Index first = at_mesh_vertex.try_emplace(point.t == 0 ? point.a : point.b, v).first->second;
+        const auto t = static_cast<float>(point.t); // as precise as the positions are
+        if (t != 0 && t != 1) continue;
+        const Index first = at_mesh_vertex.try_emplace(t == 0 ? point.a : point.b, v).first->second;
         if (have_equal_values(first, v)) kept[v] = first;
     }
     return kept;

@@ -116,8 +116,8 @@ struct PySurface {
         }
         return out;
     }
-    [[nodiscard]] py::array_t<float> weights() const {
-        py::array_t<float> out(static_cast<py::ssize_t>(surface.points.size()));
+    [[nodiscard]] py::array_t<double> weights() const {
+        py::array_t<double> out(static_cast<py::ssize_t>(surface.points.size()));
         auto to = out.mutable_unchecked<1>();
         for (std::size_t i = 0; i < surface.points.size(); ++i) to(static_cast<py::ssize_t>(i)) = surface.points[i].t;
         return out;
@@ -247,7 +247,7 @@ void add_surface(py::module_& module) {
             "(P,) uint32: the cell of the mesh that each polygon cuts")
         .def_property_readonly("edges", &PySurface::edges,
                                "(N, 2) uint32: the points of the mesh between which each lies")
-        .def_property_readonly("weights", &PySurface::weights, "(N,) float32: 0 at the first of edges, 1 at the second")
+        .def_property_readonly("weights", &PySurface::weights, "(N,) float64: 0 at the first of edges, 1 at the second")
         .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) uint32, into points")
         .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
 }

@@ -15,11 +15,13 @@ namespace ciel {
 // A vertex of the surface on an active edge. Its position and its value in any array are lerp(value at a, at b, t).
 struct EdgePoint {
     Index a, b; // mesh vertices, a < b
-    float t;    // 0 at a, 1 at b
+    double t;   // 0 at a, 1 at b
 };
 
-[[nodiscard]] inline double lerp(double a, double b, float t) { return a + static_cast<double>(t) * (b - a); }
-[[nodiscard]] inline float lerp(float a, float b, float t) { return static_cast<float>(lerp(double{a}, double{b}, t)); }
+[[nodiscard]] inline double lerp(double a, double b, double t) { return a + t * (b - a); }
+[[nodiscard]] inline float lerp(float a, float b, double t) {
+    return static_cast<float>(lerp(double{a}, double{b}, t));
+}
 
 // An indexed polygon surface. There is one vertex per active edge, in the order of edge ids; blocks share vertices.
 // Polygons are in storage order of their cells. Their right-hand normal points to higher values. A cell that the

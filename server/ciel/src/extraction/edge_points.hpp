@@ -11,9 +11,9 @@ namespace ciel {
 // Returns the position of nu between two values, clamped to [0, 1]: 0 at `from`, 1 at `to`. All points are made with
 // this function, so the point of an edge has the same bits wherever it is made. Returns 0 if it is not a number: an
 // edge that a changed record names may end anywhere.
-[[nodiscard]] inline float share_at(double nu, double from, double to) {
+[[nodiscard]] inline double share_at(double nu, double from, double to) {
     const double share = (nu - from) / (to - from);
-    return static_cast<float>(share >= 0 ? std::min(share, 1.0) : 0.0);
+    return share >= 0 ? std::min(share, 1.0) : 0.0;
 }
 
 // Returns the point at nu on an edge. `ends`: local vertices of the block. `values`: by local vertex.

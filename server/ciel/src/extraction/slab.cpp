@@ -99,7 +99,7 @@ private:
 
 bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
 
-Vec3f lerp(const Vec3f& a, const Vec3f& b, float t) {
+Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 

@@ -59,7 +59,7 @@ private:
             crossings_.try_emplace({from, to}, static_cast<Index>(out_.surface.positions.size()));
         if (!is_new) return known->second;
         const double inside = std::max(distance_[from], 0.0);
-        const auto t = static_cast<float>(inside / (inside - distance_[to]));
+        const double t = inside / (inside - distance_[to]);
         const auto mixed = [t](const Vec3f& a, const Vec3f& b) {
             return Vec3f{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)};
         };

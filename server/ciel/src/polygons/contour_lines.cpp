@@ -44,7 +44,7 @@ private:
     // polygons of the side get the same bits.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
-        const float t = share_at(nu, values_[a], values_[b]);
+        const double t = share_at(nu, values_[a], values_[b]);
         const Vec3f &p = surface_.positions[a], &q = surface_.positions[b];
         return {lerp(p[0], q[0], t), lerp(p[1], q[1], t), lerp(p[2], q[2], t)};
     }
