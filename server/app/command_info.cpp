@@ -140,6 +140,7 @@ json report(const Dataset& dataset) {
             {"arrays", arrays},
             {"memory",
              {{"topology_bytes", topology_bytes},
+              {"stored_blocks", dataset.block_boxes(0, 0).has_value()},
               {"bytes_per_half_edge",
                static_cast<double>(topology_bytes) / static_cast<double>(info.meshes[0].half_edges)}}},
             {"checksums",
@@ -262,6 +263,10 @@ void print(const json& info) {
     std::cout << "memory\n";
     line("topology", grouped(info["memory"]["topology_bytes"]) + " bytes, " +
                          number(info["memory"]["bytes_per_half_edge"]) + " per half-edge");
+    if (!info["memory"]["stored_blocks"])
+        line("blocks",
+             "none: each opening builds the topology; write the dataset again, with blocks, with `ciel import " +
+                 info["name"].get<std::string>() + ".ciel -o NEW.ciel`");
     const json& sums = info["checksums"];
     std::cout << "checksums\n";
     line("topology", "verified");

@@ -8,6 +8,7 @@
 #include "import/readers/vtk_errors.hpp"
 #include "importing/import_options.hpp"
 #include "store/place.hpp"
+#include "store/rewrite.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -73,11 +74,32 @@ int fail(const std::string& sentence, ExitCode code = failed) {
     return code;
 }
 
+// Writes a dataset of an earlier version again.
+int run_rewrite(const Options& options) {
+    using namespace ciel::importer;
+    const std::string& input = options.inputs.front();
+    if (options.list) throw ciel::Error(input + ": is a dataset; `ciel info` lists what is in a dataset");
+    if (!options.arrays.empty() || options.weld != Weld::seams)
+        throw ciel::Error(input +
+                          ": is a dataset, which is written again as a whole; give no option but -o and --force");
+    const std::vector<std::string> left_out =
+        ciel::store::rewrite(input, options.output, options.force,
+                             [](double share) { progress(0.98 * share, "writing the dataset again"); });
+    ignore_cancelling();
+    for (const std::string& note : left_out) std::printf("note %s\n", note.c_str());
+    progress(1.0, "done");
+    if (left_out.empty() || options.allow_bad) return done;
+    return fail(input + ": the dataset was written without a part of the input: " + left_out.front() +
+                    " --allow-bad accepts the loss",
+                something_lost);
+}
+
 int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
     capture_vtk_errors();
     if (!options.list) ciel::store::check_place(options.output, options.force); // fails before any reading
+    if (options.inputs.size() == 1 && ciel::store::is_dataset(options.inputs.front())) return run_rewrite(options);
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
         print_listing(*source);

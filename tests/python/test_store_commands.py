@@ -42,6 +42,25 @@ def test_a_vector_is_colored_by_its_magnitude_and_called_so(demo, tmp_path):
     assert result.returncode == 0 and b'Name="U:magnitude"' in (tmp_path / "s.vtp").read_bytes()
 
 
+def test_a_dataset_without_blocks_says_how_to_write_it_again(tmp_path):
+    old, new = box_dataset.write_box(tmp_path / "old.ciel", 8), tmp_path / "new.ciel"
+    text = ciel("info", old, check=True).stdout
+    assert "with `ciel import old.ciel -o NEW.ciel`" in text and not info(old)["memory"]["stored_blocks"]
+    for wrong in (["--weld"], ["--array", "r"], ["--list"]):
+        refused = ciel("import", old, *wrong, "-o", new)
+        assert refused.returncode == 1 and "is a dataset" in refused.stderr
+    written = ciel("import", old, "-o", new)
+    assert written.returncode == 0, written.stderr
+    before, after = info(old), info(new)
+    assert after["memory"]["stored_blocks"] and "ciel import" not in ciel("info", new, check=True).stdout
+    for same in ("input", "meshes", "bounds", "times", "groups"):
+        assert before[same] == after[same], same
+    assert [(array["name"], array["range"]) for array in before["arrays"]] == [
+        (array["name"], array["range"]) for array in after["arrays"]]
+    assert ciel("import", old, "-o", old).returncode == 1
+    assert ciel("import", old, "-o", old, "--force").returncode == 0 and info(old)["memory"]["stored_blocks"]
+
+
 def test_a_demo_has_the_name_of_a_dataset(tmp_path):
     result = ciel("demo", "-o", tmp_path / "demo.foo")
     assert result.returncode == 2 and "must end in .ciel" in result.stderr and not any(tmp_path.iterdir())

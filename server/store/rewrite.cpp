@@ -1,0 +1,103 @@
+#include "store/rewrite.hpp"
+
+#include "store/format/layout.hpp"
+#include "store/writer.hpp"
+
+#include <map>
+
+namespace ciel::store {
+namespace {
+
+FaceMesh copy_of(const FaceMeshView& view) {
+    FaceMesh mesh;
+    mesh.origin = view.origin;
+    mesh.positions.assign(view.positions.begin(), view.positions.end());
+    mesh.cell_types.assign(view.cell_types.begin(), view.cell_types.end());
+    mesh.face_offset.assign(view.face_offset.begin(), view.face_offset.end());
+    mesh.face_vertex.assign(view.face_vertex.begin(), view.face_vertex.end());
+    mesh.owner.assign(view.owner.begin(), view.owner.end());
+    mesh.neighbour.assign(view.neighbour.begin(), view.neighbour.end());
+    return mesh;
+}
+
+std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh) {
+    std::vector<NamedGroup> groups;
+    for (const Group& group : dataset.groups(mesh))
+        groups.push_back({group.of, group.name, {group.ids.begin(), group.ids.end()}, group.facts});
+    return groups;
+}
+
+class Rewriter {
+public:
+    Rewriter(const Dataset& from, Writer& to, const std::function<void(double)>& progress)
+        : from_(from), to_(to), progress_(progress),
+          parts_(static_cast<double>(from.info().meshes.size() + from.steps().size())) {}
+
+    std::vector<std::string> run() {
+        for (std::size_t mesh = 0; mesh < from_.info().meshes.size(); ++mesh) {
+            tell_part();
+            to_.add_mesh(copy_of(from_.mesh(mesh, 0)), from_.original_vertex(mesh), from_.original_cell(mesh),
+                         groups_of(from_, mesh), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
+        }
+        for (std::size_t step = 0; step < from_.steps().size(); ++step) {
+            tell_part();
+            add_step(step);
+        }
+        return std::move(left_out_);
+    }
+
+private:
+    void tell_part() { progress_(done_++ / parts_); }
+
+    void add_step(std::size_t index) {
+        const Step& step = from_.steps()[index];
+        std::size_t& sets = sets_.try_emplace(step.mesh, 1).first->second; // coordinate sets that are written
+        for (; sets <= step.coordinates; ++sets)
+            (void)to_.add_coordinates(step.mesh, from_.points(step.mesh, sets).positions);
+        to_.begin_step(step.time, step.mesh, step.coordinates);
+        for (const auto& [name, array] : step.arrays) add_array(name, array, index);
+        to_.end_step();
+    }
+
+    void add_array(const std::string& name, const ArrayStep& array, std::size_t step) {
+        Values values;
+        try {
+            values = from_.values(name, step);
+        } catch (const Error& error) {
+            if (!array.lazy) throw; // a lazy array may not be written yet
+            left_out_.push_back(std::string("An array was left out: ") + error.what() + ".");
+            return;
+        }
+        to_.add_values({*from_.find(name), values});
+    }
+
+    const Dataset& from_;
+    Writer& to_;
+    const std::function<void(double)>& progress_;
+    double done_ = 0, parts_;
+    std::map<std::size_t, std::size_t> sets_;
+    std::vector<std::string> left_out_;
+};
+
+} // namespace
+
+bool is_dataset(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::exists(path / layout::commit_marker, error);
+}
+
+std::vector<std::string> rewrite(const std::filesystem::path& from, const std::filesystem::path& to, bool overwrite,
+                                 const std::function<void(double)>& progress) {
+    const auto dataset = Dataset::open(from, LackingRanges::left_out);
+    const DatasetInfo& info = dataset->info();
+    Writer writer(to,
+                  {info.source, info.length_units, info.input_vertices, info.input_edges, info.input_cells, info.notes},
+                  overwrite);
+    std::vector<std::string> left_out = Rewriter(*dataset, writer, progress).run();
+    for (const std::string& sentence : left_out) writer.add_note(sentence);
+    dataset->check_intact();
+    writer.finish();
+    return left_out;
+}
+
+} // namespace ciel::store
