@@ -42,27 +42,35 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
     return found;
 }
 
-// Returns whether an iso-surface of the scalar would fill the mesh, as that of noise does: the values of a block of
-// cells cover, in the mean, more than half of the range. False for meshes of few blocks and where no ranges are stored.
-bool fills_the_mesh(const store::Dataset& dataset, const Candidate& of) {
-    constexpr std::size_t fewest_blocks = 27; // of fewer, each may have half of a smooth field's range
+// Returns the share of the blocks of cells that an iso-surface in the middle of the scalar's values crosses. 0 for
+// meshes of few blocks, of which any surface crosses many, and where no ranges are stored.
+double crossed_share(const store::Dataset& dataset, const Candidate& of) {
+    constexpr std::size_t fewest_blocks = 27;
     const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
-    if (!ranges || ranges->low.size() < fewest_blocks) return false;
-    double low = INFINITY, high = -INFINITY, sum = 0;
-    std::size_t count = 0;
-    for (std::size_t block = 0; block < ranges->low.size(); ++block) {
-        if (!(ranges->low[block] <= ranges->high[block])) continue; // no finite value
-        low = std::min(low, ranges->low[block]);
-        high = std::max(high, ranges->high[block]);
-        sum += ranges->high[block] - ranges->low[block];
-        ++count;
-    }
-    return sum > 0.5 * (high - low) * static_cast<double>(count);
+    if (!ranges || ranges->low.size() < fewest_blocks) return 0;
+    const std::size_t blocks = ranges->low.size();
+    const auto median = [&](std::vector<double> ends) {
+        std::ranges::nth_element(ends, ends.begin() + static_cast<std::ptrdiff_t>(blocks / 2));
+        return ends[blocks / 2];
+    };
+    const double middle = (median(ranges->low) + median(ranges->high)) / 2;
+    std::size_t crossed = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+        crossed += ranges->low[block] <= middle && middle < ranges->high[block] ? 1 : 0;
+    return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// Moves the first scalar whose iso-surface can be looked at to the front. Keeps the order if there is none.
+// If the iso-surface of the first scalar would fill the mesh, as that of noise does, moves the first scalar to the
+// front whose surface crosses at most half as many blocks.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
-    const auto clear = std::ranges::find_if(scalars, [&](const Candidate& of) { return !fills_the_mesh(dataset, of); });
+    constexpr double many = 1.0 / 3;
+    if (scalars.empty()) return;
+    const double first = crossed_share(dataset, scalars.front());
+    if (first <= many) return;
+    const auto clear = std::ranges::find_if(scalars, [&](const Candidate& of) {
+        const double share = crossed_share(dataset, of);
+        return share > 0 && share <= first / 2;
+    });
     if (clear != scalars.end()) std::rotate(scalars.begin(), clear, clear + 1);
 }
 
