@@ -190,11 +190,11 @@ void print_counts(const json& mesh) {
 
 // Returns an array's origin, types and file, such as "original int32 from 0/p, stored as float64".
 std::string source_of(const json& array) {
+    const std::string type = array["type"], stored = array["stored"];
     std::string text = array["origin"];
-    if (const std::string type = array["type"]; !type.empty()) text += " " + type;
+    if (!type.empty()) text += " " + type;
     if (const std::string file = array["file"]; !file.empty()) text += " from " + file;
-    if (const std::string type = array["type"]; !type.empty() && type != array["stored"])
-        text += ", stored as " + array["stored"].get<std::string>();
+    if (!type.empty() && type != stored) text += ", stored as " + stored;
     return text;
 }
 
