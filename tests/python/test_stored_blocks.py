@@ -65,7 +65,7 @@ def test_another_program_reads_the_cells_from_their_blocks(tmp_path, coarseness)
     assert ciel("demo", "--coarseness", coarseness, "-o", dataset).returncode == 0
     mesh = zarr.open_group(str(dataset), mode="r")["meshes/0"]
     begin, loops = mesh["face_offset"][:].astype("i8"), mesh["face_vertex"][:]
-    expected = [set() for _ in range(len(mesh["cell_types"]))]
+    expected = [set() for _ in range(mesh["cell_types"].shape[0])]
     for face, sides in enumerate(zip(mesh["owner"][:], mesh["neighbour"][:])):
         for cell in sides:
             if cell != 2**32 - 1:

@@ -27,7 +27,7 @@ def corner_points(dataset, mesh=0):
     """Maps each stored cell to the ids of its points in the input."""
     m = dataset.mesh(mesh)
     offset, vertex, original = m["face_offset"][:], m["face_vertex"][:], m["original_vertex"][:]
-    corners = [set() for _ in range(len(m["cell_types"]))]
+    corners = [set() for _ in range(m["cell_types"].shape[0])]
     for cells in (m["owner"][:], m["neighbour"][:]):
         for face, cell in enumerate(cells):
             if cell < len(corners) and cell < MOST_CELLS:
