@@ -14,6 +14,7 @@
 #include "store/place.hpp"
 #include "store/statistics.hpp"
 #include "store/write_mesh.hpp"
+#include "store/written_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,30 +68,6 @@ ArrayInfo with_valid_text(const ArrayInfo& info) {
     for (std::string& name : valid.component_names) name = valid_utf8(name);
     return valid;
 }
-
-// A mesh of the dataset that this writer writes or has locked, mapped. Its files cannot change meanwhile.
-class WrittenFaces {
-public:
-    WrittenFaces(const fs::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
-        : origin_(attributes.origin),
-          positions_(layout::chunk(mesh / "positions", coordinates, 3), 3 * attributes.info.vertices * sizeof(float)),
-          types_(whole(mesh, "cell_types")), offset_(whole(mesh, "face_offset")), vertex_(whole(mesh, "face_vertex")),
-          owner_(whole(mesh, "owner")), neighbour_(whole(mesh, "neighbour")) {}
-
-    [[nodiscard]] FaceMeshView view() const {
-        return face_mesh_view(origin_, positions_.as<float>(), types_.as<std::uint8_t>(), offset_.as<std::uint64_t>(),
-                              vertex_.as<Index>(), owner_.as<Index>(), neighbour_.as<Index>());
-    }
-
-private:
-    [[nodiscard]] static MappedFile whole(const fs::path& mesh, const char* name) {
-        const fs::path file = layout::chunk(mesh / name, 0, 1);
-        return {file, static_cast<std::size_t>(fs::file_size(file))};
-    }
-
-    Vec3d origin_;
-    MappedFile positions_, types_, offset_, vertex_, owner_, neighbour_;
-};
 
 // Calls f(extreme) for each CellExtreme of the step's arrays.
 template <class F>
@@ -474,11 +451,6 @@ void Writer::end_step() {
 void Writer::add_note(const std::string& sentence) {
     state_->info.notes.push_back(valid_utf8(sentence));
     state_->info_changed = true;
-}
-
-std::optional<bool> Writer::has_doubles(const std::string& array) const {
-    const ArrayInfo* known = state_->find(array);
-    return known == nullptr ? std::nullopt : std::optional(known->doubles);
 }
 
 void Writer::finish() {

@@ -53,7 +53,7 @@ public:
     // Returns the index of the last coordinate set of the mesh that has the same bits; nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, std::span<const float> positions) const;
     // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. Values are
-    // converted to the type of the array if it has earlier ones (has_doubles). Throws Error on a wrong size, or when
+    // converted to the type of the array if it has earlier ones. Throws Error on a wrong size, or when
     // `time` is not later than the last step's.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
     // Add a step array by array, so that only one array must be in memory: call begin_step, add_values for each array,
@@ -62,9 +62,6 @@ public:
     void add_values(const ArrayValues& array);
     void end_step();
     void add_note(const std::string& sentence);
-
-    // Returns whether the dataset has the array already, and then in doubles; nullopt if it does not have the array.
-    [[nodiscard]] std::optional<bool> has_doubles(const std::string& array) const;
 
     // Returns the dataset as it was when append() locked it; null for a new dataset.
     [[nodiscard]] const std::shared_ptr<Dataset>& before() const;

@@ -83,9 +83,6 @@ TEST_F(DoublesTest, RangesScalarsAndFieldsHaveThemToTheBit) {
 TEST_F(DoublesTest, LaterStepsHaveTheTypeOfTheFirst) {
     write({{{"p", Association::point, 1, "", ""}, p}, {{"f", Association::point, 1, "", ""}, floats}});
     Writer writer = Writer::append(directory);
-    EXPECT_EQ(writer.has_doubles("p"), true);
-    EXPECT_EQ(writer.has_doubles("f"), false);
-    EXPECT_EQ(writer.has_doubles("new"), std::nullopt);
     writer.add_step(1, 0, 0,
                     std::vector<ArrayValues>{{{"p", Association::point, 1, "", ""}, floats},
                                              {{"f", Association::point, 1, "", ""}, p}});
