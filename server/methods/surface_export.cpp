@@ -26,8 +26,9 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     shown.is_cut = !geometry.clip.empty();
     if (shown.is_cut) shown.cut = geometry::clipped(geometry, drawable);
     if (!drawable.scalars) return shown;
-    shown.values.push_back(wire::NamedValues::copy_of(drawable.array, *drawable.scalars));
-    if (shown.is_cut) shown.values.front().values = shown.cut.values;
+    shown.values.push_back(shown.is_cut
+                               ? wire::NamedValues{drawable.array, shown.cut.values, drawable.scalars->has_doubles()}
+                               : wire::NamedValues::copy_of(drawable.array, *drawable.scalars));
     return shown;
 }
 
