@@ -1,6 +1,7 @@
 #include "gateway/rpc_call.hpp"
 
 #include "gateway/handlers.hpp"
+#include "gateway/hang_up.hpp"
 
 #include <boost/asio/post.hpp>
 #include <optional>
@@ -18,14 +19,15 @@ struct Pending {
     std::stop_source hung_up;
 };
 
+// Stops the call when the peer closes its side.
 void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, const std::shared_ptr<Peer>& peer,
            asio::thread_pool& workers) {
     stream.socket().async_wait(asio::ip::tcp::socket::wait_read,
                                [&stream, pending, peer, &workers](const error_code& error) {
                                    if (pending->answer) return; // the stream may no longer exist
-                                   error_code closed;
-                                   if (!error && stream.socket().available(closed) > 0)
-                                       return; // pipelined request, not a hang-up
+                                   const PeerState state = error ? PeerState::hung_up : state_of_peer(stream.socket());
+                                   if (state == PeerState::waits) return watch(stream, pending, peer, workers);
+                                   if (state == PeerState::sends) return; // a pipelined request
                                    pending->hung_up.request_stop();
                                    asio::post(workers, [peer] { peer->closed(); });
                                });
