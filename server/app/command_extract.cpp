@@ -1,6 +1,7 @@
 // ciel extract NAME.ciel --iso ARRAY=VALUE -o FILE: writes iso-surfaces and slices to one file.
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
+#include "geometry/places.hpp"
 #include "geometry/sound_shape.hpp"
 #include "geometry/surface_values.hpp"
 #include "store/files/files.hpp"
@@ -120,13 +121,15 @@ int run_command(const ExtractCommand& extract) {
         if (!drawable.polygons()) continue;
         const auto shape = shape_for(drawable, extract.colors, geometry->step, *loaded);
         const Surface& surface = shape->surface;
-        joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step));
+        joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step),
+                   geometry::places_of(surface, *geometry, *loaded->dataset()));
     }
     std::ostringstream bytes;
     const bool is_moved = extract.from_origin || wire::has_floats(format);
     const Vec3d origin = is_moved ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
     const wire::ExportedCounts written = wire::write_surface(
-        format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin}, bytes);
+        format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin, joined.places()},
+        bytes);
     const std::string text = std::move(bytes).str();
     store::replace_file(std::filesystem::absolute(extract.output), store::bytes_of(text));
     tell_left_out(scene, extract.colors, geometry->step, *loaded);

@@ -43,6 +43,7 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"half_edges", mesh.half_edges},
             {"boundary_faces", mesh.boundary_faces},
             {"components", mesh.components},
+            {"positions", mesh.double_positions ? "float64" : "float32"},
             {"cells", mesh.cells_by_type}};
 }
 
@@ -185,6 +186,7 @@ void line(const std::string& label, const std::string& text) {
 void print_counts(const json& mesh) {
     for (const char* key : {"vertices", "edges", "faces", "half_edges", "boundary_faces", "components"})
         line(key, grouped(mesh[key]));
+    line("positions", mesh["positions"]);
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 

@@ -12,7 +12,7 @@ namespace {
 store::Values coordinate(const FaceMeshView& mesh, std::size_t axis, double sign) {
     Vec3d normal{};
     normal[axis] = sign;
-    return store::Values(plane_distance(mesh, mesh.origin, normal));
+    return store::Values(plane_distance(mesh, mesh.surface_origin, normal));
 }
 
 // A field computes its extrema once, so each run has its own field.
@@ -71,7 +71,7 @@ Table preprocessing_table(const Case& data) {
     vertices.note = std::to_string(where->find(*data.topology).vertices.size()) + " vertices";
     const double part = 1 / std::sqrt(3.0);
     const Vec3d screen{part, part, part};
-    const store::Values distance(plane_distance(data.mesh, data.mesh.origin, screen));
+    const store::Values distance(plane_distance(data.mesh, data.mesh.surface_origin, screen));
     table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, all vertices", distance));
     table.rows.push_back(minima_row(data, "minima of a screen-aligned direction, those vertices", distance,
                                     [&](Field& field) { field.set_direction(where, screen); }));

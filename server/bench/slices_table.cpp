@@ -58,7 +58,7 @@ private:
 // Makes the field whose iso-surfaces are slices across `normal`. Box-aligned rows reuse one field; screen-aligned rows
 // make a field in each run, because the direction is new after every turn of the camera.
 Field distance_along(const Case& data, Vec3d normal) {
-    return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.origin, normal)));
+    return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }
 
 } // namespace

@@ -105,11 +105,17 @@ private:
     }
 
     void add_moved_mesh(Table& table) {
+        data_.mesh.positions.with([&]<class Number>(std::span<const Number> all) {
+            add_moved_mesh<Number>({all.begin(), all.end()}, table);
+        });
+    }
+
+    template <class Number>
+    void add_moved_mesh(std::vector<Number> positions, Table& table) {
         const double nu = at(0.5);
-        std::vector<float> positions(data_.mesh.positions.begin(), data_.mesh.positions.end());
         FaceMeshView moved = data_.mesh;
         moved.positions = positions;
-        float shift = 1e-3F;
+        Number shift = 1e-3F;
         table.rows.push_back(measure(
             named("a moved mesh, one surface, normals"),
             [&] {

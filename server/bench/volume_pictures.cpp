@@ -44,7 +44,7 @@ VolumePictures::VolumePictures(const Case& data)
       limits_(cell_limits(data.mesh, values_.floats())),
       boundary_(slab_boundary(data.mesh, {values_.floats(), gradients_, limits_})) {
     frame_.width = frame_.height = side;
-    frame_.origin = data.mesh.origin;
+    frame_.origin = data.mesh.surface_origin;
     for (std::size_t i = 0; i < data.mesh.positions.size(); ++i) {
         const double at = data.mesh.origin[i % 3] + data.mesh.positions[i];
         double &low = frame_.bounds_min[i % 3], &high = frame_.bounds_max[i % 3];
@@ -62,7 +62,7 @@ VolumePictures::VolumePictures(const Case& data)
 }
 
 std::uint64_t VolumePictures::cut(const Vec3d& normal) {
-    const Field planes = field_of(data_, store::Values(plane_distance(data_.mesh, data_.mesh.origin, normal)));
+    const Field planes = field_of(data_, store::Values(plane_distance(data_.mesh, data_.mesh.surface_origin, normal)));
     volume_.normal = normal;
     volume_.first = planes.range()[0];
     volume_.thickness = (double{planes.range()[1]} - planes.range()[0]) / slice_count;

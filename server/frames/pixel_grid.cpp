@@ -152,6 +152,18 @@ double largest_offset(const geometry::Geometry& geometry) {
     return largest;
 }
 
+// Returns the distance from the origin at which the view looks most closely. Floats need not be finer than at it.
+double looked_at(const geometry::Geometry& geometry, const annotations::Camera& camera) {
+    const double nearest = std::max(length(camera.position - geometry.origin), length(camera.target - geometry.origin));
+    return std::min(nearest, largest_offset(geometry));
+}
+
+// Returns the grid step for a pixel of this size: not finer than floats are, and no coordinate leaves 30 bits.
+double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
+    const double coarsest = std::ldexp(largest_offset(geometry), -29);
+    return wire::grid_step(std::max(wanted, coarsest), looked_at(geometry, camera));
+}
+
 double pixel_at(double depth, const annotations::Camera& camera, const geometry::ViewSize& size) {
     return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * depth / std::max(size.height, 1U);
 }
@@ -176,14 +188,13 @@ double surely_fine_grid(const geometry::Geometry& geometry, const annotations::C
         pixel = nearest_pixel(geometry, camera, size);
     else
         pixel = pixel_at(std::max(0.0, Frustum(geometry, camera, size).nearest_corner()), camera, size);
-    return pixel > 0 ? wire::grid_step(of_a_pixel * pixel, largest_offset(geometry)) : 0;
+    return pixel > 0 ? step_for(of_a_pixel * pixel, geometry, camera) : 0;
 }
 
 double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
                    const geometry::ViewSize& size) {
-    return wire::grid_step(
-        std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)),
-        largest_offset(geometry));
+    return step_for(std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)),
+                    geometry, camera);
 }
 
 } // namespace ciel::frames

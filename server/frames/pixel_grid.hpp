@@ -7,7 +7,8 @@
 
 namespace ciel::frames {
 
-// Returns the grid step that this camera needs: in length units, a power of two, never finer than floats resolve. The
+// Returns the grid step that this camera needs: in length units, a power of two, never finer than floats resolve at the
+// camera's position and target. The
 // step is at most a quarter of a pixel at the nearest visible triangle, line or point. Rounding half a step along each
 // axis then moves nothing by more than 0.22 pixels.
 // The step is also at most 1/32 of the height of triangles that are lit without normals, because their shading would

@@ -1,8 +1,9 @@
 #include "frames/position_under.hpp"
 
+#include "ciel/vector_operators.hpp"
 #include "frames/frame_of.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace ciel::frames {
 
@@ -20,21 +21,15 @@ std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const sc
     if (locator.cell_at(hit) != none) return hit;
 
     const annotations::Camera& camera = frame.camera;
-    const auto& from = camera.parallel ? camera.target : hit;
-    Vec3d sight{}, diagonal{};
-    double sight_length = 0, size_of_all = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        sight[axis] = from[axis] - camera.position[axis];
-        diagonal[axis] = geometry.bounds_max[axis] - geometry.bounds_min[axis];
-        sight_length += sight[axis] * sight[axis];
-        size_of_all += diagonal[axis] * diagonal[axis];
-    }
-    for (const double share : {1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3}) {
-        Vec3d moved = hit;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            moved[axis] += sight[axis] / std::sqrt(sight_length) * share * std::sqrt(size_of_all);
-        if (locator.cell_at(moved) != none) return moved;
-    }
+    const Vec3d sight = (camera.parallel ? camera.target : hit) - camera.position;
+    const double whole = length(geometry.bounds_max - geometry.bounds_min);
+    const double seen = std::min(whole, camera.parallel ? camera.parallel_height : length(sight));
+    // First by what is seen, because cells of a boundary layer are thin; then by the depth that a pixel may be off.
+    for (const double reach : {seen, whole})
+        for (const double share : {1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3}) {
+            const Vec3d moved = hit + share * reach / length(sight) * sight;
+            if (locator.cell_at(moved) != none) return moved;
+        }
     return hit;
 }
 

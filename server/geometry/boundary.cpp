@@ -8,9 +8,10 @@
 
 namespace ciel::geometry {
 
-Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const std::vector<std::string>& groups,
-                         std::span<const std::uint8_t> kept) {
-    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
+Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
+                         const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
+    auto mesh = dataset.mesh(step.mesh, step.coordinates);
+    mesh.surface_origin = origin;
     if (groups.empty()) return face_surface(mesh, boundary_faces(mesh, kept));
     std::vector<Index> ids;
     for (const store::Group& group : dataset.groups(step.mesh))

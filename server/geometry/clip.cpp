@@ -1,5 +1,6 @@
 #include "geometry/clip.hpp"
 
+#include "ciel/vector_operators.hpp"
 #include "geometry/cut_box.hpp"
 #include "geometry/cutter.hpp"
 #include "scene/rules.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 // Fraction of the diagonal: about 50 times the rounding of positions, and 1/50 of a pixel of a large picture.
 constexpr double slack_of_diagonal = 5e-6;
+constexpr double double_slack = 1e-12; // the same for places that are doubles, of the largest coordinate
 
 // Beyond any mesh, but a finite float: at an infinite distance, a graphics card drops everything.
 constexpr double farthest = 1e30;
@@ -76,9 +78,15 @@ std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry) {
     return planes;
 }
 
-ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable) {
-    return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), geometry.clip,
-                        clip_slack(geometry));
+ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::span<const Vec3d> places) {
+    std::vector<HalfSpace> planes = geometry.clip;
+    double slack = clip_slack(geometry);
+    if (!places.empty()) {
+        for (HalfSpace& plane : planes) plane.offset -= dot(plane.normal, geometry.origin);
+        // Caps of a mesh with float positions are off their planes by the rounding of floats.
+        if (geometry.double_positions) slack = double_slack * (slack / slack_of_diagonal + length(geometry.origin));
+    }
+    return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack, places);
 }
 
 } // namespace ciel::geometry

@@ -18,7 +18,9 @@ namespace ciel::geometry {
 // Returns the planes, moved out by the slack, as (normal, offset): kept where dot(normal, position) + offset >= 0.
 [[nodiscard]] std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry);
 
-// Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars.
-[[nodiscard]] ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable);
+// Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars. `places`: places_of of its
+// surface, or empty.
+[[nodiscard]] ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable,
+                                     std::span<const Vec3d> places = {});
 
 } // namespace ciel::geometry

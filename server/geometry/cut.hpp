@@ -102,9 +102,9 @@ struct Boundary {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the faces of the patches `groups` that belong to kept cells. Without groups, returns the boundary of the
-// mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
-[[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step,
+// Returns the faces of the patches `groups` that belong to kept cells, relative to `origin`. Without groups, returns
+// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
+[[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
 // The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.

@@ -85,7 +85,9 @@ struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // likewise
     std::vector<HalfSpace> clip;         // for offsets; drawables and volumes are stored unclipped (clip.hpp)
-    Vec3d origin{}, bounds_min{}, bounds_max{};
+    Vec3d origin{}; // the middle of the mesh, or a place that the camera sees from near (drawing_origin.hpp)
+    Vec3d bounds_min{}, bounds_max{};
+    bool double_positions = false;             // of the mesh
     std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, whatever is shown: x0, x1, y0, y1, z0, z1
     double time = 0;                           // of the step shown
     std::size_t step = 0;

@@ -55,6 +55,11 @@ std::string plane_name(const std::array<double, 3>& normal, const store::Step& s
     return name;
 }
 
+store::ScalarField LayerUpdate::drawn(store::ScalarField field) const {
+    field.points.surface_origin = out.origin;
+    return field;
+}
+
 void LayerUpdate::count(std::size_t before, std::size_t after) {
     bytes = bytes - before + after;
     if (bytes > most_bytes)

@@ -38,6 +38,8 @@ struct LayerUpdate {
 
 private:
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
+    // Returns the field with surfaces that are relative to out.origin.
+    [[nodiscard]] store::ScalarField drawn(store::ScalarField field) const;
     // Updates `bytes` after each surface, so that a scene that is too large is refused early. Throws LimitReached.
     void count(std::size_t before, std::size_t after);
     void lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const;

@@ -2,6 +2,7 @@
 #include "geometry/layer_update.hpp"
 
 #include "annotations/ticks.hpp"
+#include "ciel/vector_operators.hpp"
 #include "geometry/mesh_side.hpp"
 
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace {
 
 constexpr std::size_t usual_contours = 10; // as the contract says
 
-// True if both lie in one plane, whichever side is kept.
-bool coincide(const scene::Plane& slice, const scene::Plane& clip, double diagonal) {
+// True if both lie in one plane, whichever side is kept. `largest`: a coordinate of the mesh.
+bool coincide(const scene::Plane& slice, const scene::Plane& clip, double largest) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         cosine += slice.normal[axis] * clip.normal[axis];
         apart += clip.normal[axis] * (slice.origin[axis] - clip.origin[axis]);
     }
-    return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-9 * diagonal;
+    return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-12 * largest;
 }
 
 // own: the range of the array at the shown step.
@@ -41,7 +42,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
         const std::size_t before = cut.memory_bytes();
         const std::string name = "field " + std::to_string(out.step) + " " + iso.array;
         try {
-            if (cut.field_name != name) cut.use_field(name, loaded->scalar(iso.array, out.step), extraction);
+            if (cut.field_name != name) cut.use_field(name, drawn(loaded->scalar(iso.array, out.step)), extraction);
         } catch (const store::NotWritten& missing) {
             leave_out(layer, missing);
             return true;
@@ -59,7 +60,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::IsoLayer& i
 
 double LayerUpdate::use_plane(Cut& cut, const scene::Plane& plane) {
     const std::string name = plane_name(plane.normal, step());
-    if (cut.field_name != name) cut.use_field(name, loaded->plane(out.step, out.origin, plane.normal), extraction);
+    if (cut.field_name != name)
+        cut.use_field(name, drawn(loaded->plane(out.step, out.origin, plane.normal)), extraction);
     double nu = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) nu += plane.normal[axis] * (plane.origin[axis] - out.origin[axis]);
     return nu;
@@ -67,13 +69,14 @@ double LayerUpdate::use_plane(Cut& cut, const scene::Plane& plane) {
 
 const scene::ClipLayer* LayerUpdate::cap_at(const scene::SliceLayer& slice) const {
     const scene::Plane plane = plane_of(slice);
-    const auto found = std::ranges::find_if(
-        caps, [&](const scene::ClipLayer* clip) { return coincide(plane, plane_of(*clip), diagonal()); });
+    const auto found = std::ranges::find_if(caps, [&](const scene::ClipLayer* clip) {
+        return coincide(plane, plane_of(*clip), diagonal() + length(out.origin));
+    });
     return found == caps.end() ? nullptr : *found;
 }
 
 bool LayerUpdate::cut_along(Cut& cut, double nu) const {
-    const auto side = side_at(nu, cut.field.field->range());
+    const auto side = side_at(nu, cut.field);
     if (!side) return cut.extract(nu, false, stop);
     if (cut.shape && cut.nu == *side && !cut.normals) return true;
     Surface faces = side_surface(cut.field, *side);

@@ -79,7 +79,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     Boundary* kept = solid(layer, surface.groups, surface.threshold, "surface");
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
-    if (!kept->shape) kept->shape = triangles_shape(boundary_surface(*dataset, step(), surface.groups, kept->cells));
+    if (!kept->shape)
+        kept->shape = triangles_shape(boundary_surface(*dataset, step(), out.origin, surface.groups, kept->cells));
     add(kept->painted, kept->shape, surface.color, layer, true);
     add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
     count(before, kept->memory_bytes());
@@ -93,7 +94,7 @@ bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer&
         Cut& cut = cuts[{layer.id, i}];
         const std::size_t before = cut.memory_bytes();
         const double nu = use_plane(cut, plane_of(*caps[i]));
-        const bool opens = !side_at(nu, cut.field.field->range());
+        const bool opens = !side_at(nu, cut.field);
         if (opens && !cut.extract(nu, false, stop)) return false;
         count(before, cut.memory_bytes());
         if (!opens) continue;
@@ -114,7 +115,8 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::EdgesLayer&
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape)
-        kept->shape = edges_shape(boundary_surface(*dataset, step(), edges.groups, kept->cells), edges.angle);
+        kept->shape =
+            edges_shape(boundary_surface(*dataset, step(), out.origin, edges.groups, kept->cells), edges.angle);
     add(kept->painted, kept->shape, edges.color, layer, false);
     out.drawables.back().line_width = edges.width;
     count(before, kept->memory_bytes());
@@ -128,8 +130,10 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        const Surface vertices = all ? vertices_of_cells(dataset->mesh(step().mesh, step().coordinates), kept->cells)
-                                     : boundary_surface(*dataset, step(), points.groups, kept->cells);
+        auto mesh = dataset->mesh(step().mesh, step().coordinates);
+        mesh.surface_origin = out.origin;
+        const Surface vertices = all ? vertices_of_cells(mesh, kept->cells)
+                                     : boundary_surface(*dataset, step(), out.origin, points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
         kept->shape = points_shape(vertices, kept->thinned);

@@ -10,13 +10,13 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
     VolumeCut& kept = volumes[layer.id];
     const std::size_t before = kept.memory_bytes();
     try {
-        kept.use_property(volume.array, out.step, *loaded);
+        kept.use_property(volume.array, out.step, *loaded, out.origin);
     } catch (const store::NotWritten& missing) {
         leave_out(layer, missing);
         return true;
     }
     const Vec3d normal = slab_normal(slabs_across, camera, moving);
-    const store::ScalarField planes = loaded->plane(out.step, out.origin, normal);
+    const store::ScalarField planes = drawn(loaded->plane(out.step, out.origin, normal));
     const std::string place = plane_name(normal, step());
     const auto [low, high] = planes.field->range();
     const double length = double{high} - double{low};

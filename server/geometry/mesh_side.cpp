@@ -1,27 +1,39 @@
 #include "geometry/mesh_side.hpp"
 
 #include "ciel/mesh_faces.hpp"
+#include "ciel/vector_operators.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ciel::geometry {
 namespace {
 
-double rounding(std::array<double, 2> range) { return 1e-6 * (range[1] - range[0]); }
+// Returns how far a distance may be off. Doubles are rounded where they are coordinates.
+double rounding(const store::ScalarField& distances) {
+    const auto [low, high] = distances.field->range();
+    if (!distances.points.positions.has_doubles()) return 1e-6 * (high - low);
+    const double coordinate = length(distances.points.surface_origin) + std::max(std::abs(low), std::abs(high));
+    return 16 * std::numeric_limits<double>::epsilon() * coordinate;
+}
 
 } // namespace
 
-std::optional<double> side_at(double nu, std::array<double, 2> range) {
-    const auto [low, high] = range;
-    if (std::abs(nu - low) <= rounding(range)) return std::nextafter(static_cast<float>(low), static_cast<float>(high));
-    if (std::abs(nu - high) <= rounding(range)) return high;
+std::optional<double> side_at(double nu, const store::ScalarField& distances) {
+    const auto [low, high] = distances.field->range();
+    const double most = rounding(distances);
+    if (std::abs(nu - low) <= most)
+        return distances.points.positions.has_doubles()
+                   ? std::nextafter(low, high)
+                   : double{std::nextafter(static_cast<float>(low), static_cast<float>(high))};
+    if (std::abs(nu - high) <= most) return high;
     return {};
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
     const auto mesh = distances.mesh();
-    const double most = rounding(distances.field->range());
-    return face_surface(mesh, boundary_faces_at(mesh, *distances.field, nu, most));
+    return face_surface(mesh, boundary_faces_at(mesh, *distances.field, nu, rounding(distances)));
 }
 
 } // namespace ciel::geometry

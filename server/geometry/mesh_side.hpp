@@ -8,13 +8,13 @@
 
 namespace ciel::geometry {
 
-// Returns the nu to cut at if a plane at `nu` lies in a side of the mesh within rounding; else nothing. `range`: of the
-// distances along the normal. At the lower end it returns the next float above: high means value >= nu, so the end
-// itself would cut nothing.
-[[nodiscard]] std::optional<double> side_at(double nu, std::array<double, 2> range);
+// Returns the nu to cut at if a plane at `nu` lies in a side of the mesh within rounding; else nothing. `distances`:
+// field of distances along the normal. At the lower end it returns the next number above: high means value >= nu, so
+// the end itself would cut nothing.
+[[nodiscard]] std::optional<double> side_at(double nu, const store::ScalarField& distances);
 
 // Returns the boundary's faces in the side at `nu`, a result of side_at. Empty if the mesh ends there in an edge or a
-// point. `distances`: field of distances along the normal.
+// point.
 [[nodiscard]] Surface side_surface(const store::ScalarField& distances, double nu);
 
 } // namespace ciel::geometry

@@ -3,6 +3,7 @@
 #include "annotations/ticks.hpp"
 #include "ciel/printable.hpp"
 #include "geometry/clip.hpp"
+#include "geometry/drawing_origin.hpp"
 #include "geometry/empty_layers.hpp"
 #include "geometry/layer_update.hpp"
 #include "geometry/viewpoint.hpp"
@@ -40,9 +41,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     const scene::Scene& scene = checked.scene();
     const auto& loaded = checked.loaded();
     if (loaded != loaded_) {
-        cuts_.clear();
-        boundaries_.clear();
-        volumes_.clear();
+        forget_all();
         loaded_ = loaded;
     }
     const auto& dataset = checked.dataset();
@@ -54,28 +53,22 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->time = step.time;
     remark_on_time(scene.time, *geometry);
     geometry->length_units = dataset->info().length_units;
-    geometry->origin = dataset->points(step.mesh, step.coordinates).origin;
     geometry->first_mesh_bounds = dataset->info().meshes.at(0).bounds;
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
+    geometry->double_positions = dataset->info().meshes[step.mesh].double_positions;
+    // The aspect is arbitrary: it does not affect the default camera's direction.
+    const annotations::Camera camera = camera_of(*geometry, scene, 1);
+    geometry->origin = drawing_origin(dataset->points(step.mesh, step.coordinates).surface_origin, origin_, camera);
+    if (geometry->origin != origin_) {
+        forget_all();
+        origin_ = geometry->origin;
+    }
 
     geometry->clip = clip_planes(scene, *geometry);
     forget_all_but(scene); // first, to free memory for new state
-    // The aspect is arbitrary: it does not affect the default camera's direction.
-    LayerUpdate run{extraction_,
-                    loaded,
-                    dataset,
-                    stop,
-                    *geometry,
-                    cuts_,
-                    boundaries_,
-                    volumes_,
-                    camera_of(*geometry, scene, 1),
-                    moving,
-                    most_bytes,
-                    memory_bytes(),
-                    capping(scene),
-                    slab_direction(scene)};
+    LayerUpdate run{extraction_, loaded, dataset, stop,       *geometry,      cuts_,          boundaries_,
+                    volumes_,    camera, moving,  most_bytes, memory_bytes(), capping(scene), slab_direction(scene)};
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
         const auto make = [&](const auto& kind) { return run(layer, kind); };
@@ -86,6 +79,12 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     dataset->check_intact();
     geometry->bytes = memory_bytes();
     return geometry;
+}
+
+void SceneGeometry::forget_all() {
+    cuts_.clear();
+    boundaries_.clear();
+    volumes_.clear();
 }
 
 void SceneGeometry::forget_all_but(const scene::Scene& scene) {

@@ -31,10 +31,12 @@ public:
 
 private:
     using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
+    void forget_all();
     void forget_all_but(const scene::Scene& scene);
 
     Extraction extraction_;
     std::shared_ptr<store::LoadedDataset> loaded_;
+    Vec3d origin_{}; // of all kept shapes
     std::map<Key, Cut> cuts_;
     std::map<Key, Boundary> boundaries_;
     std::map<std::string, VolumeCut> volumes_; // by layer

@@ -70,10 +70,12 @@ std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss)
 
 VolumeCut::VolumeCut() : identity(unique_number()) {}
 
-void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded) {
+void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded,
+                             const Vec3d& origin) {
     const std::string wanted = std::to_string(step) + " " + name;
     if (key == wanted) return;
-    const store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before any change
+    store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before any change
+    field.points.surface_origin = origin;
     key.clear();
     slabs = nullptr;
     slabs_key.clear();

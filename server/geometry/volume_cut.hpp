@@ -53,7 +53,8 @@ struct VolumeCut {
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
-    void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded);
+    // `origin`: of the positions.
+    void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded, const Vec3d& origin);
     // Cuts one slice in `every`, unless all are present. Returns false if stopped; the earlier slices are kept then.
     bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
              std::size_t every, Extraction extraction, const std::stop_token& stop);

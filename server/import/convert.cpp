@@ -150,8 +150,13 @@ private:
             return false;
         }
         if (!moved) return true;
+        const ValuesView positions = mesh_.view().positions;
+        if (!writer_->holds(mesh_index_, positions)) { // the first ones were equal to floats
+            print_ = {};
+            return false;
+        }
         point_maker_.reset();
-        coordinates_index_ = writer_->add_coordinates(mesh_index_, mesh_.assembled.mesh.positions);
+        coordinates_index_ = writer_->add_coordinates(mesh_index_, positions);
         return true;
     }
 

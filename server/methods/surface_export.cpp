@@ -1,4 +1,5 @@
 #include "geometry/clip.hpp"
+#include "geometry/places.hpp"
 #include "methods/base64.hpp"
 #include "methods/scene_source.hpp"
 #include "wire/files/joined_surface.hpp"
@@ -15,16 +16,19 @@ struct Shown {
     ClippedSurface cut;
     bool is_cut = false;
     const Surface* whole = nullptr;
+    std::vector<Vec3d> whole_places;
     std::vector<wire::NamedValues> values;
 
     [[nodiscard]] const Surface& surface() const { return is_cut ? cut.surface : *whole; }
+    [[nodiscard]] std::span<const Vec3d> places() const { return is_cut ? cut.places : whole_places; }
 };
 
-Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& drawable) {
+Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& drawable, const store::Dataset& dataset) {
     Shown shown;
     shown.whole = &drawable.shape->surface;
     shown.is_cut = !geometry.clip.empty();
-    if (shown.is_cut) shown.cut = geometry::clipped(geometry, drawable);
+    shown.whole_places = geometry::places_of(*shown.whole, geometry, dataset);
+    if (shown.is_cut) shown.cut = geometry::clipped(geometry, drawable, shown.whole_places);
     if (!drawable.scalars) return shown;
     shown.values.push_back(shown.is_cut
                                ? wire::NamedValues{drawable.array, shown.cut.values, drawable.scalars->has_doubles()}
@@ -34,22 +38,22 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
 
 // Joins the drawables of a layer to one surface, in order. Throws LimitReached if the file would exceed
 // Limits::export_bytes.
-wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const std::string& layer,
-                           wire::SurfaceFormat format, bool triangles) {
+wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const store::Dataset& dataset,
+                           const std::string& layer, wire::SurfaceFormat format, bool triangles) {
     const std::size_t limit = context.server.limits().export_bytes;
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
     for (const geometry::Drawable& drawable : geometry.drawables) {
         if (drawable.layer != layer || !drawable.polygons()) continue;
         context.check_wanted();
-        const Shown shown = shown_of(geometry, drawable);
+        const Shown shown = shown_of(geometry, drawable, dataset);
         wire::JoinedSurface one;
         one.add(shown.surface(), shown.values);
         bytes += wire::body_bytes(format, {one.surface(), geometry.origin, one.values(), triangles});
         if (bytes > limit)
             throw limits::LimitReached("the file would have more than the " + std::to_string(limit >> 20) +
                                        " MB that an export may have; use `ciel extract`");
-        result.add(shown.surface(), shown.values);
+        result.add(shown.surface(), shown.values, shown.places());
     }
     return result;
 }
@@ -75,14 +79,16 @@ File file_of(const Context& context, SceneSource& source, limits::Memory::Charge
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     const auto geometry = source.geometry();
     geometry::require_complete(*geometry);
-    const wire::JoinedSurface surface = joined(context, *geometry, params.layer, format, params.triangles);
+    const wire::JoinedSurface surface =
+        joined(context, *geometry, *source.version().checked.dataset(), params.layer, format, params.triangles);
     charge.change(copies_of_a_file *
                   wire::body_bytes(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}));
     const Vec3d origin =
         params.origin || wire::has_floats(format) ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
     std::ostringstream out;
     const wire::ExportedCounts counts = wire::write_surface(
-        format, {surface.surface(), geometry->origin, surface.values(), params.triangles, origin}, out);
+        format, {surface.surface(), geometry->origin, surface.values(), params.triangles, origin, surface.places()},
+        out);
     return {std::move(out).str(), counts, origin};
 }
 

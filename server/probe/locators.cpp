@@ -17,7 +17,7 @@ struct Locators::Held {
 std::shared_ptr<const CellLocator> Locators::get(const std::shared_ptr<store::Dataset>& dataset, std::size_t step) {
     const store::Step& shown = dataset->steps().at(step);
     const auto mesh = dataset->mesh(shown.mesh, shown.coordinates);
-    const float* positions = mesh.positions.data();
+    const void* positions = mesh.positions.data();
     const auto locator_of = [](const std::shared_ptr<const Held>& held) {
         return std::shared_ptr<const CellLocator>(held, &held->locator);
     };

@@ -23,7 +23,7 @@ public:
 private:
     struct Held;
     struct Kept {
-        const float* positions; // identify mesh and coordinates: mapped once, also after a refresh
+        const void* positions; // identify mesh and coordinates: mapped once, also after a refresh
         std::shared_ptr<const Held> held;
     };
     std::mutex mutex_;

@@ -153,11 +153,13 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, const FaceM
 
 // Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. Adds a set if none has them.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
-    const Vec3d origin = writer.before()->points(mesh, 0).origin;
-    std::vector<float> positions(wanted.positions.begin(), wanted.positions.end());
-    if (origin != wanted.origin)
-        for (std::size_t i = 0; i < positions.size(); ++i)
-            positions[i] = static_cast<float>(wanted.origin[i % 3] - origin[i % 3] + double{positions[i]});
+    const FaceMeshView known = writer.before()->points(mesh, 0);
+    Values positions(wanted.positions, wanted.keep_alive);
+    if (known.origin != wanted.origin) { // one of both was made when positions were stored relative to their middle
+        std::vector<double> moved(wanted.positions.begin(), wanted.positions.end());
+        for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += wanted.origin[i % 3] - known.origin[i % 3];
+        positions = converted(moved, known.positions.has_doubles());
+    }
     if (const auto found = writer.find_coordinates(mesh, positions)) return *found;
     return writer.add_coordinates(mesh, positions);
 }

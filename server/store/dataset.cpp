@@ -43,15 +43,8 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
     return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
 }
 
-ArrayLayout read_positions_layout(const MappedMesh& mesh) {
-    ArrayLayout layout = read_layout(mesh.directory() / "positions", mesh.vertex_count(), 3);
-    if (layout.doubles) refuse(layout.directory / layout::array_document, "must be float32");
-    return layout;
-}
-
-Values values_in(const std::shared_ptr<const MappedFile>& chunk, bool doubles) {
-    if (doubles) return {chunk->as<double>(), chunk};
-    return {chunk->as<float>(), chunk};
+ValuesView view_of(const MappedFile& chunk, bool doubles) {
+    return doubles ? ValuesView(chunk.as<double>()) : ValuesView(chunk.as<float>());
 }
 
 class MappedDataset final : public Dataset {
@@ -67,9 +60,10 @@ public:
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
             meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
-            positions_.push_back(read_positions_layout(*meshes_[m]));
+            positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
             info_.meshes.push_back(meshes_[m]->attributes().info);
+            info_.meshes[m].double_positions = positions_[m].doubles;
         }
         layouts_.resize(meshes_.size());
         for (const MarkedStep& step : marker_.steps) add_step(step, lacking);
@@ -101,12 +95,12 @@ public:
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
-        const auto all = positions(mesh, coordinates);
-        return holding(at(mesh)->view(all->as<float>()), all);
+        const Values all = positions(mesh, coordinates);
+        return of_dataset(at(mesh)->view(all), mesh, all);
     }
     FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
-        const auto all = positions(mesh, coordinates);
-        return holding(at(mesh)->view_points(all->as<float>()), all);
+        const Values all = positions(mesh, coordinates);
+        return of_dataset(at(mesh)->view_points(all), mesh, all);
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -169,28 +163,37 @@ public:
     }
 
 private:
-    static FaceMeshView holding(FaceMeshView view, std::shared_ptr<const MappedFile> positions) {
-        view.keep_alive = std::move(positions);
+    FaceMeshView of_dataset(FaceMeshView view, std::size_t mesh, const Values& positions) const {
+        const std::array<double, 6>& bounds = info_.meshes[mesh].bounds;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            view.surface_origin[axis] = bounds[2 * axis] / 2 + bounds[2 * axis + 1] / 2;
+        view.keep_alive = positions.keep_alive();
         return view;
     }
 
     Values values_of(const ArrayLayout& shape, const MarkedArray& entry) const {
-        return values_in(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum), shape.doubles);
+        const auto chunk = chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum);
+        return {view_of(*chunk, shape.doubles), chunk};
     }
 
     // Returns the positions of a coordinate set, which are checked at the first call.
-    std::shared_ptr<const MappedFile> positions(std::size_t mesh, std::size_t coordinates) const {
+    Values positions(std::size_t mesh, std::size_t coordinates) const {
         (void)at(mesh);
         const ArrayLayout& positions = positions_[mesh];
         if (coordinates >= positions.chunks)
             refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
         const auto& sums = coordinate_checksums_[mesh];
         const fs::path file = positions.chunk(coordinates);
-        return chunks_->get(file, positions.chunk_bytes, coordinates < sums.size() ? sums[coordinates] : std::string(),
-                            [&](const MappedFile& mapped) {
-                                if (!std::ranges::all_of(mapped.as<float>(), [](float v) { return std::isfinite(v); }))
-                                    refuse(file, "holds a coordinate that is not finite");
-                            });
+        const auto check = [&](const MappedFile& mapped) {
+            const auto is_finite = [](const auto& all) {
+                return std::ranges::all_of(all, [](auto v) { return std::isfinite(v); });
+            };
+            if (!view_of(mapped, positions.doubles).with(is_finite))
+                refuse(file, "holds a coordinate that is not finite");
+        };
+        const std::string sum = coordinates < sums.size() ? sums[coordinates] : std::string();
+        const auto chunk = chunks_->get(file, positions.chunk_bytes, sum, check);
+        return {view_of(*chunk, positions.doubles), chunk};
     }
 
     // Returns the ranges of a chunk with this checksum, which is empty if it is not known.

@@ -193,7 +193,9 @@ struct LoadedDataset::State {
 
 FaceMeshView ScalarField::mesh() const {
     const Step& at = dataset->steps()[step];
-    return dataset->mesh(at.mesh, at.coordinates);
+    FaceMeshView mesh = dataset->mesh(at.mesh, at.coordinates);
+    mesh.surface_origin = points.surface_origin;
+    return mesh;
 }
 
 LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
@@ -308,7 +310,8 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     for (const double x : {origin[0], origin[1], origin[2], normal[0], normal[1], normal[2]}) key << '/' << x;
     const auto of_mesh = topology(at.mesh);
     const auto boxes = state_->boxes(*of, at, *of_mesh);
-    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices, sizeof(float)), [&] {
+    const std::size_t value_bytes = of->info().meshes[at.mesh].double_positions ? sizeof(double) : sizeof(float);
+    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices, value_bytes), [&] {
         const FaceMeshView points = of->points(at.mesh, at.coordinates);
         Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);

@@ -10,11 +10,12 @@ namespace ciel::store {
 struct ScalarField {
     std::shared_ptr<const Topology> topology;
     std::shared_ptr<const Field> field;
-    FaceMeshView points; // without faces
+    FaceMeshView points; // without faces; its surface_origin may be changed
     std::shared_ptr<const Dataset> dataset;
     std::size_t step = 0;
 
-    // Returns the mesh with its faces, which are read and checked at the first call for the mesh.
+    // Returns the mesh with its faces and the surface_origin of `points`. The faces are read and checked at the first
+    // call for the mesh.
     [[nodiscard]] FaceMeshView mesh() const;
 };
 

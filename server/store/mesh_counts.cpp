@@ -37,19 +37,22 @@ MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology) {
     info.boundary_faces = counts.boundary_faces;
     info.components = counts.components;
     info.cells = counts.cells;
+    info.double_positions = mesh.positions.has_doubles();
     for (const std::uint8_t type : mesh.cell_types) ++info.cells_by_type[name_of(type)];
     for (std::size_t axis = 0; axis < 3; ++axis)
-        info.bounds[2 * axis] = info.bounds[2 * axis + 1] = mesh.origin[axis] + double{mesh.positions[axis]};
+        info.bounds[2 * axis] = info.bounds[2 * axis + 1] = mesh.origin[axis] + mesh.positions[axis];
     extend_bounds(info.bounds, mesh.origin, mesh.positions);
     return info;
 }
 
-void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, std::span<const float> positions) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double at = origin[i % 3] + double{positions[i]};
-        bounds[2 * (i % 3)] = std::min(bounds[2 * (i % 3)], at);
-        bounds[2 * (i % 3) + 1] = std::max(bounds[2 * (i % 3) + 1], at);
-    }
+void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView positions) {
+    positions.with([&](const auto& all) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const double at = origin[i % 3] + double{all[i]};
+            bounds[2 * (i % 3)] = std::min(bounds[2 * (i % 3)], at);
+            bounds[2 * (i % 3) + 1] = std::max(bounds[2 * (i % 3) + 1], at);
+        }
+    });
 }
 
 std::uint64_t record_bytes(const Topology& topology) {

@@ -9,7 +9,7 @@ namespace ciel::store {
 // topology: of this mesh.
 [[nodiscard]] MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology);
 // Extends bounds [xmin xmax ymin ymax zmin zmax] to contain these positions too, which are offsets from `origin`.
-void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, std::span<const float> positions);
+void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView positions);
 // Returns the length of all records of the topology. Reads every record that the topology has not read yet.
 [[nodiscard]] std::uint64_t record_bytes(const Topology& topology);
 

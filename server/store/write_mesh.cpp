@@ -30,12 +30,13 @@ std::string write_whole(const fs::path& directory, ElementType type, std::span<c
 }
 
 void check_sizes(const FaceMesh& mesh, std::span<const Index> original_vertex, std::span<const Index> original_cell) {
-    if (mesh.cell_types.empty() || mesh.positions.empty()) throw Error("the mesh has no cells; nothing can be stored");
-    if (mesh.positions.size() != 3 * original_vertex.size() || mesh.cell_types.size() != original_cell.size() ||
+    const ValuesView positions = mesh.view().positions;
+    if (mesh.cell_types.empty() || positions.empty()) throw Error("the mesh has no cells; nothing can be stored");
+    if (positions.size() != 3 * original_vertex.size() || mesh.cell_types.size() != original_cell.size() ||
         mesh.owner.size() != mesh.neighbour.size() || mesh.face_offset.size() != mesh.owner.size() + 1 ||
         mesh.face_offset.back() != mesh.face_vertex.size())
         throw Error("the arrays of the mesh do not have matching sizes");
-    check_finite(mesh.positions);
+    check_finite(positions);
 }
 
 void check_solver_ids(const SolverIds& solver, std::size_t vertices, std::size_t cells) {
@@ -54,23 +55,25 @@ void check_group(const NamedGroup& group, std::size_t limit) {
 } // namespace
 
 void write_boxes(const fs::path& directory, const Topology& topology, const std::string& dataset_id,
-                 std::size_t coordinates, std::span<const float> positions) {
+                 std::size_t coordinates, ValuesView positions) {
     BlockBoxes boxes = block_boxes(topology, positions);
     const ValueRanges ranges{std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])};
     const fs::path file = layout::value_ranges(directory / "positions", coordinates);
     make_directory(file.parent_path());
-    write_file(file, to_bytes(ranges, dataset_id, checksum_number(std::as_bytes(positions))));
+    write_file(file, to_bytes(ranges, dataset_id, checksum_number(positions.bytes())));
 }
 
-void check_finite(std::span<const float> positions) {
-    const auto bad = std::find_if(positions.begin(), positions.end(), [](float v) { return !std::isfinite(v); });
-    if (bad != positions.end())
-        throw Error("vertex " + std::to_string((bad - positions.begin()) / 3) +
-                    " has a coordinate that is not a finite number");
+void check_finite(ValuesView positions) {
+    positions.with([](const auto& all) {
+        const auto bad = std::find_if(all.begin(), all.end(), [](auto v) { return !std::isfinite(v); });
+        if (bad != all.end())
+            throw Error("vertex " + std::to_string((bad - all.begin()) / 3) +
+                        " has a coordinate that is not a finite number");
+    });
 }
 
-ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices) {
-    return {ElementType::f4, {sets, vertices, 3}, {1, vertices, 3}};
+ZarrArray positions_shape(std::uint64_t sets, const MeshInfo& mesh) {
+    return {mesh.double_positions ? ElementType::f8 : ElementType::f4, {sets, mesh.vertices, 3}, {1, mesh.vertices, 3}};
 }
 
 ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo& of) {
@@ -118,9 +121,10 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
                    bytes_of(group_attributes_text(attributes.groups.back())));
     }
     make_directory(directory / "positions");
-    write_file(layout::chunk(directory / "positions", 0, 3), std::as_bytes(std::span(mesh.positions)));
-    attributes.coordinate_checksums.push_back(checksum(std::as_bytes(std::span(mesh.positions))));
-    write_boxes(directory, topology, dataset_id, 0, mesh.positions);
+    const ValuesView positions = mesh.view().positions;
+    write_file(layout::chunk(directory / "positions", 0, 3), positions.bytes());
+    attributes.coordinate_checksums.push_back(checksum(positions.bytes()));
+    write_boxes(directory, topology, dataset_id, 0, positions);
     return attributes;
 }
 

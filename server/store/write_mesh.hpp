@@ -18,13 +18,13 @@ namespace ciel::store {
 
 // Writes the boxes of the blocks for one coordinate set to the mesh's directory.
 void write_boxes(const std::filesystem::path& directory, const Topology& topology, const std::string& dataset_id,
-                 std::size_t coordinates, std::span<const float> positions);
+                 std::size_t coordinates, ValuesView positions);
 
-void check_finite(std::span<const float> positions);
+void check_finite(ValuesView positions);
 
 // Return the shape and chunks of a mesh's positions with `sets` coordinate sets, and of an array with `steps` steps of
 // `items` vertices, cells or boundary faces.
-[[nodiscard]] ZarrArray positions_shape(std::uint64_t sets, std::uint64_t vertices);
+[[nodiscard]] ZarrArray positions_shape(std::uint64_t sets, const MeshInfo& mesh);
 [[nodiscard]] ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo& of);
 
 } // namespace ciel::store

@@ -87,7 +87,7 @@ void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std:
     auto& sums = attributes.coordinate_checksums;
     for (const auto sets = parse_zarr_array(read_text(document, layout::document_bytes), document).shape[0];
          sums.size() < sets;)
-        sums.push_back(checksum(std::as_bytes(dataset.points(mesh, sums.size()).positions)));
+        sums.push_back(checksum(dataset.points(mesh, sums.size()).positions.bytes()));
 }
 
 } // namespace
@@ -135,9 +135,8 @@ struct Writer::State {
         const WrittenMesh& written = meshes[index];
         const fs::path path = layout::mesh(directory, index);
         put_text(path / layout::attributes_document, to_text(written.attributes));
-        put_text(
-            path / "positions" / layout::array_document,
-            to_text(positions_shape(written.attributes.coordinate_checksums.size(), written.attributes.info.vertices)));
+        put_text(path / "positions" / layout::array_document,
+                 to_text(positions_shape(written.attributes.coordinate_checksums.size(), written.attributes.info)));
         for (const auto& [name, array] : written.arrays)
             put_array(array, written, layout::values(path, name), written.steps);
     }
@@ -306,6 +305,7 @@ Writer Writer::append(std::shared_ptr<Dataset> dataset) {
     for (std::size_t m = 0; m < state->marker.meshes; ++m) {
         const auto file = layout::mesh(directory, m) / layout::attributes_document;
         state->meshes.push_back({parse_mesh_attributes(read_text(file, layout::document_bytes), file), {}, 0});
+        state->meshes.back().attributes.info.double_positions = dataset->info().meshes[m].double_positions;
         complete_checksums(state->meshes.back().attributes, *dataset, m);
     }
     for (const MarkedStep& step : state->marker.steps) {
@@ -342,31 +342,39 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
     return index;
 }
 
-std::size_t Writer::add_coordinates(std::size_t mesh, std::span<const float> positions) {
-    WrittenMesh& written = state_->mesh(mesh);
-    MeshAttributes& attributes = written.attributes;
+bool Writer::holds(std::size_t mesh, ValuesView positions) const {
+    return state_->mesh(mesh).attributes.info.double_positions || are_floats(positions);
+}
+
+std::size_t Writer::add_coordinates(std::size_t mesh, ValuesView positions) {
+    MeshAttributes& attributes = state_->mesh(mesh).attributes;
     if (positions.size() != 3 * attributes.info.vertices)
         throw Error("new coordinates have " + std::to_string(positions.size() / 3) + " points where the mesh has " +
                     std::to_string(attributes.info.vertices));
+    if (!holds(mesh, positions))
+        throw Error("the new coordinates are float64 and the mesh stores float32; import all steps again together");
     check_finite(positions);
     const std::size_t index = attributes.coordinate_checksums.size();
-    const auto bytes = std::as_bytes(positions);
-    state_->put(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", index, 3), bytes);
-    attributes.coordinate_checksums.push_back(checksum(bytes));
+    const Values stored = converted(positions, attributes.info.double_positions);
+    state_->put(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", index, 3), stored.bytes());
+    attributes.coordinate_checksums.push_back(checksum(stored.bytes()));
     if (const auto topology = state_->topology_of(mesh))
-        write_boxes(layout::mesh(state_->directory, mesh), *topology, state_->info.id, index, positions);
-    extend_bounds(attributes.info.bounds, attributes.origin, positions);
+        write_boxes(layout::mesh(state_->directory, mesh), *topology, state_->info.id, index, stored);
+    extend_bounds(attributes.info.bounds, attributes.origin, stored);
     return index;
 }
 
-std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, std::span<const float> positions) const {
-    const auto bytes = std::as_bytes(positions);
-    const std::string sum = checksum(bytes);
-    const auto& sums = state_->mesh(mesh).attributes.coordinate_checksums;
+std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, ValuesView positions) const {
+    if (!holds(mesh, positions)) return std::nullopt;
+    const MeshAttributes& attributes = state_->mesh(mesh).attributes;
+    const Values stored = converted(positions, attributes.info.double_positions);
+    const std::string sum = checksum(stored.bytes());
+    const auto& sums = attributes.coordinate_checksums;
     for (std::size_t i = sums.size(); i-- > 0;) {
         if (sums[i] != sum) continue;
-        const MappedFile file(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", i, 3), bytes.size());
-        if (std::ranges::equal(file.bytes(), bytes)) return i;
+        const MappedFile file(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", i, 3),
+                              stored.size_bytes());
+        if (std::ranges::equal(file.bytes(), stored.bytes())) return i;
     }
     return std::nullopt;
 }

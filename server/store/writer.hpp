@@ -47,11 +47,14 @@ public:
     std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
+    // Returns whether a mesh can store these positions without rounding. A mesh has floats if its first positions were
+    // floats, else doubles.
+    [[nodiscard]] bool holds(std::size_t mesh, ValuesView positions) const;
     // Adds a coordinate set to a mesh: new positions of all vertices, as offsets from its origin. Returns the index of
-    // the set. Throws Error on another number of positions, or when one is not finite.
-    std::size_t add_coordinates(std::size_t mesh, std::span<const float> positions);
+    // the set. Throws Error on another number of positions, when one is not finite, or unless the mesh holds them.
+    std::size_t add_coordinates(std::size_t mesh, ValuesView positions);
     // Returns the index of the last coordinate set of the mesh that has the same bits; nullopt if there is none.
-    [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, std::span<const float> positions) const;
+    [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ValuesView positions) const;
     // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. Values are
     // converted to the type of the array if it has earlier ones. Throws Error on a wrong size, or when
     // `time` is not later than the last step's.

@@ -15,13 +15,16 @@ namespace ciel::store {
 class WrittenFaces {
 public:
     WrittenFaces(const std::filesystem::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
-        : origin_(attributes.origin),
-          positions_(layout::chunk(mesh / "positions", coordinates, 3), 3 * attributes.info.vertices * sizeof(float)),
+        : origin_(attributes.origin), double_positions_(attributes.info.double_positions),
+          positions_(layout::chunk(mesh / "positions", coordinates, 3),
+                     3 * attributes.info.vertices * (double_positions_ ? sizeof(double) : sizeof(float))),
           types_(whole(mesh, "cell_types")), offset_(whole(mesh, "face_offset")), vertex_(whole(mesh, "face_vertex")),
           owner_(whole(mesh, "owner")), neighbour_(whole(mesh, "neighbour")) {}
 
     [[nodiscard]] FaceMeshView view() const {
-        return face_mesh_view(origin_, positions_.as<float>(), types_.as<std::uint8_t>(), offset_.as<std::uint64_t>(),
+        const ValuesView positions =
+            double_positions_ ? ValuesView(positions_.as<double>()) : ValuesView(positions_.as<float>());
+        return face_mesh_view(origin_, positions, types_.as<std::uint8_t>(), offset_.as<std::uint64_t>(),
                               vertex_.as<Index>(), owner_.as<Index>(), neighbour_.as<Index>());
     }
 
@@ -32,6 +35,7 @@ private:
     }
 
     Vec3d origin_;
+    bool double_positions_;
     MappedFile positions_, types_, offset_, vertex_, owner_, neighbour_;
 };
 

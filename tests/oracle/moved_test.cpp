@@ -54,7 +54,7 @@ TEST_P(Moved, GivesWhatANewQueryGives) {
         query.set_field(field);
         for (const float by : shears)
             for (const double nu : {0.5, 0.6}) {
-                const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+                const std::vector<float> positions = sheared(mesh.mesh().positions.floats(), by);
                 FaceMeshView moved = mesh.mesh();
                 moved.positions = positions;
                 query.set_mesh(moved);
@@ -86,7 +86,7 @@ TEST_P(Moved, IsSweptWhereItIsNow) {
         return out;
     };
     for (const float by : shears) {
-        const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+        const std::vector<float> positions = sheared(mesh.mesh().positions.floats(), by);
         FaceMeshView moved = mesh.mesh();
         moved.positions = positions;
         field.vertices_moved();
@@ -111,7 +111,7 @@ TEST_P(Moved, IsSlicedWhereItIsNow) {
     Query query = mesh.query();
     std::vector<float> distance;
     for (const float by : shears) {
-        const std::vector<float> positions = sheared(mesh.mesh().positions, by);
+        const std::vector<float> positions = sheared(mesh.mesh().positions.floats(), by);
         FaceMeshView moved = mesh.mesh();
         moved.positions = positions;
         query.set_mesh(moved);
@@ -136,7 +136,7 @@ TEST_P(Moved, ThatIsAnotherMeshIsRefused) {
     Query query = mesh.query();
     FaceMeshView shorter = mesh.mesh();
     if (shorter.vertex_count() == 0) return; // the empty mesh has no vertex to remove
-    shorter.positions = shorter.positions.first(shorter.positions.size() - 3);
+    shorter.positions = shorter.positions.subview(0, shorter.positions.size() - 3);
     EXPECT_THROW(query.set_mesh(shorter), Error);
 }
 

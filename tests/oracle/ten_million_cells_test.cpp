@@ -79,7 +79,7 @@ TEST(TenMillionCells, AreBuiltSlicedAndContoured) {
 
     std::vector<float> height(mesh.vertex_count()), distance(mesh.vertex_count());
     for (std::size_t v = 0; v < height.size(); ++v) {
-        const float* at = &mesh.positions[3 * v];
+        const float* at = &mesh.positions.floats()[3 * v];
         height[v] = at[2];
         distance[v] = std::hypot(at[0] - 0.5F, at[1] - 0.5F, at[2] - 0.5F);
     }

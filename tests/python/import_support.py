@@ -76,8 +76,9 @@ class Dataset:
     def volume(self, mesh=0):
         """Volume by the divergence theorem over boundary faces. Correct only when all faces are matched and wound outwards."""
         m = self.mesh(mesh)
-        # Without the mesh's origin, so that large coordinates do not cancel.
+        # Around the middle, so that large coordinates do not cancel.
         position = np.asarray(m["positions"][0], float)
+        position -= position.mean(axis=0)
         offset, vertex, neighbour = m["face_offset"][:], m["face_vertex"][:], m["neighbour"][:]
         total = 0.0
         for face in np.flatnonzero(neighbour == NO_NEIGHBOUR):

@@ -108,16 +108,6 @@ def test_what_the_type_of_the_first_step_loses_is_said(tmp_path):
     assert "1 of 1 values of \"cell:id\" are integers beyond 16,777,216 that a 32-bit float" in dataset.notes
 
 
-def test_positions_that_floats_cannot_tell_apart_are_counted(tmp_path):
-    """The small cube's corners are 0.1 apart and 5,000 km from the middle of the mesh, where float32 values are 0.5 apart."""
-    small = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in CUBE]
-    far = [(x + 1e7, y, z) for x, y, z in CUBE]
-    grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], small + far)
-    notes = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid)).notes
-    assert "1 cell has corners that differ in the input and coincide in the dataset" in notes
-    assert "The volume of 1 cell changes by more than 1 %" in notes
-
-
 @pytest.mark.parametrize("corners, sentence", [
     ([0, 0, 0, 0, 4, 5, 6, 7], "1 cell has coincident corners and was kept (first ids: 1)."),
     ([0, 1, 2, 3, 0, 1, 2, 3], "1 cell has coincident corners and was kept (first ids: 1)."),

@@ -82,7 +82,8 @@ def test_a_coarse_demo_is_a_small_dataset_of_the_same_kind(demo, tmp_path):
 def test_info_has_the_promised_keys(demo):
     told = info(demo)
     assert set(told["input"]) == {"vertices", "edges", "cells"}
-    assert set(told["mesh"]) == {"vertices", "edges", "faces", "half_edges", "boundary_faces", "components", "cells"}
+    assert set(told["mesh"]) == {"vertices", "edges", "faces", "half_edges", "boundary_faces", "components", "cells",
+                                 "positions"}
     assert told["mesh"]["cells"]["polyhedron"] >= 100_000 and told["mesh"]["components"] == 1
     assert len(told["bounds"]) == 6
     keys = {"name", "association", "components", "range", "units", "times", "ambiguous_faces"}

@@ -1,5 +1,7 @@
 #include "import/mesh/corner_index.hpp"
 
+#include "ciel/cell_geometry.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -10,7 +12,7 @@ namespace {
 template <typename Words>
 std::size_t mix(const Words& words) {
     std::uint64_t hash = 0x9E3779B97F4A7C15U;
-    for (const std::uint32_t word : words) {
+    for (const std::uint64_t word : words) {
         hash = (hash ^ word) * 0xBF58476D1CE4E5B9U;
         hash ^= hash >> 29;
     }
@@ -28,18 +30,17 @@ Corners normalised(Corners corners) {
 std::size_t CornersHash::operator()(const Corners& corners) const { return mix(corners); }
 std::size_t CornerIndex::PlaceHash::operator()(const Place& place) const { return mix(place); }
 
-CornerIndex::Place CornerIndex::place_of(const float* position) {
+CornerIndex::Place CornerIndex::place_of(const Vec3d& position) {
     Place place{};
     // Adding 0 turns -0 into +0, so that equal positions have equal bits.
-    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = std::bit_cast<std::uint32_t>(position[axis] + 0.0F);
+    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = std::bit_cast<std::uint64_t>(position[axis] + 0.0);
     return place;
 }
 
 Corners CornerIndex::learn(std::span<const Index> vertices) {
     Corners corners;
     for (const Index vertex : vertices)
-        corners.push_back(
-            vertices_.try_emplace(place_of(&mesh_.positions[3 * std::size_t{vertex}]), vertex).first->second);
+        corners.push_back(vertices_.try_emplace(place_of(position(mesh_, vertex)), vertex).first->second);
     return normalised(std::move(corners));
 }
 
@@ -47,12 +48,9 @@ Corners CornerIndex::find(vtkDataSet* data, vtkIdType cell) {
     data->GetCellPoints(cell, ids_);
     Corners corners;
     for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i) {
-        std::array<double, 3> point{};
+        Vec3d point{};
         data->GetPoint(ids_->GetId(i), point.data());
-        std::array<float, 3> offset{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            offset[axis] = static_cast<float>(point[axis] - mesh_.origin[axis]);
-        const auto known = vertices_.find(place_of(offset.data()));
+        const auto known = vertices_.find(place_of(point));
         if (known != vertices_.end()) corners.push_back(known->second);
     }
     const bool complete = corners.size() == static_cast<std::size_t>(ids_->GetNumberOfIds());

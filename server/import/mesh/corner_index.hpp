@@ -32,11 +32,11 @@ public:
     [[nodiscard]] Corners find(vtkDataSet* data, vtkIdType cell);
 
 private:
-    using Place = std::array<std::uint32_t, 3>; // bits of x, y, z as floats, relative to the mesh's origin
+    using Place = std::array<std::uint64_t, 3>; // bits of x, y, z
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
     };
-    static Place place_of(const float* position);
+    static Place place_of(const Vec3d& position);
 
     FaceMeshView mesh_;
     std::unordered_map<Place, Index, PlaceHash> vertices_; // position -> first vertex registered there

@@ -256,46 +256,21 @@ RunningCounts count_running(const std::vector<DataSet>& volumes) {
     return {mesh.point_count, mesh.parts.back().first_cell + last};
 }
 
-Vec3d bounds_centre(const JoinedMesh& mesh) {
-    Vec3d low;
-    Vec3d high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (const JoinedMesh::Member& part : mesh.parts)
-        for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i) {
-            Vec3d point;
-            part.data->GetPoint(i, point.data());
-            for (int axis = 0; axis < 3; ++axis) {
-                if (!std::isfinite(point[axis])) continue;
-                low[axis] = std::min(low[axis], point[axis]);
-                high[axis] = std::max(high[axis], point[axis]);
-            }
-        }
-    Vec3d centre{};
-    for (int axis = 0; axis < 3; ++axis)
-        if (low[axis] <= high[axis]) centre[axis] = low[axis] / 2 + high[axis] / 2;
-    return centre;
-}
-
-std::vector<float> point_offsets(const std::vector<JoinedMesh::Member>& parts, Index point_count, Vec3d origin) {
-    std::vector<float> offsets(3 * std::size_t{point_count});
+store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count) {
+    std::vector<double> positions(3 * std::size_t{point_count});
     for (const JoinedMesh::Member& part : parts)
         for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i) {
-            Vec3d point;
-            part.data->GetPoint(i, point.data());
-            const std::size_t at = 3 * (std::size_t{part.first_point} + static_cast<std::size_t>(i));
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                offsets[at + axis] = static_cast<float>(point[axis] - origin[axis]);
+            const std::size_t at = std::size_t{part.first_point} + static_cast<std::size_t>(i);
+            part.data->GetPoint(i, &positions[3 * at]);
         }
-    return offsets;
+    return store::are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
 }
 
 JoinedMesh join_data_sets(const std::vector<DataSet>& volumes) {
     JoinedMesh mesh;
     number_parts(mesh, volumes);
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) BlockJoiner(mesh, part).add_cells();
-    mesh.origin = bounds_centre(mesh);
-    mesh.positions = point_offsets(mesh.parts, mesh.point_count, mesh.origin);
+    mesh.positions = point_positions(mesh.parts, mesh.point_count);
     check_finite(mesh);
     return mesh;
 }

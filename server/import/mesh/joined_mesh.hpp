@@ -3,6 +3,7 @@
 
 #include "ciel/assemble.hpp"
 #include "import/source/data_sets.hpp"
+#include "store/format/values.hpp"
 
 #include <map>
 
@@ -32,8 +33,7 @@ struct JoinedMesh {
     std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1: left out
     std::uint64_t convex_point_sets = 0;                // left out: VTK lists no faces for them
 
-    Vec3d origin{};
-    std::vector<float> positions;
+    store::Values positions; // x, y, z of each running point, as the input has them
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0};
     std::vector<std::uint64_t> face_offset{0};
@@ -41,7 +41,7 @@ struct JoinedMesh {
     std::vector<Index> source_cell; // joined cell -> running cell
 
     [[nodiscard]] PolyhedraView view() const {
-        return {origin, positions, cell_types, cell_offset, face_offset, face_vertex};
+        return {{}, positions, cell_types, cell_offset, face_offset, face_vertex};
     }
 };
 
@@ -52,11 +52,9 @@ struct JoinedMesh {
 // that is not finite, or more than 2^32 - 2 points or cells.
 [[nodiscard]] JoinedMesh join_data_sets(const std::vector<DataSet>& volumes);
 
-// Returns the center of the bounding box of all finite points.
-[[nodiscard]] Vec3d bounds_centre(const JoinedMesh& mesh);
-// Returns x, y, z of each running point relative to `origin`. `parts`: the mesh's blocks, with the data of any step.
-[[nodiscard]] std::vector<float> point_offsets(const std::vector<JoinedMesh::Member>& parts, Index point_count,
-                                               Vec3d origin);
+// Returns x, y, z of each running point: floats if these are equal to the input's numbers, else doubles. `parts`: the
+// mesh's blocks, with the data of any step.
+[[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count);
 
 // Counts the distinct edges of the cells. Ignores edges from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);

@@ -2,7 +2,6 @@
 
 #include "import/mesh/degenerate_cells.hpp"
 #include "import/mesh/face_pyramids.hpp"
-#include "import/mesh/position_loss.hpp"
 #include "import/mesh/zones.hpp"
 
 #include <algorithm>
@@ -196,7 +195,6 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
     mesh.point_count = joined.point_count;
     describe_joining(joined, mesh);
     for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
-    for (std::string& sentence : position_loss(joined)) mesh.notes.push_back(std::move(sentence));
 
     const Cut cut = weld == Weld::seams ? find_cuts(joined, data_sets) : Cut{};
     Welds welds = find_welds(joined, weld, cut, difference);
@@ -230,8 +228,16 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = data_sets.volumes[i].data;
     if (!moved) return;
-    const std::vector<float> offsets = point_offsets(mesh.parts, mesh.point_count, mesh.assembled.mesh.origin);
-    mesh.assembled.mesh.positions = reordered(std::span<const float>(offsets), mesh.point_of_vertex, 3);
+    FaceMesh& faces = mesh.assembled.mesh;
+    faces.positions.clear();
+    faces.double_positions.clear();
+    point_positions(mesh.parts, mesh.point_count).with([&]<class Number>(std::span<const Number> running) {
+        std::vector<Number> stored = reordered(running, mesh.point_of_vertex, 3);
+        if constexpr (std::same_as<Number, double>)
+            faces.double_positions = std::move(stored);
+        else
+            faces.positions = std::move(stored);
+    });
 }
 
 store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components) {

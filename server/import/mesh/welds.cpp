@@ -71,7 +71,7 @@ private:
     [[nodiscard]] bool coincide(Index a, Index b) const {
         double distance = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            distance = std::max(distance, std::abs(static_cast<double>(mesh_.positions[3 * std::size_t{a} + axis]) -
+            distance = std::max(distance, std::abs(mesh_.positions[3 * std::size_t{a} + axis] -
                                                    mesh_.positions[3 * std::size_t{b} + axis]));
         return distance <= tolerance_;
     }
@@ -164,8 +164,24 @@ void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
                               " have no counterpart on another piece and stay boundary faces.");
 }
 
-// Calls visit(first, point) for each point with the same coordinates as an earlier one, the first. Skips points for
-// which looked_at is false.
+// Returns the middle of the box around the points that are looked at.
+Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
+    Vec3d middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (std::size_t i = 0; i < looked_at.size(); ++i) {
+            if (!looked_at[i]) continue;
+            low = std::min(low, mesh.positions[3 * i + axis]);
+            high = std::max(high, mesh.positions[3 * i + axis]);
+        }
+        if (low <= high) middle[axis] = low / 2 + high / 2;
+    }
+    return middle;
+}
+
+// Calls visit(first, point) for each point that has the coordinates of an earlier one, the first. Skips points for
+// which looked_at is false. Compares floats relative to the middle of the mesh, because programs write the copies of a
+// point with different roundings.
 template <typename Visit>
 void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
@@ -177,10 +193,13 @@ void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked
     };
     std::unordered_map<std::array<float, 3>, Index, Hash> first;
     first.reserve(mesh.point_count);
+    const Vec3d middle = middle_of(mesh, looked_at);
+    const auto offset = [&](Index point, std::size_t axis) {
+        return static_cast<float>(mesh.positions[3 * std::size_t{point} + axis] - middle[axis]) + 0.0F; // -0 becomes 0
+    };
     for (Index i = 0; i < mesh.point_count; ++i) {
         if (!looked_at[i]) continue;
-        const float* p = &mesh.positions[3 * std::size_t{i}];
-        const auto [at, is_new] = first.try_emplace({p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F}, i);
+        const auto [at, is_new] = first.try_emplace({offset(i, 0), offset(i, 1), offset(i, 2)}, i);
         if (!is_new) visit(at->second, i);
     }
 }

@@ -211,11 +211,11 @@ void MappedMesh::verify() const {
         });
 }
 
-FaceMeshView MappedMesh::view_points(std::span<const float> positions) const {
+FaceMeshView MappedMesh::view_points(ValuesView positions) const {
     return face_mesh_view(attributes_.origin, positions, cell_types(), {}, {}, {}, {});
 }
 
-FaceMeshView MappedMesh::view(std::span<const float> positions) const {
+FaceMeshView MappedMesh::view(ValuesView positions) const {
     verified_.at("faces").once([this] { verify_faces(); });
     return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
                           array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),

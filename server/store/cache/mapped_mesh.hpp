@@ -33,9 +33,9 @@ public:
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
     // Returns the mesh with these positions, which are offsets from its origin.
-    [[nodiscard]] FaceMeshView view(std::span<const float> positions) const;
+    [[nodiscard]] FaceMeshView view(ValuesView positions) const;
     // Returns the mesh without its faces. Reads no array.
-    [[nodiscard]] FaceMeshView view_points(std::span<const float> positions) const;
+    [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
     // A CIEL that stored no blocks may have written the mesh.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }

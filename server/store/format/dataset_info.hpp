@@ -95,6 +95,7 @@ struct MeshInfo {
     std::uint64_t vertices = 0, edges = 0, faces = 0, half_edges = 0, boundary_faces = 0, components = 0, cells = 0;
     std::map<std::string, std::uint64_t> cells_by_type; // number of cells by type, such as "hexahedron"
     std::array<double, 6> bounds{};                     // xmin xmax ymin ymax zmin zmax in world coordinates
+    bool double_positions = false;                      // positions are stored as float64, else as float32
 };
 
 struct DatasetInfo {

@@ -33,8 +33,7 @@ ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, surface.triangles);
     write_ply_header(surface, polygons, out);
     for (const Index vertex : polygons.vertices) {
-        for (std::size_t k = 0; k < 3; ++k)
-            write_raw(out, surface.origin[k] - surface.file_origin[k] + double{surface.surface.positions[vertex][k]});
+        write_raw(out, surface.place(vertex));
         if (!surface.surface.normals.empty()) write_raw(out, surface.surface.normals[vertex]);
         for (const NamedValues& values : surface.values) write_value(out, values, vertex);
     }

@@ -35,9 +35,10 @@ ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
         std::array<Vec3f, 3> local{};
         std::array<Vec3f, 3> world{};
         for (std::size_t i = 0; i < 3; ++i) {
-            local[i] = surface.surface.positions[triangles.vertices[triangles.corner[c + i]]];
-            for (std::size_t k = 0; k < 3; ++k)
-                world[i][k] = static_cast<float>(surface.origin[k] - surface.file_origin[k] + double{local[i][k]});
+            const Index vertex = triangles.vertices[triangles.corner[c + i]];
+            local[i] = surface.surface.positions[vertex];
+            const Vec3d place = surface.place(vertex);
+            for (std::size_t k = 0; k < 3; ++k) world[i][k] = static_cast<float>(place[k]);
         }
         write_raw(out, facet_normal(local));
         write_raw(out, world);

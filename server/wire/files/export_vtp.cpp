@@ -81,10 +81,7 @@ void declare_geometry(const ExportSurface& surface, const ExportedPolygons& poly
                       std::ostream& out) {
     out << "<Points>\n";
     arrays.declare(out, "Float64", "Points", 3, 24 * polygons.vertices.size(), [&](std::ostream& to) {
-        for (const Index vertex : polygons.vertices)
-            for (std::size_t k = 0; k < 3; ++k)
-                write_raw(to,
-                          surface.origin[k] - surface.file_origin[k] + double{surface.surface.positions[vertex][k]});
+        for (const Index vertex : polygons.vertices) write_raw(to, surface.place(vertex));
     });
     out << "</Points>\n<Polys>\n";
     arrays.declare(out, "Int64", "connectivity", 1, 8 * polygons.corner.size(), [&](std::ostream& to) {

@@ -3,9 +3,11 @@
 
 #include "ciel/extract.hpp"
 #include "ciel/values_view.hpp"
+#include "ciel/vector_operators.hpp"
 
 #include <array>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +31,15 @@ struct ExportSurface {
     const Surface& surface;
     Vec3d origin{}; // added to the positions in double; formats with doubles keep all digits
     std::vector<NamedValues> values;
-    bool triangles = false; // write triangles instead of polygons (STL always has triangles)
-    Vec3d file_origin{};    // subtracted from the coordinates; stated in the file unless zero
+    bool triangles = false;          // write triangles instead of polygons (STL always has triangles)
+    Vec3d file_origin{};             // subtracted from the coordinates; stated in the file unless zero
+    std::span<const Vec3d> places{}; // of the vertices, as precise as the mesh; empty: origin + surface.positions
+
+    [[nodiscard]] Vec3d place(Index vertex) const {
+        if (!places.empty()) return places[vertex] - file_origin;
+        const Vec3f& at = surface.positions[vertex];
+        return Vec3d{at[0], at[1], at[2]} + (origin - file_origin);
+    }
 };
 
 // Returns the point to subtract from the coordinates in a file. Formats with floats need it, others use it on request.

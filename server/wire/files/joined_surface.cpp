@@ -42,7 +42,7 @@ std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vecto
 
 } // namespace
 
-void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& values) {
+void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places) {
     const auto first_vertex = static_cast<Index>(surface_.positions.size());
     const auto first_corner = static_cast<Index>(surface_.polygon_vertex.size());
     const bool keeps_normals = is_first_ || !surface_.normals.empty() || surface_.positions.empty();
@@ -57,6 +57,7 @@ void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& 
         for (NamedValues& own : values_) append(own.values, find(values, own.name)->values);
     }
     append(surface_.positions, surface.positions);
+    places_.insert(places_.end(), places.begin(), places.end());
     append(surface_.points, surface.points);
     append(surface_.polygon_cell, surface.polygon_cell);
     const std::vector<Index> kept = one_vertex_per_place(surface, values);

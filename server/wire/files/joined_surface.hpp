@@ -10,14 +10,19 @@ namespace ciel::wire {
 // have values of that name.
 class JoinedSurface {
 public:
-    // Adds a surface. Each of `values` has one value per vertex of `surface`.
-    void add(const Surface& surface, const std::vector<NamedValues>& values);
+    // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: ExportSurface::places.
+    void add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places = {});
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }
+    // Returns the places of all vertices; empty if a surface was added without places.
+    [[nodiscard]] std::span<const Vec3d> places() const {
+        return places_.size() == surface_.positions.size() ? std::span<const Vec3d>(places_) : std::span<const Vec3d>();
+    }
 
 private:
     Surface surface_;
     std::vector<NamedValues> values_;
+    std::vector<Vec3d> places_;
     bool is_first_ = true;
 };
 

@@ -1,5 +1,7 @@
 #include "vs_vtk/duel.hpp"
 
+#include "ciel/cell_geometry.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -101,8 +103,9 @@ bool is_linear(const bench::Case& data) {
 vtkSmartPointer<vtkUnstructuredGrid> as_grid(const bench::Case& data) {
     const std::span<const Index> source = data.dataset->original_vertex(0), cells = data.dataset->original_cell(0);
     vtkNew<vtkPoints> points;
+    points->SetDataType(data.mesh.positions.has_doubles() ? VTK_DOUBLE : VTK_FLOAT);
     points->SetNumberOfPoints(static_cast<vtkIdType>(*std::ranges::max_element(source)) + 1);
-    for (Index v = 0; v < source.size(); ++v) points->SetPoint(source[v], &data.mesh.positions[3 * std::size_t{v}]);
+    for (Index v = 0; v < source.size(); ++v) points->SetPoint(source[v], position(data.mesh, v).data());
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     grid->SetPoints(points);
     const Loops loops = faces_of_cells(data.mesh);

@@ -12,6 +12,12 @@ namespace ciel::test {
 inline constexpr double box_edge = 6;
 inline constexpr Vec3d box_origin{1000, 0, -50};
 
+// Returns the offset from box_origin of a position that is relative to `origin`.
+inline Vec3d in_box(const Vec3d& origin, const Vec3f& position) {
+    return {origin[0] + position[0] - box_origin[0], origin[1] + position[1] - box_origin[1],
+            origin[2] + position[2] - box_origin[2]};
+}
+
 // Exact values of the arrays. `at` is an offset from box_origin.
 inline double pressure(const Vec3d& at, double time) { return at[0] + 2 * at[1] + 3 * at[2] + 10 * time; }
 inline Vec3d velocity(const Vec3d& at) { return {at[2], 1, -at[0]}; }

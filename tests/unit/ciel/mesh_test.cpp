@@ -74,7 +74,7 @@ Polygons polygons_of(const Mesh& mesh, const Surface& surface) {
             const Vec3f& at = surface.positions[surface.polygon_vertex[k]];
             std::array<int, 3> rounded{};
             for (std::size_t a = 0; a < 3; ++a)
-                rounded[a] = static_cast<int>(std::lround(1e4 * (mesh.stored().origin[a] + double{at[a]})));
+                rounded[a] = static_cast<int>(std::lround(1e4 * (mesh.stored().surface_origin[a] + double{at[a]})));
             corners.push_back(rounded);
         }
         std::ranges::sort(corners);
@@ -232,8 +232,8 @@ TEST(Mesh, MovesWithoutBeingIndexedAnew) {
     ASSERT_EQ(before.positions.size(), after.positions.size());
     for (std::size_t i = 0; i < before.positions.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            EXPECT_NEAR(mesh.stored().origin[k] + double{after.positions[i][k]},
-                        2 * (mesh.stored().origin[k] + double{before.positions[i][k]}) + 1, 1e-5);
+            EXPECT_NEAR(mesh.stored().surface_origin[k] + double{after.positions[i][k]},
+                        2 * (mesh.stored().surface_origin[k] + double{before.positions[i][k]}) + 1, 1e-5);
 
     Contour slider(Field(mesh, box.radius()));
     Surface surface;
@@ -288,7 +288,7 @@ TEST(Mesh, TakesValuesOfCells) {
               std::size_t{4 * Box::n + 2 * Box::n * Box::n}); // boundary of one layer of cubes
     Surface surface;
     ASSERT_TRUE(Contour(Field::from_cells(mesh, x_of_cell)).at(2.25, surface));
-    for (const Vec3f& at : surface.positions) EXPECT_NEAR(mesh.stored().origin[0] + double{at[0]}, 2.25, 1e-4);
+    for (const Vec3f& at : surface.positions) EXPECT_NEAR(mesh.stored().surface_origin[0] + double{at[0]}, 2.25, 1e-4);
 }
 
 TEST(Mesh, GradientsAreThoseOfTheFunction) {

@@ -99,8 +99,22 @@ TEST(pixel_grid, of_the_bounds_is_as_fine_and_reads_no_positions) {
     EXPECT_GT(surely_fine_grid(unread, outside, size), 0);
 }
 
-TEST(pixel_grid, is_never_finer_than_floats) {
-    EXPECT_GE(needed_grid(square(0.001F, 40), camera, size), 50 * std::ldexp(1.0, -24));
+TEST(pixel_grid, is_never_finer_than_floats_where_the_camera_looks) {
+    geometry::Geometry geometry = square(30.001F, 40);
+    geometry.origin = {-30, 0, 0};
+    EXPECT_GE(needed_grid(geometry, camera, size), 30 * std::ldexp(1.0, -24));
+}
+
+// The bounds are farther from the origin than floats of a quarter of a pixel reach.
+TEST(pixel_grid, is_a_quarter_of_a_pixel_at_an_origin_near_the_eye) {
+    geometry::Geometry geometry = square(1e-4F, 1e-5F);
+    annotations::Camera near = camera;
+    near.parallel = true;
+    near.parallel_height = 4e-4;
+    near.target = {1e-4, 0, 0};
+    EXPECT_LE(needed_grid(geometry, near, size), 4e-4 / 720 / 4);
+    near.parallel_height = 4e-9;
+    EXPECT_GE(needed_grid(geometry, near, size), 50 * std::ldexp(1.0, -30)) << "coordinates have 30 bits";
 }
 
 } // namespace

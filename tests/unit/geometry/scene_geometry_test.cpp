@@ -79,7 +79,7 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colors) {
         const auto& positions = drawable.shape->surface.positions;
         ASSERT_EQ(time == 1, positions.empty()); // p has risen by 10: all below 7.5 are 0 and 10 above
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Vec3d at{positions[i][0], positions[i][1], positions[i][2]};
+            const Vec3d at = test::in_box(shown->origin, positions[i]);
             EXPECT_NEAR(test::pressure(at, time), 7.5, 1e-4);
             EXPECT_NEAR((*drawable.scalars)[i], test::velocity(at)[0], 1e-4);
         }
@@ -264,7 +264,7 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
         EXPECT_EQ(mesh.indices.data(), drawable.shape->indices.data()) << i;
         EXPECT_EQ(mesh.scalars.data(), drawable.scalars ? drawable.scalars->data() : nullptr) << i;
     }
-    EXPECT_EQ(frame.origin, test::box_origin);
+    EXPECT_EQ(frame.origin, shown->origin);
     EXPECT_EQ(frame.bounds_max[0], test::box_origin[0] + test::box_edge);
     const auto lines =
         std::find_if(frame.primitives.begin(), frame.primitives.end(), [](const auto& mesh) { return mesh.lines; });

@@ -133,7 +133,7 @@ struct PySurface {
 };
 
 PySurface surface_of(ciel::Surface&& surface, const ciel::Mesh& mesh) {
-    return {std::move(surface), mesh.stored().origin};
+    return {std::move(surface), mesh.stored().surface_origin};
 }
 
 py::dict report_of(const ciel::Mesh& mesh) {
@@ -252,7 +252,7 @@ void add_surface(py::module_& module) {
         .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
 }
 
-// A Contour and its mesh, whose origin is added to the positions of its surfaces.
+// A Contour and its mesh, whose surface_origin is added to the positions of its surfaces.
 // The mutex lets threads that share the object take turns, because the GIL is released during calls.
 struct PyContour {
     PyContour(const ciel::Mesh& of, const ArrayView& values, const ciel::Options& options)

@@ -18,7 +18,7 @@ namespace ciel {
 // A face with fewer than three vertices is ignored; the other faces decide whether the cell is usable.
 struct PolyhedraView {
     Vec3d origin{};
-    std::span<const float> positions;           // 3 V: offsets from origin
+    ValuesView positions;                       // 3 V: offsets from origin
     std::span<const std::uint8_t> cell_types;   // C: CellType
     std::span<const std::uint64_t> cell_offset; // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1
     std::span<const std::uint64_t> face_offset; // one per face and one more: first entry in face_vertex

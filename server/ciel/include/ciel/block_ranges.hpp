@@ -26,6 +26,6 @@ struct BlockRanges {
 using BlockBoxes = std::array<BlockRanges, 3>;
 
 // positions: x, y, z of each vertex, in the topology's order. Otherwise like block_ranges.
-[[nodiscard]] BlockBoxes block_boxes(const Topology& topology, std::span<const float> positions);
+[[nodiscard]] BlockBoxes block_boxes(const Topology& topology, ValuesView positions);
 
 } // namespace ciel

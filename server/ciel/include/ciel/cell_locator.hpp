@@ -38,7 +38,7 @@ private:
 
     FaceMeshView mesh_;
     CellFaces faces_;
-    std::vector<std::array<Vec3f, 2>> boxes_; // low and high corner around each run of 128 cells
+    std::vector<std::array<Vec3d, 2>> boxes_; // low and high corner around each run of 128 cells
 };
 
 } // namespace ciel

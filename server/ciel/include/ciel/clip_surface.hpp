@@ -7,7 +7,7 @@
 
 namespace ciel {
 
-// Keeps positions with dot(normal, position) + offset >= 0. Positions are offsets from the mesh's origin.
+// Keeps positions with dot(normal, position) + offset >= 0.
 struct HalfSpace {
     Vec3d normal{};
     double offset = 0;
@@ -16,15 +16,17 @@ struct HalfSpace {
 struct ClippedSurface {
     Surface surface;            // input vertices that are kept come first; `points` has entries for them only
     std::vector<double> values; // one per vertex; empty if the input had none
+    std::vector<Vec3d> places;  // likewise
 };
 
 // Returns the part of `surface` inside all half-spaces. `values`: one per vertex, or empty; throws Error on another
-// number. Any thread.
+// number. `places`: the positions of the vertices as doubles, relative to any point, or empty; the planes are relative
+// to the same point as the places, or, without places, as surface.positions. Any thread.
 // Values and normals are interpolated at new vertices. Two polygons that share a side share its new vertex, so no
 // cracks open. The result has no chunks.
 // Vertices at most `slack` outside a plane are kept. Otherwise rounding would tear a surface that lies in the plane,
 // such as a cap. The parts of a polygon that is not convex may stay joined by an edge along the plane, passed twice.
 [[nodiscard]] ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
-                                          double slack);
+                                          double slack, std::span<const Vec3d> places = {});
 
 } // namespace ciel

@@ -32,7 +32,7 @@ struct EdgePoint {
 // The result has the same bits for any block size, thread count, algorithm and history of calls. Only `chunks` depends
 // on the blocks.
 struct Surface {
-    std::vector<Vec3f> positions; // offsets from the mesh's origin
+    std::vector<Vec3f> positions; // offsets from the mesh's surface_origin
     // One unit vector per vertex, towards higher values (see Normals); empty if not requested.
     std::vector<Vec3f> normals;
     std::vector<EdgePoint> points;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ciel/checked_array.hpp"
+#include "ciel/values_view.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -20,7 +21,8 @@ struct FaceMeshView {
     using Offsets = CheckedArray<std::uint64_t>;
 
     Vec3d origin{};                           // added to every position
-    std::span<const float> positions;         // 3 V: offsets from origin
+    Vec3d surface_origin{};                   // positions of surfaces are floats relative to it; any place near them
+    ValuesView positions;                     // 3 V: offsets from origin
     std::span<const std::uint8_t> cell_types; // C: CellType
     Offsets face_offset;                      // F + 1: index in face_vertex of the first vertex of each face
     Ids face_vertex;                          // vertex ids, loop by loop
@@ -31,6 +33,10 @@ struct FaceMeshView {
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
     [[nodiscard]] Index face_count() const { return static_cast<Index>(owner.size()); }
+    // Returns what is added to a stored position to make it relative to surface_origin.
+    [[nodiscard]] Vec3d surface_shift() const {
+        return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
+    }
     [[nodiscard]] Ids loop(Index face) const {
         const std::uint64_t begin = face_offset[face], end = face_offset[std::size_t{face} + 1];
         if (begin > end) [[unlikely]]
@@ -44,12 +50,14 @@ struct FaceMeshKeepers {
     const ArrayKeeper *face_offset = nullptr, *face_vertex = nullptr, *owner = nullptr, *neighbour = nullptr;
 };
 
+// The positions of surfaces are relative to `origin`, too.
 [[nodiscard]] inline FaceMeshView
-face_mesh_view(Vec3d origin, std::span<const float> positions, std::span<const std::uint8_t> cell_types,
+face_mesh_view(Vec3d origin, ValuesView positions, std::span<const std::uint8_t> cell_types,
                std::span<const std::uint64_t> face_offset, std::span<const Index> face_vertex,
                std::span<const Index> owner, std::span<const Index> neighbour, const FaceMeshKeepers& keepers = {}) {
     const auto vertices = static_cast<Index>(positions.size() / 3), cells = static_cast<Index>(cell_types.size());
     return {origin,
+            origin,
             positions,
             cell_types,
             {face_offset, face_vertex.size() + 1, keepers.face_offset},
@@ -62,6 +70,7 @@ face_mesh_view(Vec3d origin, std::span<const float> positions, std::span<const s
 struct FaceMesh {
     Vec3d origin{};
     std::vector<float> positions;
+    std::vector<double> double_positions; // replace `positions` unless empty
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> face_offset{0};
     std::vector<Index> face_vertex;
@@ -69,7 +78,8 @@ struct FaceMesh {
     std::vector<Index> neighbour;
 
     [[nodiscard]] FaceMeshView view() const {
-        return face_mesh_view(origin, positions, cell_types, face_offset, face_vertex, owner, neighbour);
+        const ValuesView used = double_positions.empty() ? ValuesView(positions) : ValuesView(double_positions);
+        return face_mesh_view(origin, used, cell_types, face_offset, face_vertex, owner, neighbour);
     }
 };
 

@@ -28,7 +28,7 @@ public:
     // values.
     [[nodiscard]] static Field from_cells(const Mesh& mesh, const ArrayView& values);
     // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
-    // The iso-surface at 0 is a slice.
+    // The iso-surface at 0 is a slice. The values are doubles if the positions are.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
     // Makes such distances on the vertices of a topology. points: their positions; faces are not used. boxes: what
     // block_boxes returned for these positions. Computes the distances in a block when the block is cut, so a plane
@@ -80,7 +80,7 @@ private:
     std::shared_ptr<Data> data_;
 };
 
-// Returns dot(normal, position - origin) per vertex. `origin` and the positions are in world coordinates. An
+// Returns dot(normal, position - origin) per vertex, as floats. `origin` and the positions are in world coordinates. An
 // iso-surface of the result is a slice (paper, section 2.1).
 [[nodiscard]] std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal);
 

@@ -33,8 +33,8 @@ struct VtkCells {
     ArrayView cell_face_offsets{}, cell_faces{}, face_offsets{}, face_connectivity{};
 };
 
-// Immutable; copies share everything. Thread-safe. Stores positions as 32-bit float offsets from an origin in double at
-// the middle of the mesh.
+// Immutable; copies share everything. Thread-safe. Stores points as floats if these are equal to the caller's numbers,
+// else as doubles. Positions of surfaces are floats relative to stored().surface_origin, the middle of the mesh.
 class Mesh {
 public:
     // Cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1. Face f has the points face_vertex[face_offset[f]]

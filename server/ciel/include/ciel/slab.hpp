@@ -8,7 +8,7 @@
 namespace ciel {
 
 struct SlabVertex {
-    Vec3f position; // offset from the mesh's origin
+    Vec3f position; // offset from the mesh's surface_origin
     float value;    // of the property
     Vec3f gradient; // of the property, per length
     // [min, max] of the property in the cell of one polygon: the polygon whose triangles all start at this vertex.

@@ -16,7 +16,7 @@ class Propagation; // propagation.hpp
 // belong to no polygon, if cells were skipped or have collapsed.
 struct BlockPolygons {
     std::span<const EdgePoint> points;
-    std::span<const Vec3f> positions;                  // of the points, as offsets from the mesh's origin
+    std::span<const Vec3f> positions;                  // of the points, as offsets from the mesh's surface_origin
     std::span<const Index> polygon_end, polygon_point; // end of each polygon in polygon_point; indices of points
     std::span<const Index> polygon_cell;               // id of the cut mesh cell minus cell_begin
     Index cell_begin = 0;

@@ -23,9 +23,14 @@ template <class Values>
     return {block.vertex(ends[0]), block.vertex(ends[1]), share_at(nu, values[ends[0]], values[ends[1]])};
 }
 
-[[nodiscard]] inline Vec3f position_of(const EdgePoint& point, std::span<const float> positions) {
-    const float *a = &positions[3 * std::size_t{point.a}], *b = &positions[3 * std::size_t{point.b}];
-    return {lerp(a[0], b[0], point.t), lerp(a[1], b[1], point.t), lerp(a[2], b[2], point.t)};
+// Returns the position of the point plus `shift`. Rounds once, after the sum.
+template <class Number>
+[[nodiscard]] Vec3f position_of(const EdgePoint& point, std::span<const Number> positions, const Vec3d& shift) {
+    const Number *a = &positions[3 * std::size_t{point.a}], *b = &positions[3 * std::size_t{point.b}];
+    const auto along = [&](std::size_t axis) {
+        return static_cast<float>(lerp(double{a[axis]}, double{b[axis]}, point.t) + shift[axis]);
+    };
+    return {along(0), along(1), along(2)};
 }
 
 } // namespace ciel

@@ -1,5 +1,6 @@
 #include "ciel/slab.hpp"
 
+#include "ciel/cell_geometry.hpp"
 #include "extraction/join_pieces.hpp"
 #include "extraction/polygon.hpp"
 #include "extraction/sink_arrays.hpp"
@@ -175,8 +176,8 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
         for (const Index vertex : mesh.loop(face)) {
             if (local[vertex] == none) {
                 local[vertex] = static_cast<Index>(out.vertices.size());
-                const float* at = &mesh.positions[std::size_t{3} * vertex];
-                out.vertices.push_back({{at[0], at[1], at[2]}, property.value[vertex], property.gradient[vertex], {}});
+                out.vertices.push_back(
+                    {surface_position(mesh, vertex), property.value[vertex], property.gradient[vertex], {}});
             }
         }
     }

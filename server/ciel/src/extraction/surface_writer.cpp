@@ -105,16 +105,17 @@ void Writer::write_points(Index b, const Block& block) {
     const ActiveBlock& cut = cut_[b];
     const ValuesView values = field_.of_block(b);
     const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
-    values.with([&](const auto& all) {
+    const auto write = [&, shift = mesh_.surface_shift()](const auto& all, const auto& positions) {
         for (Index i = 0; i < cut.owned(); ++i) {
             if (i + ahead < ends.size())
                 for (const Index end : ends[i + ahead])
-                    __builtin_prefetch(&mesh_.positions[3 * std::size_t{block.vertex(end)}]);
+                    __builtin_prefetch(&positions[3 * std::size_t{block.vertex(end)}]);
             const EdgePoint point = edge_point(block, all, ends[i], nu_);
             out_.points[cut.first_point + i] = point;
-            out_.positions[cut.first_point + i] = position_of(point, mesh_.positions);
+            out_.positions[cut.first_point + i] = position_of(point, positions, shift);
         }
-    });
+    };
+    values.with([&](const auto& all) { mesh_.positions.with([&](const auto& positions) { write(all, positions); }); });
 }
 
 void Writer::write_normals(Index b) {
@@ -141,7 +142,8 @@ void Writer::write_adopted() {
             const EdgePoint point =
                 edge_point(blocks_.cells(edge.block), field_.of_block(edge.block), cut.ends[edge.end], nu_);
             out_.points[edge.point] = point;
-            out_.positions[edge.point] = position_of(point, mesh_.positions);
+            out_.positions[edge.point] =
+                mesh_.positions.with([&](const auto& all) { return position_of(point, all, mesh_.surface_shift()); });
             if (normals_ == Normals::gradient)
                 write_normal(cut, field_.gradients.of_block(edge.block), edge.end, edge.point);
         }

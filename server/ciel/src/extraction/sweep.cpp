@@ -35,10 +35,10 @@ public:
         points_.resize(scratch.met_count);
         positions_.resize(scratch.met_count);
         values.with([&](const auto& all) {
-            for (std::size_t i = 0; i < points_.size(); ++i) {
-                points_[i] = edge_point(block, all, scratch.ends[i], nu);
-                positions_[i] = position_of(points_[i], mesh.positions);
-            }
+            for (std::size_t i = 0; i < points_.size(); ++i) points_[i] = edge_point(block, all, scratch.ends[i], nu);
+        });
+        mesh.positions.with([&, shift = mesh.surface_shift()](const auto& positions) {
+            for (std::size_t i = 0; i < points_.size(); ++i) positions_[i] = position_of(points_[i], positions, shift);
         });
         return {points_, positions_, cut_.polygon_end, cut_.polygon_edge, cut_.polygon_cell, block.cell_begin};
     }

@@ -107,13 +107,15 @@ BlockRanges block_ranges(const Topology& topology, ValuesView values) {
     return out;
 }
 
-BlockBoxes block_boxes(const Topology& topology, std::span<const float> positions) {
+BlockBoxes block_boxes(const Topology& topology, ValuesView positions) {
     BlockBoxes boxes;
-    std::vector<float> of_axis(positions.size() / 3);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t v = 0; v < of_axis.size(); ++v) of_axis[v] = positions[3 * v + axis];
-        boxes[axis] = block_ranges(topology, of_axis);
-    }
+    positions.with([&]<class Number>(std::span<const Number> all) {
+        std::vector<Number> of_axis(all.size() / 3);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t v = 0; v < of_axis.size(); ++v) of_axis[v] = all[3 * v + axis];
+            boxes[axis] = block_ranges(topology, of_axis);
+        }
+    });
     return boxes;
 }
 

@@ -48,7 +48,7 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
     topology = &of;
     // Untouched pages take no memory. After the last block, a changed record may name any local vertex of 16 bits.
     const std::size_t room = all.slot_count() + local_ids;
-    if (values.has_doubles())
+    if (has_doubles())
         local_doubles = std::make_unique_for_overwrite<double[]>(room);
     else
         local_floats = std::make_unique_for_overwrite<float[]>(room);
@@ -59,7 +59,7 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
 
 double Field::Data::threshold(double nu) const {
     if (std::isnan(nu)) return std::numeric_limits<double>::infinity();
-    if (values.has_doubles()) return nu;
+    if (has_doubles()) return nu;
     const auto nearest = static_cast<float>(nu);
     return nearest >= nu ? nearest : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
@@ -94,8 +94,10 @@ void Field::Data::take_in(Index b) const {
     const Locked lock(take_in_mutex[b % take_in_mutex.size()]);
     if (taken[b].load(std::memory_order_relaxed)) return;
     const Block& block = topology->blocks().cells(b);
-    if (plane)
-        copy_block(block, *plane, has_gaps(b), local_floats.get());
+    if (plane && has_doubles())
+        copy_block(block, plane->of<double>(), has_gaps(b), local_doubles.get());
+    else if (plane)
+        copy_block(block, plane->of<float>(), has_gaps(b), local_floats.get());
     else
         values.with([&]<class Value>(std::span<const Value> all) {
             if constexpr (std::same_as<Value, double>)
@@ -127,7 +129,10 @@ Field Field::from_cells(const Mesh& mesh, const ArrayView& values) {
 }
 
 Field Field::plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal) {
-    return {mesh, std::make_shared<const std::vector<float>>(plane_distance(mesh.stored(), origin, normal))};
+    if (mesh.stored().positions.has_doubles())
+        return {mesh,
+                std::make_shared<const std::vector<double>>(plane_distances<double>(mesh.stored(), origin, normal))};
+    return {mesh, std::make_shared<const std::vector<float>>(plane_distances<float>(mesh.stored(), origin, normal))};
 }
 
 const Mesh* Field::mesh() const { return data_->mesh ? &*data_->mesh : nullptr; }

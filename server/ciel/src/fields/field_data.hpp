@@ -36,7 +36,8 @@ struct Field::Data {
     mutable CellRanges ranges;
     mutable GradientCache gradients;
 
-    [[nodiscard]] double value(Index vertex) const { return plane ? double{plane->at(vertex)} : values[vertex]; }
+    [[nodiscard]] double value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
+    [[nodiscard]] bool has_doubles() const { return plane ? plane->has_doubles() : values.has_doubles(); }
     // Returns the number with which the values are compared: a value is high if it is >= the threshold. For floats, it
     // is the smallest float >= nu, so that they compare as with nu; for doubles, nu. Infinity for NaN, which makes
     // every finite value low.

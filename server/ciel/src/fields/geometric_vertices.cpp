@@ -2,6 +2,7 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/pair_half_edges.hpp"
+#include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
 
 #include <algorithm>
@@ -33,10 +34,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Vec3d position(Index local) const {
-        const float* p = &mesh_.positions[3 * std::size_t{block_.vertex(local)}];
-        return {p[0], p[1], p[2]};
-    }
+    [[nodiscard]] Vec3d position(Index local) const { return ciel::position(mesh_, block_.vertex(local)); }
 
     // `around`: local vertices at the other ends of the corner's edges, in the order of next_around_face(mate_face(h)).
     void corner(Index vertex, std::span<const Index> around) {
@@ -124,8 +122,9 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     if (made_) return found_;
     const FaceMeshView mesh = mesh_();
     double largest = 0;
-    for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {
-        const Vec3d p{mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]};
+    const Vec3d shift = mesh.surface_shift();
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        const Vec3d at = position(mesh, v), p{at[0] + shift[0], at[1] + shift[1], at[2] + shift[2]};
         largest = std::max(largest, dot_of(p, p));
     }
     found_.largest_distance = 4 * std::sqrt(largest);

@@ -33,23 +33,24 @@ public:
         : mesh_(mesh), block_(block), values_(values) {}
 
     [[nodiscard]] Sample operator()(Index local) const {
-        const float* p = &mesh_.positions[3 * std::size_t{block_.vertex(local)}];
-        return {p[0], p[1], p[2], values_[local]};
+        const std::size_t at = 3 * std::size_t{block_.vertex(local)};
+        return {mesh_.positions[at], mesh_.positions[at + 1], mesh_.positions[at + 2], values_[local]};
     }
 
     // Sets out[local vertex] for all vertices of the block.
     void all(std::vector<Sample>& out) const {
         out.resize(block_.vertex_count);
-        values_.with([&](const auto& values) {
+        const auto set = [&](const auto& values, const auto& positions) {
             std::size_t local = 0;
             const auto add = [&](Index vertex) {
-                const float* p = &mesh_.positions[3 * std::size_t{vertex}];
+                const auto* p = &positions[3 * std::size_t{vertex}];
                 out[local] = {p[0], p[1], p[2], values[local]};
                 ++local;
             };
             block_.ghost_vertex.for_each(add);
             for (Index vertex = block_.own_vertex_begin; local < out.size(); ++vertex) add(vertex);
-        });
+        };
+        values_.with([&](const auto& values) { mesh_.positions.with([&](const auto& all) { set(values, all); }); });
     }
 
 private:

@@ -6,7 +6,7 @@
 
 namespace ciel {
 
-// Borrows the positions.
+// Borrows the positions. A distance is as precise as its mesh: a float if the positions are floats, else a double.
 class PlaneDistance {
 public:
     PlaneDistance(const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal)
@@ -14,10 +14,29 @@ public:
         for (std::size_t i = 0; i < 3; ++i) shift_ += normal[i] * (points.origin[i] - origin[i]);
     }
 
-    [[nodiscard]] float at(std::size_t vertex) const {
-        const float* p = &positions_[3 * vertex];
-        return static_cast<float>(normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2] + shift_);
+    [[nodiscard]] bool has_doubles() const { return positions_.has_doubles(); }
+    // Returns the distance of a vertex, rounded to the type.
+    [[nodiscard]] double at(std::size_t vertex) const {
+        return has_doubles() ? of<double>().at(vertex) : double{of<float>().at(vertex)};
     }
+
+    template <class Number>
+    struct Of {
+        const Number* positions;
+        Vec3d normal;
+        double shift;
+
+        [[nodiscard]] Number at(std::size_t vertex) const {
+            const Number* p = &positions[3 * vertex];
+            return static_cast<Number>(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] + shift);
+        }
+    };
+    // REQUIRES: Number is double if has_doubles(), else float.
+    template <class Number>
+    [[nodiscard]] Of<Number> of() const {
+        return {static_cast<const Number*>(positions_.data()), normal_, shift_};
+    }
+
     // Returns ranges that hold the distances of each block's vertices, and may be wider.
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
     // Returns [min, max] over the vertices that blocks own, whose ids begin at `first_vertex`. `bounds`: what ranges()
@@ -25,9 +44,13 @@ public:
     [[nodiscard]] std::array<double, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
 
 private:
-    std::span<const float> positions_;
+    ValuesView positions_;
     Vec3d normal_;
     double shift_ = 0; // distance from the plane to the mesh's origin; double, because both origins may be large
 };
+
+// Returns the distance of each vertex. Number: float, or double for a mesh with double positions.
+template <class Number>
+[[nodiscard]] std::vector<Number> plane_distances(const FaceMeshView& mesh, const Vec3d& origin, const Vec3d& normal);
 
 } // namespace ciel

@@ -193,9 +193,17 @@ void number_vertices(const PolyhedraView& input, Assembled& out) {
         }
         v = stored[v];
     }
-    out.mesh.positions.reserve(3 * out.original_vertex.size());
-    for (const Index v : out.original_vertex)
-        for (std::size_t i = 0; i < 3; ++i) out.mesh.positions.push_back(input.positions[3 * std::size_t{v} + i]);
+    const auto gather = [&](const auto& from, auto& to) {
+        to.reserve(3 * out.original_vertex.size());
+        for (const Index v : out.original_vertex)
+            for (std::size_t i = 0; i < 3; ++i) to.push_back(from[3 * std::size_t{v} + i]);
+    };
+    input.positions.with([&]<class Number>(std::span<const Number> all) {
+        if constexpr (std::same_as<Number, double>)
+            gather(all, out.mesh.double_positions);
+        else
+            gather(all, out.mesh.positions);
+    });
 }
 
 } // namespace

@@ -23,15 +23,15 @@ double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 } // namespace
 
 CellLocator::CellLocator(const FaceMeshView& mesh) : mesh_(mesh), faces_(cell_faces(mesh)) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     boxes_.assign((mesh_.cell_count() + cells_per_box - 1) / cells_per_box,
-                  {Vec3f{infinity, infinity, infinity}, Vec3f{-infinity, -infinity, -infinity}});
+                  {Vec3d{infinity, infinity, infinity}, Vec3d{-infinity, -infinity, -infinity}});
     for (Index cell = 0; cell < mesh_.cell_count(); ++cell) {
         auto& [low, high] = boxes_[cell / cells_per_box];
         for (const Index face : faces_.of(cell))
             for (const Index vertex : mesh_.loop(face))
                 for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const float at = mesh_.positions[std::size_t{3} * vertex + axis];
+                    const double at = mesh_.positions[std::size_t{3} * vertex + axis];
                     low[axis] = std::min(low[axis], at);
                     high[axis] = std::max(high[axis], at);
                 }

@@ -193,8 +193,8 @@ std::optional<Reason> CellWinding::make_agree() {
 }
 
 Vec3d CellWinding::position(Index local) const {
-    const float* p = &input_.positions[3 * static_cast<std::size_t>(vertices_[local])];
-    return {p[0], p[1], p[2]};
+    const std::size_t at = 3 * std::size_t{vertices_[local]};
+    return {input_.positions[at], input_.positions[at + 1], input_.positions[at + 2]};
 }
 
 Vec3d CellWinding::centre() const {

@@ -6,12 +6,12 @@
 
 namespace ciel {
 
-// `faces` points into `assembled`, into `moved_positions` or into the arrays of `keep_alive`. So `faces` is set last.
+// `faces` points into `assembled`, into `moved_points` or into the arrays of `keep_alive`. So `faces` is set last.
 struct Mesh::State {
     std::shared_ptr<const void> keep_alive;
     std::shared_ptr<const Assembled> assembled; // null for a mesh made by from_stored
     std::shared_ptr<const Topology> topology;
-    std::vector<float> moved_positions;
+    MeshPoints moved_points;
     std::vector<Index> original_cell;
     FaceMeshView faces;
     MeshReport report;
@@ -50,6 +50,7 @@ Mesh Mesh::make(const ArrayView& points, std::size_t cells, const Put& put) {
     state->original_cell = assembled->original_cell;
     for (Index& cell : state->original_cell) cell = lists.source_cell[cell];
     state->faces = assembled->mesh.view();
+    state->faces.surface_origin = middle_of(points);
     state->topology = std::make_shared<const Topology>(state->faces);
     state->assembled = std::move(assembled);
     return Mesh(std::move(state));
@@ -91,14 +92,10 @@ Mesh Mesh::moved(const ArrayView& points) const {
         fail("moved points must be " + std::to_string(state_->points) +
              " rows of three numbers, one row per point of the mesh");
     auto state = std::make_shared<State>(*state_);
-    const std::span<const Index> source = original_vertex();
-    state->moved_positions.resize(state->faces.positions.size());
-    for (std::size_t v = 0; v < state->faces.vertex_count(); ++v)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            state->moved_positions[3 * v + axis] =
-                static_cast<float>(points.real(source.empty() ? v : source[v], axis) - state->faces.origin[axis]);
-    state->faces.positions = state->moved_positions;
-    state->report.bytes_copied += state->moved_positions.size() * sizeof(float);
+    state->moved_points = mesh_points(points, original_vertex());
+    state->faces.origin = {};
+    state->faces.positions = state->moved_points.view();
+    state->report.bytes_copied += state->faces.positions.size_bytes();
     return Mesh(std::move(state));
 }
 

@@ -10,23 +10,6 @@
 namespace ciel {
 namespace {
 
-// Returns the middle of the bounding box of the finite points. As an origin of float offsets it loses the least
-// precision.
-Vec3d middle_of(const ArrayView& points) {
-    Vec3d middle{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double low = INFINITY, high = -INFINITY;
-        for (std::size_t i = 0; i < points.rows(); ++i) {
-            const double at = points.real(i, axis);
-            if (!std::isfinite(at)) continue;
-            low = std::min(low, at);
-            high = std::max(high, at);
-        }
-        if (low <= high) middle[axis] = low + (high - low) / 2;
-    }
-    return middle;
-}
-
 // Returns id i, or `none` when the id does not fit 32 bits. assemble() reports `none` as out of range.
 Index id_of(const ArrayView& ids, std::size_t i) {
     const std::int64_t id = ids.integer(i);
@@ -150,23 +133,14 @@ void add_polyhedron(const VtkCells& cells, std::size_t cell, PolyhedraLists& lis
 } // namespace
 
 std::uint64_t PolyhedraLists::bytes() const {
-    return positions.size() * sizeof(float) + cell_types.size() + (cell_offset.size() + face_offset.size()) * 8 +
+    return points.view().size_bytes() + cell_types.size() + (cell_offset.size() + face_offset.size()) * 8 +
            (face_vertex.size() + source_cell.size()) * sizeof(Index);
-}
-
-std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin) {
-    std::vector<float> positions(3 * points.rows());
-    for (std::size_t i = 0; i < points.rows(); ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            positions[3 * i + axis] = static_cast<float>(points.real(i, axis) - origin[axis]);
-    return positions;
 }
 
 void put_points(const ArrayView& points, PolyhedraLists& lists) {
     if (points.columns() != 3) fail("points must have three numbers per row");
     if (points.rows() >= none) fail("the mesh has more than 4,294,967,294 points; split it");
-    lists.origin = middle_of(points);
-    lists.positions = positions_from(points, lists.origin);
+    lists.points = mesh_points(points);
 }
 
 void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,

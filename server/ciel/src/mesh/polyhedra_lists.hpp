@@ -2,14 +2,14 @@
 #pragma once
 
 #include "ciel/mesh.hpp"
+#include "mesh/mesh_points.hpp"
 
 #include <vector>
 
 namespace ciel {
 
 struct PolyhedraLists {
-    Vec3d origin{};
-    std::vector<float> positions;
+    MeshPoints points;
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0}, face_offset{0};
     std::vector<Index> face_vertex;
@@ -17,16 +17,14 @@ struct PolyhedraLists {
     std::uint64_t skipped = 0, reduced = 0;
 
     [[nodiscard]] PolyhedraView view() const {
-        return {origin, positions, cell_types, cell_offset, face_offset, face_vertex};
+        return {{}, points.view(), cell_types, cell_offset, face_offset, face_vertex};
     }
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-// Sets origin and positions from `points` (V x 3). Throws Error for another number of columns, or when there are too
-// many points for 32-bit ids.
+// Sets the points from `points` (V x 3). Throws Error for another number of columns, or when there are too many points
+// for 32-bit ids.
 void put_points(const ArrayView& points, PolyhedraLists& lists);
-// Returns `points` (V x 3) as offsets from `origin`.
-[[nodiscard]] std::vector<float> positions_from(const ArrayView& points, const Vec3d& origin);
 
 // These three functions append cells; call put_points before. Throw Error when array sizes or offsets do not fit, or a
 // face or cell id is out of range. A vertex id that does not fit 32 bits becomes `none`, which assemble() reports. VTK

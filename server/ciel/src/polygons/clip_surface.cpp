@@ -11,9 +11,10 @@ namespace {
 class PlaneClip {
 public:
     PlaneClip(ClippedSurface&& in, const HalfSpace& plane, double slack) : in_(std::move(in)), slack_(slack) {
-        for (const Vec3f& p : in_.surface.positions)
-            distance_.push_back(plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] +
-                                plane.offset);
+        const auto measure = [&](const auto& positions) {
+            for (const auto& p : positions) distance_.push_back(dot(plane.normal, p) + plane.offset);
+        };
+        in_.places.empty() ? measure(in_.surface.positions) : measure(in_.places);
     }
 
     [[nodiscard]] ClippedSurface run() {
@@ -34,6 +35,7 @@ private:
             if (!in_.surface.normals.empty()) out_.surface.normals.push_back(in_.surface.normals[v]);
             if (v < in_.surface.points.size()) out_.surface.points.push_back(in_.surface.points[v]);
             if (!in_.values.empty()) out_.values.push_back(in_.values[v]);
+            if (!in_.places.empty()) out_.places.push_back(in_.places[v]);
         }
     }
 
@@ -60,8 +62,8 @@ private:
         if (!is_new) return known->second;
         const double inside = std::max(distance_[from], 0.0);
         const double t = inside / (inside - distance_[to]);
-        const auto mixed = [t](const Vec3f& a, const Vec3f& b) {
-            return Vec3f{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)};
+        const auto mixed = [t]<class Vector>(const Vector& a, const Vector& b) {
+            return Vector{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)};
         };
         const Surface& in = in_.surface;
         out_.surface.positions.push_back(mixed(in.positions[from], in.positions[to]));
@@ -70,6 +72,7 @@ private:
             out_.surface.normals.push_back(unit({sum[0], sum[1], sum[2]}));
         }
         if (!in_.values.empty()) out_.values.push_back(lerp(in_.values[from], in_.values[to], t));
+        if (!in_.places.empty()) out_.places.push_back(mixed(in_.places[from], in_.places[to]));
         return known->second;
     }
 
@@ -82,11 +85,13 @@ private:
 
 } // namespace
 
-ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
-                            double slack) {
+ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes, double slack,
+                            std::span<const Vec3d> places) {
     if (!values.empty() && values.size() != surface.positions.size())
         fail("a surface to clip needs one value per vertex, or none");
-    ClippedSurface out{surface, {values.begin(), values.end()}};
+    if (!places.empty() && places.size() != surface.positions.size())
+        fail("a surface to clip needs one place per vertex, or none");
+    ClippedSurface out{surface, {values.begin(), values.end()}, {places.begin(), places.end()}};
     out.surface.chunks.clear();
     for (const HalfSpace& plane : planes) out = PlaneClip(std::move(out), plane, slack).run();
     return out;

@@ -56,8 +56,7 @@ Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t
     Surface out;
     for (Index vertex = 0; vertex < used.size(); ++vertex) {
         if (used[vertex] == 0) continue;
-        const float* at = &mesh.positions[std::size_t{3} * vertex];
-        out.positions.push_back({at[0], at[1], at[2]});
+        out.positions.push_back(surface_position(mesh, vertex));
         out.points.push_back({vertex, vertex, 0});
     }
     return out;

@@ -1,5 +1,6 @@
 #include "ciel/threshold_surface.hpp"
 
+#include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/polygon.hpp"
 
@@ -75,8 +76,7 @@ Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) 
     const auto add = [&](Index vertex) {
         if (local[vertex] == none) {
             local[vertex] = static_cast<Index>(surface.positions.size());
-            const float* at = &mesh.positions[std::size_t{3} * vertex];
-            surface.positions.push_back({at[0], at[1], at[2]});
+            surface.positions.push_back(surface_position(mesh, vertex));
             surface.points.push_back({vertex, vertex, 0});
         }
         surface.polygon_vertex.push_back(local[vertex]);

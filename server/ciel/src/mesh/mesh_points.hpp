@@ -1,0 +1,26 @@
+// The caller's points as a mesh keeps them: floats where these are equal to the caller's numbers, else doubles. Not in
+// the paper.
+#pragma once
+
+#include "ciel/array_view.hpp"
+#include "ciel/values_view.hpp"
+
+#include <span>
+#include <vector>
+
+namespace ciel {
+
+struct MeshPoints {
+    std::vector<float> floats; // V x 3; one of both is empty
+    std::vector<double> doubles;
+
+    [[nodiscard]] ValuesView view() const { return doubles.empty() ? ValuesView(floats) : ValuesView(doubles); }
+};
+
+// points: V x 3. order: rows of `points`; all rows in their order if empty.
+[[nodiscard]] MeshPoints mesh_points(const ArrayView& points, std::span<const Index> order = {});
+
+// Returns the middle of the bounding box of the finite points, or zero if there are none.
+[[nodiscard]] Vec3d middle_of(const ArrayView& points);
+
+} // namespace ciel
