@@ -118,8 +118,11 @@ Values values_at(std::span<const float> positions, double time) {
     return values;
 }
 
-void write(const Polyhedra& input, const std::string& source, const std::string& output) {
-    const Assembled assembled = assemble(view(input));
+void write(const Polyhedra& input, bool doubles, const std::string& source, const std::string& output) {
+    Assembled assembled = assemble(view(input));
+    if (doubles) // stretched by so little that no coordinate stays a float
+        for (const float x : assembled.mesh.positions)
+            assembled.mesh.double_positions.push_back((1 + 1e-12) * double{x});
     const TopologyCounts counts = Topology(assembled.mesh.view()).counts();
     store::Writer writer(output, {source, "", counts.vertices, counts.edges, counts.cells, {}}, true);
     writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, {});
@@ -142,7 +145,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an excep
     CLI::App app{"Writes a generated dataset to measure on.", "bench_mesh"};
     std::string kind, output;
     int edge = 0;
-    bool shuffle = false;
+    bool shuffle = false, doubles = false;
     std::vector<std::string> names;
     for (const auto& [name, make] : kinds()) names.push_back(name);
     app.add_option("kind", kind)->required()->check(CLI::IsMember(names));
@@ -150,11 +153,12 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an excep
         ->required()
         ->check(CLI::Range(1, 400));
     app.add_flag("--shuffle", shuffle, "Cells in random order in the source");
+    app.add_flag("--doubles", doubles, "Positions as float64");
     app.add_option("-o,--output", output, "NAME.ciel")->required();
     CLI11_PARSE(app, argc, argv);
     Polyhedra mesh = kinds().at(kind)(edge);
     if (shuffle) mesh = shuffled(mesh, 3).mesh;
-    write(mesh, kind + " " + std::to_string(edge) + (shuffle ? ", shuffled" : ""), output);
+    write(mesh, doubles, kind + " " + std::to_string(edge) + (shuffle ? ", shuffled" : ""), output);
     std::cout << output << ": " << mesh.cell_count() << " cells, " << mesh.vertex_count() << " vertices\n";
     return 0;
 }
