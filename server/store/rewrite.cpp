@@ -12,10 +12,7 @@ FaceMesh copy_of(const FaceMeshView& view) {
     FaceMesh mesh;
     mesh.origin = view.origin;
     view.positions.with([&]<class Number>(std::span<const Number> all) {
-        if constexpr (std::same_as<Number, double>)
-            mesh.double_positions.assign(all.begin(), all.end());
-        else
-            mesh.positions.assign(all.begin(), all.end());
+        mesh.set_positions(std::vector<Number>(all.begin(), all.end()));
     });
     mesh.cell_types.assign(view.cell_types.begin(), view.cell_types.end());
     mesh.face_offset.assign(view.face_offset.begin(), view.face_offset.end());

@@ -263,7 +263,7 @@ store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Inde
             const std::size_t at = std::size_t{part.first_point} + static_cast<std::size_t>(i);
             part.data->GetPoint(i, &positions[3 * at]);
         }
-    return store::are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
+    return are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
 }
 
 JoinedMesh join_data_sets(const std::vector<DataSet>& volumes) {

@@ -228,15 +228,8 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = data_sets.volumes[i].data;
     if (!moved) return;
-    FaceMesh& faces = mesh.assembled.mesh;
-    faces.positions.clear();
-    faces.double_positions.clear();
-    point_positions(mesh.parts, mesh.point_count).with([&]<class Number>(std::span<const Number> running) {
-        std::vector<Number> stored = reordered(running, mesh.point_of_vertex, 3);
-        if constexpr (std::same_as<Number, double>)
-            faces.double_positions = std::move(stored);
-        else
-            faces.positions = std::move(stored);
+    point_positions(mesh.parts, mesh.point_count).with([&](auto running) {
+        mesh.assembled.mesh.set_positions(reordered(running, mesh.point_of_vertex, 3));
     });
 }
 

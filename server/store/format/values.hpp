@@ -4,8 +4,6 @@
 #include "ciel/values_view.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,15 +29,6 @@ private:
 
     std::shared_ptr<const void> keep_alive_;
 };
-
-// Returns whether each value is equal to a float. A NaN is.
-[[nodiscard]] inline bool are_floats(ValuesView values) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return !values.has_doubles() || std::ranges::all_of(values, [](double value) {
-        if (!std::isfinite(value)) return true;
-        return std::abs(value) <= largest && double{static_cast<float>(value)} == value;
-    });
-}
 
 // Returns the values as doubles or as the nearest floats; a view if they have that type already.
 [[nodiscard]] inline Values converted(ValuesView values, bool to_doubles) {

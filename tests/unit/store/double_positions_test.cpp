@@ -24,14 +24,18 @@ protected:
         for (double& x : all) x += by;
         return all;
     }
-    // Writes steps at the times 0, 1 and 2; the mesh has moved at the last one.
-    void write() {
+    // Writes a step at the time 0.
+    [[nodiscard]] Writer first_step(const std::filesystem::path& to) const {
         FaceMesh doubles = mesh;
-        doubles.positions.clear();
-        doubles.double_positions = points;
-        Writer writer(directory, {"box.vtu", "m", 27, 54, 8, {}});
+        doubles.set_positions(points);
+        Writer writer(to, {"box.vtu", "m", 27, 54, 8, {}});
         writer.add_mesh(doubles, test::identity(27), test::identity(8), {});
         writer.add_step(0, 0, 0, {});
+        return writer;
+    }
+    // Writes steps at the times 0, 1 and 2; the mesh has moved at the last one.
+    void write() const {
+        Writer writer = first_step(directory);
         writer.add_step(1, 0, 0, {});
         writer.add_step(2, 0, writer.add_coordinates(0, moved(0.3)), {});
         writer.finish();
@@ -117,15 +121,7 @@ TEST_F(DoublePositions, AreWrittenAgainAsTheyAre) {
 TEST_F(DoublePositions, OfAnotherDatasetAreAppended) {
     write();
     const std::filesystem::path first = scratch / "first.ciel";
-    FaceMesh doubles = mesh;
-    doubles.positions.clear();
-    doubles.double_positions = points;
-    {
-        Writer writer(first, {"box.vtu", "m", 27, 54, 8, {}});
-        writer.add_mesh(doubles, test::identity(27), test::identity(8), {});
-        writer.add_step(0, 0, 0, {});
-        writer.finish();
-    }
+    first_step(first).finish();
     EXPECT_EQ(append_dataset(Dataset::open(first), *open()), 2U);
     const auto dataset = Dataset::open(first);
     ASSERT_EQ(dataset->steps().size(), 3U);

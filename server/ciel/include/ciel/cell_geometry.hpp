@@ -7,13 +7,13 @@
 
 namespace ciel {
 
-// Returns the position as it is stored: as an offset from the mesh's origin.
+// Returns the stored position, which is relative to the mesh's origin.
 [[nodiscard]] inline Vec3d position(const FaceMeshView& mesh, Index vertex) {
     const std::size_t at = 3 * std::size_t{vertex};
     return {mesh.positions[at], mesh.positions[at + 1], mesh.positions[at + 2]};
 }
 
-// Returns the position as surfaces have it: relative to surface_origin.
+// Returns the position relative to surface_origin, as surfaces have it.
 [[nodiscard]] inline Vec3f surface_position(const FaceMeshView& mesh, Index vertex) {
     const Vec3d at = position(mesh, vertex), shift = mesh.surface_shift();
     return {static_cast<float>(at[0] + shift[0]), static_cast<float>(at[1] + shift[1]),

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ciel {
@@ -77,6 +78,15 @@ struct FaceMesh {
     std::vector<Index> owner;
     std::vector<Index> neighbour;
 
+    // Both replace all positions.
+    void set_positions(std::vector<float> all) {
+        positions = std::move(all);
+        double_positions.clear();
+    }
+    void set_positions(std::vector<double> all) {
+        double_positions = std::move(all);
+        positions.clear();
+    }
     [[nodiscard]] FaceMeshView view() const {
         const ValuesView used = double_positions.empty() ? ValuesView(positions) : ValuesView(double_positions);
         return face_mesh_view(origin, used, cell_types, face_offset, face_vertex, owner, neighbour);

@@ -1,9 +1,12 @@
 // ValuesView: the values of a field as they are stored, floats or doubles. Not in the paper, whose values are floats.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <ranges>
 #include <span>
 #include <vector>
@@ -91,6 +94,15 @@ private:
     std::size_t size_ = 0;
     bool doubles_ = false;
 };
+
+// Returns whether each value is equal to a float. A NaN is.
+[[nodiscard]] inline bool are_floats(ValuesView values) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return !values.has_doubles() || std::ranges::all_of(values, [](double value) {
+        if (!std::isfinite(value)) return true;
+        return std::abs(value) <= largest && double{static_cast<float>(value)} == value;
+    });
+}
 
 // Returns value - origin as the nearest floats. Values that differ by little then differ as floats, too.
 [[nodiscard]] inline std::vector<float> floats_from(double origin, ValuesView values) {

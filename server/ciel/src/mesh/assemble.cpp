@@ -193,16 +193,12 @@ void number_vertices(const PolyhedraView& input, Assembled& out) {
         }
         v = stored[v];
     }
-    const auto gather = [&](const auto& from, auto& to) {
-        to.reserve(3 * out.original_vertex.size());
-        for (const Index v : out.original_vertex)
-            for (std::size_t i = 0; i < 3; ++i) to.push_back(from[3 * std::size_t{v} + i]);
-    };
     input.positions.with([&]<class Number>(std::span<const Number> all) {
-        if constexpr (std::same_as<Number, double>)
-            gather(all, out.mesh.double_positions);
-        else
-            gather(all, out.mesh.positions);
+        std::vector<Number> positions;
+        positions.reserve(3 * out.original_vertex.size());
+        for (const Index v : out.original_vertex)
+            for (std::size_t i = 0; i < 3; ++i) positions.push_back(all[3 * std::size_t{v} + i]);
+        out.mesh.set_positions(std::move(positions));
     });
 }
 

@@ -8,11 +8,6 @@ namespace ciel {
 
 namespace {
 
-bool is_float(double value) {
-    return std::isnan(value) ||
-           (std::abs(value) <= std::numeric_limits<float>::max() && double{static_cast<float>(value)} == value);
-}
-
 template <class Number>
 std::vector<Number> in_order(const ArrayView& points, std::span<const Index> order) {
     const std::size_t count = order.empty() ? points.rows() : order.size();
@@ -28,7 +23,7 @@ std::vector<Number> in_order(const ArrayView& points, std::span<const Index> ord
 MeshPoints mesh_points(const ArrayView& points, std::span<const Index> order) {
     if (points.type() == NumberType::float32) return {in_order<float>(points, order), {}};
     std::vector<double> doubles = in_order<double>(points, order);
-    if (!std::ranges::all_of(doubles, is_float)) return {{}, std::move(doubles)};
+    if (!are_floats(doubles)) return {{}, std::move(doubles)};
     return {{doubles.begin(), doubles.end()}, {}};
 }
 
