@@ -160,8 +160,8 @@ double looked_at(const geometry::Geometry& geometry, const annotations::Camera& 
 
 // Returns the grid step for a pixel of this size: not finer than floats are, and no coordinate leaves 30 bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
-    const double coarsest = std::ldexp(largest_offset(geometry), -29);
-    return wire::grid_step(std::max(wanted, coarsest), looked_at(geometry, camera));
+    const double finest = std::ldexp(largest_offset(geometry), -29);
+    return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));
 }
 
 double pixel_at(double depth, const annotations::Camera& camera, const geometry::ViewSize& size) {

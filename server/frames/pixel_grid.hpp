@@ -7,10 +7,10 @@
 
 namespace ciel::frames {
 
-// Returns the grid step that this camera needs: in length units, a power of two, never finer than floats resolve at the
-// camera's position and target. The
-// step is at most a quarter of a pixel at the nearest visible triangle, line or point. Rounding half a step along each
-// axis then moves nothing by more than 0.22 pixels.
+// Returns the grid step that this camera needs, in length units: a power of two, never finer than floats resolve at the
+// camera's position and target, nor than 2^-29 of the largest offset from the origin. Else the step is at most a
+// quarter of a pixel at the nearest visible triangle, line or point. Rounding half a step along each axis then moves
+// nothing by more than 0.22 pixels.
 // The step is also at most 1/32 of the height of triangles that are lit without normals, because their shading would
 // show the rounding. Reads all positions.
 [[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,

@@ -6,7 +6,6 @@
 #include "scene/rules.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ciel::geometry {
 namespace {
@@ -17,6 +16,8 @@ constexpr double double_slack = 1e-12; // the same for places that are doubles, 
 
 // Beyond any mesh, but a finite float: at an infinite distance, a graphics card drops everything.
 constexpr double farthest = 1e30;
+
+double diagonal(const Geometry& geometry) { return length(geometry.bounds_max - geometry.bounds_min); }
 
 template <class F>
 void for_planes(const scene::Scene& scene, F&& f) {
@@ -62,12 +63,7 @@ std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene) {
     return found;
 }
 
-double clip_slack(const Geometry& geometry) {
-    double squares = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        squares += std::pow(geometry.bounds_max[axis] - geometry.bounds_min[axis], 2);
-    return slack_of_diagonal * std::sqrt(squares);
-}
+double clip_slack(const Geometry& geometry) { return slack_of_diagonal * diagonal(geometry); }
 
 std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry) {
     std::vector<std::array<float, 4>> planes;
@@ -84,7 +80,7 @@ ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::
     if (!places.empty()) {
         for (HalfSpace& plane : planes) plane.offset -= dot(plane.normal, geometry.origin);
         // Caps of a mesh with float positions are off their planes by the rounding of floats.
-        if (geometry.double_positions) slack = double_slack * (slack / slack_of_diagonal + length(geometry.origin));
+        if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + length(geometry.origin));
     }
     return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack, places);
 }
