@@ -81,6 +81,30 @@ protected:
 
 constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};
 
+struct CutMesh {
+    const DoubleMesh& mesh;
+    const Field& field;
+};
+
+// Cuts both by each algorithm at each value and expects the same polygons. Then calls check(surface, other surface).
+template <class Check>
+void expect_same_polygons(const CutMesh& here, const CutMesh& there, const std::vector<double>& values, bool normals,
+                          Check&& check) {
+    for (const Algorithm algorithm : algorithms) {
+        Query query(here.mesh.topology, here.mesh.mesh(), {algorithm});
+        Query other(there.mesh.topology, there.mesh.mesh(), {algorithm});
+        query.set_field(here.field);
+        other.set_field(there.field);
+        for (const double nu : values) {
+            Surface expected, found;
+            query.extract(nu, normals, expected);
+            other.extract(nu, normals, found);
+            ASSERT_EQ(other_polygons(expected, found), "") << nu;
+            check(expected, found);
+        }
+    }
+}
+
 TEST_P(DoublePositions, ThatAreFloatsGiveTheSurfacesOfFloats) {
     if (input.vertex_count() == 0) return;
     input.origin = {};
@@ -119,24 +143,16 @@ TEST_P(DoublePositions, FarAwayGiveThePolygonsOfTheSameMeshNearby) {
     ASSERT_EQ(here.assembled.original_cell, there.assembled.original_cell);
     const std::vector<float> values = here.stored(bumps_field(input, 5));
     const Field field(here.topology, values, nullptr), far_field(there.topology, values, nullptr);
-    for (const Algorithm algorithm : algorithms) {
-        Query query(here.topology, here.mesh(), {algorithm}), far(there.topology, there.mesh(), {algorithm});
-        query.set_field(field);
-        far.set_field(far_field);
-        for (const double nu : walk_through(values, 4, 12)) {
-            Surface expected, found;
-            query.extract(nu, true, expected);
-            far.extract(nu, true, found);
-            ASSERT_EQ(other_polygons(expected, found), "") << nu;
-            for (std::size_t i = 0; i < found.points.size(); ++i)
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const double moved = here.place(expected.points[i])[axis] + survey[axis];
-                    ASSERT_NEAR(there.place(found.points[i])[axis], moved, std::abs(moved) * 2.3e-16);
-                    ASSERT_NEAR(found.positions[i][axis], expected.positions[i][axis], 1e-6);
-                    ASSERT_NEAR(found.normals[i][axis], expected.normals[i][axis], 1e-4);
-                }
-        }
-    }
+    const auto walk = walk_through(values, 4, 12);
+    expect_same_polygons({here, field}, {there, far_field}, walk, true, [&](const Surface& near, const Surface& far) {
+        for (std::size_t i = 0; i < far.points.size(); ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double moved = here.place(near.points[i])[axis] + survey[axis];
+                ASSERT_NEAR(there.place(far.points[i])[axis], moved, std::abs(moved) * 2.3e-16);
+                ASSERT_NEAR(far.positions[i][axis], near.positions[i][axis], 1e-6);
+                ASSERT_NEAR(far.normals[i][axis], near.normals[i][axis], 1e-4);
+            }
+    });
 }
 
 TEST_P(DoublePositions, FarAwayAreSlicedLikeTheSameMeshNearby) {
@@ -150,17 +166,8 @@ TEST_P(DoublePositions, FarAwayAreSlicedLikeTheSameMeshNearby) {
     for (const Vec3d& normal : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, -1}}) {
         const Field field = plane(here, normal), far_field = plane(there, normal);
         EXPECT_EQ(field.range(), far_field.range());
-        for (const Algorithm algorithm : algorithms) {
-            Query query(here.topology, here.mesh(), {algorithm}), far(there.topology, there.mesh(), {algorithm});
-            query.set_field(field);
-            far.set_field(far_field);
-            for (const double nu : {0.0, 0.3, -0.2, 1e-9}) {
-                Surface expected, found;
-                query.extract(nu, false, expected);
-                far.extract(nu, false, found);
-                ASSERT_EQ(other_polygons(expected, found), "") << nu;
-            }
-        }
+        expect_same_polygons({here, field}, {there, far_field}, {0.0, 0.3, -0.2, 1e-9}, false,
+                             [](const Surface&, const Surface&) {});
     }
     const Vec3d oblique{0.6, -0.48, 0.64};
     const Field field = plane(there, oblique);
