@@ -111,6 +111,8 @@ struct PolyhedralSection {
     Array<std::array<Local, 2>> face_cell; // cell of the section by side; twice the same for a tail face
     Array<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
     Array<Local> face_rank;                // number of faces that start before each word of face_start
+    // By word of face_start: one bit per part of the vertices of its corners. Empty in records of earlier versions.
+    Array<std::uint64_t> corner_parts;
     // By cell of the section:
     Array<Local> cell_face_begin; // first index in cell_face; one more at the end
     Array<Local> cell_face;       // 2 * face + side, in the order of the mesh's faces

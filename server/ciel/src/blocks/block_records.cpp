@@ -20,6 +20,7 @@ enum Id : std::uint16_t {
     id_face_rank,
     id_cell_face_begin,
     id_cell_face,
+    id_corner_parts,
     // In the record of what leads around:
     id_first_entry = 8,
     id_border_vertex,
@@ -156,6 +157,7 @@ RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumb
         writer.add(id_face_rank, span_of(polyhedra.face_rank));
         writer.add(id_cell_face_begin, span_of(polyhedra.cell_face_begin));
         writer.add(id_cell_face, span_of(polyhedra.cell_face));
+        writer.add_optional(id_corner_parts, span_of(polyhedra.corner_parts));
         return writer.finish(RecordKind::cells);
     });
 }
@@ -210,6 +212,7 @@ void view_polyhedra(const RecordView& record, const Counts& counts, PolyhedralSe
     out.face_rank = record.get<Local>(id_face_rank);
     out.cell_face_begin = record.get<Local>(id_cell_face_begin);
     out.cell_face = record.get<Local>(id_cell_face);
+    out.corner_parts = record.get<std::uint64_t>(id_corner_parts);
 }
 
 void view_standard(const RecordView& record, std::size_t type, Block& block, Index& entries) {

@@ -94,7 +94,8 @@ void check_begins(const Checker& checker, const Array& begin, std::size_t end, s
 template <class Local>
 void check_face_starts(const Checker& checker, const PolyhedralSection<Local>& section) {
     const std::size_t corners = section.vertex.size(), words = (corners + 63) / 64;
-    checker.require(section.face_start.size() == words && section.face_rank.size() == words,
+    checker.require(section.face_start.size() == words && section.face_rank.size() == words &&
+                        (section.corner_parts.empty() || section.corner_parts.size() == words),
                     "the table of face starts has a wrong size");
     std::vector<std::uint64_t> start(words, 0);
     bool agree = true;

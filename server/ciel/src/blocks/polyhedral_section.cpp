@@ -85,6 +85,10 @@ void Filler<Local>::place_faces() {
     out_.face_start.assign((out_.vertex.size() + 63) / 64, 0);
     for (std::size_t f = 0; f + 1 < out_.face_begin.size(); ++f)
         out_.face_start[out_.face_begin[f] / 64] |= std::uint64_t{1} << out_.face_begin[f] % 64;
+    const Index part = built_.block.vertices_per_part();
+    out_.corner_parts.assign(out_.face_start.size(), 0);
+    for (std::size_t k = 0; k < out_.vertex.size(); ++k)
+        out_.corner_parts[k / 64] |= std::uint64_t{1} << out_.vertex[k] / part;
     Index rank = 0;
     for (const std::uint64_t word : out_.face_start) {
         out_.face_rank.push_back(static_cast<Local>(rank));

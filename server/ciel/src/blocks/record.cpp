@@ -10,7 +10,7 @@ namespace ciel {
 
 namespace {
 
-constexpr std::uint16_t version = 1, critical = 1;
+constexpr std::uint16_t version = 1;
 constexpr std::size_t word = sizeof(std::uint64_t), header_bytes = 16, entry_bytes = 16;
 
 struct Header {
@@ -43,7 +43,7 @@ RecordBytes RecordWriter::finish(RecordKind kind) const {
     std::byte* entry = bytes + header_bytes;
     std::size_t at = (header_bytes + entry_bytes * sections_.size()) / word;
     for (const Section& section : sections_) {
-        const std::uint16_t id_flags[2] = {section.id, critical};
+        const std::uint16_t id_flags[2] = {section.id, section.flags};
         const std::uint32_t sizes[3] = {section.element,
                                         static_cast<std::uint32_t>(section.bytes.size() / section.element),
                                         static_cast<std::uint32_t>(at)};
@@ -82,7 +82,7 @@ RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind) : byte
 
 void RecordView::check_all_known() const {
     for (std::size_t i = 0; i < entries_.size(); ++i)
-        if (!known_[i] && (entries_[i].flags & critical) != 0)
+        if (!known_[i] && (entries_[i].flags & RecordWriter::critical) != 0)
             fail("a record of a block has the section " + std::to_string(entries_[i].id) +
                  ", which this program does not know. Update CIEL");
 }

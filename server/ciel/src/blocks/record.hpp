@@ -25,13 +25,20 @@ public:
     template <class T>
     void add(std::uint16_t id, std::span<const T> array) {
         static_assert(std::is_trivially_copyable_v<T>);
-        if (!array.empty()) sections_.push_back({id, sizeof(T), std::as_bytes(array)});
+        if (!array.empty()) sections_.push_back({id, critical, sizeof(T), std::as_bytes(array)});
+    }
+    // The same for a section without which the record can be read: readers that do not know it skip it.
+    template <class T>
+    void add_optional(std::uint16_t id, std::span<const T> array) {
+        if (!array.empty()) sections_.push_back({id, 0, sizeof(T), std::as_bytes(array)});
     }
     [[nodiscard]] RecordBytes finish(RecordKind kind) const;
 
+    static constexpr std::uint16_t critical = 1; // a flag
+
 private:
     struct Section {
-        std::uint16_t id;
+        std::uint16_t id, flags;
         std::uint32_t element;
         std::span<const std::byte> bytes;
     };

@@ -136,24 +136,45 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-enum FaceKind : std::uint8_t { low_face = 1, high_face = 2, mixed_face = 3 };
-
-// Sets scratch.face_kinds: classifies each face once for both of its cells. Uses raw pointers, because byte stores may
-// alias the members and force reloads.
+// Sets a bit in scratch.crossed_cells for each cell of a face with low and high corners. In such a face two successive
+// corners differ. Looks at 64 corners at a time, because a loop over the unpredictable number of corners of a face
+// mispredicts branches, and skips those in parts that are all low or all high.
 template <class Local>
-void sort_faces(const PolyhedralSection<Local>& section, CutScratch& scratch) {
-    grow(scratch.face_kinds, std::max<std::size_t>(section.face_count(), local_ids / 2));
-    std::uint8_t* kind = scratch.face_kinds.data();
-    const std::uint8_t* is_high = scratch.high.data();
-    const Local *vertex = section.vertex.data(), *begin = section.face_begin.data();
-    for (std::size_t face = 0, faces = section.face_count(), k = 0; face < faces; ++face) {
-        unsigned any = 0, all = 1;
-        for (const std::size_t end = begin[face + 1]; k < end; ++k) {
-            const unsigned high = is_high[vertex[k]];
-            any |= high;
-            all &= high;
+void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) {
+    const std::size_t corners = section.vertex.size();
+    const Local* vertex = section.vertex.data();
+    const std::uint8_t* high = scratch.high.data();
+    grow(scratch.crossed_cells, std::max<std::size_t>(section.count(), local_ids) / 64 + 1);
+    std::ranges::fill(scratch.crossed_cells, std::uint64_t{0});
+    const auto cross = [&](Index face) {
+        if (face >= section.face_count()) refuse_changed("a face does not exist");
+        for (const Local& side : section.face_cell[face]) {
+            const Index cell = read_once(side);
+            scratch.crossed_cells[cell / 64] |= std::uint64_t{1} << cell % 64;
         }
-        kind[face] = any != all ? mixed_face : any != 0 ? high_face : low_face;
+    };
+    std::uint64_t before = 0; // 1 if the last corner of the previous word is high
+    Index last = none;
+    for (std::size_t w = 0, begin = 0; begin < corners; ++w, begin += 64) {
+        const std::uint64_t parts =
+            section.corner_parts.empty() ? ~std::uint64_t{0} : read_once(section.corner_parts[w]);
+        const std::size_t count = std::min<std::size_t>(64, corners - begin);
+        std::uint64_t here = 0;
+        if ((parts & scratch.low_parts) == 0) {
+            here = ~std::uint64_t{0};
+        } else if ((parts & scratch.high_parts) != 0) {
+            std::array<std::uint8_t, 64> bytes{};
+            for (std::size_t i = 0; i < count; ++i) bytes[i] = high[vertex[begin + i]];
+            for (std::size_t i = 0; i < 8; ++i) here |= bits_of(&bytes[8 * i]) << 8 * i;
+        }
+        std::uint64_t differ = (here ^ (here << 1 | before)) & ~read_once(section.face_start[w]);
+        if (count < 64) differ &= (std::uint64_t{1} << count) - 1;
+        before = here >> 63;
+        for (; differ != 0; differ &= differ - 1) {
+            const Index face = section.face(static_cast<Index>(begin) + static_cast<Index>(std::countr_zero(differ)));
+            if (face != last) cross(face);
+            last = face;
+        }
     }
 }
 
@@ -166,12 +187,13 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
             if (crosses(ranges[cell], in.threshold)) scratch.cell[scratch.cells++] = {cell, 0};
         return;
     }
-    sort_faces(section, scratch);
-    const Local* end = section.cell_face_begin.data() + 1;
-    for (Index cell = 0, at = 0; cell < section.count(); ++cell) {
-        unsigned kinds = 0;
-        for (; at < end[cell]; ++at) kinds |= scratch.face_kinds[section.cell_face[at] / 2];
-        if (kinds == mixed_face) scratch.cell[scratch.cells++] = {cell, 0};
+    if (section.count() == 0) return;
+    find_crossed(section, scratch);
+    for (Index begin = 0; begin < section.count(); begin += 64) {
+        std::uint64_t cells = scratch.crossed_cells[begin / 64];
+        if (section.count() - begin < 64) cells &= (std::uint64_t{1} << (section.count() - begin)) - 1;
+        for (; cells != 0; cells &= cells - 1)
+            scratch.cell[scratch.cells++] = {begin + static_cast<Index>(std::countr_zero(cells)), 0};
     }
 }
 

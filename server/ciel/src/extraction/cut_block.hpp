@@ -26,7 +26,7 @@ struct CutScratch {
     // this cut.
     std::vector<Index> met;
     Index met_before = 1, met_count = 0, met_most = 0;
-    std::vector<std::uint8_t> face_kinds; // by face of the polyhedra: 1 has low corners, 2 has high corners, 3 has both
+    std::vector<std::uint64_t> crossed_cells; // a bit per cell of the polyhedra, set if a face has low and high corners
     // A face of a polyhedron that nu crosses. Bit i of `climbs` is set if the edge that begins at corner i of the
     // stored loop goes from low to high; bit i of `descends`, if it goes from high to low. A face with more than 64
     // corners is always listed, with all bits of `climbs` set.
