@@ -55,6 +55,7 @@ Case open_case(const std::string& path, const std::string& array) {
     const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
     data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(data.values);
     data.topology = loaded.topology(step.mesh);
+    data.cell_fits = std::make_shared<CellFits>(*data.topology);
     return data;
 }
 
@@ -69,6 +70,10 @@ std::vector<double> values_between(double low, double high, std::size_t count) {
     return values;
 }
 
-Field field_of(const Case& data, const store::Values& values) { return {*data.topology, values, values.keep_alive()}; }
+Field field_of(const Case& data, const store::Values& values) {
+    Field field(*data.topology, values, values.keep_alive());
+    field.set_cell_fits(data.cell_fits);
+    return field;
+}
 
 } // namespace ciel::bench

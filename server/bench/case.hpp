@@ -20,6 +20,7 @@ struct Case {
     // 1.01.
     store::Values changed;
     std::shared_ptr<const Topology> topology;
+    std::shared_ptr<CellFits> cell_fits; // shared by the fields of field_of
 };
 
 // Opens the dataset at `path`. An empty `array` selects the first point array that varies. Throws Error when the

@@ -91,7 +91,8 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    State(std::shared_ptr<Dataset> first, std::size_t budget) : dataset(std::move(first)), fields(budget) {}
+    State(std::shared_ptr<Dataset> first, std::size_t budget)
+        : dataset(std::move(first)), most_fit_bytes(budget / 4), fields(budget) {}
 
     struct MeshSlot {
         std::mutex making;
@@ -171,6 +172,18 @@ struct LoadedDataset::State {
         return found = std::make_shared<const BlockBoxes>(*std::move(stored));
     }
 
+    // Returns the shared fits of the fields at a coordinate set. Those of the set before are forgotten, because a mesh
+    // that moves would else keep fits for each step.
+    [[nodiscard]] std::shared_ptr<CellFits> cell_fits(const Step& at, const std::shared_ptr<const Topology>& topology) {
+        const std::lock_guard lock(mutex);
+        const std::array<std::size_t, 2> place{at.mesh, at.coordinates};
+        if (fits && fitted == place) return fits;
+        if (fits) fits->forget();
+        fitted = place;
+        fitted_topology = topology;
+        return fits = std::make_shared<CellFits>(*topology, most_fit_bytes);
+    }
+
     // Returns the field cached under `key`, or makes it. `bytes`: its size with all that it keeps alive.
     [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
                                     const std::shared_ptr<const Topology>& topology, std::size_t bytes,
@@ -188,6 +201,10 @@ struct LoadedDataset::State {
     std::shared_ptr<Dataset> dataset;
     std::map<std::size_t, std::shared_ptr<MeshSlot>> meshes;
     std::mutex refreshing;
+    const std::size_t most_fit_bytes;
+    std::shared_ptr<CellFits> fits; // of the mesh and the coordinate set in `fitted`
+    std::array<std::size_t, 2> fitted{};
+    std::shared_ptr<const Topology> fitted_topology;
     Cache fields;
 };
 
@@ -244,7 +261,9 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
                              const Values values = scalar_values(name, step);
                              auto ranges = of->block_ranges(scalar, step);
                              if (!ranges) ranges = block_ranges(*of_mesh, values);
-                             return Field(*of_mesh, values, *std::move(ranges), values.keep_alive());
+                             Field made(*of_mesh, values, *std::move(ranges), values.keep_alive());
+                             made.set_cell_fits(state_->cell_fits(at, of_mesh));
+                             return made;
                          });
 }
 
@@ -322,6 +341,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
 std::size_t LoadedDataset::memory_bytes() const {
     std::size_t bytes = state_->fields.bytes();
     const std::lock_guard lock(state_->mutex);
+    if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {
         // try_lock: does not wait for a topology under construction, and does not count it.
         const std::unique_lock made(slot->making, std::try_to_lock);

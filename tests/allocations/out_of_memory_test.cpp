@@ -50,7 +50,10 @@ struct Data {
         values[0][values[0].size() / 2] = std::numeric_limits<float>::quiet_NaN();
     }
     [[nodiscard]] std::array<Field, 2> fields() const {
-        return {Field(topology, values[0], nullptr), Field(topology, values[1], nullptr)};
+        const auto fits = std::make_shared<CellFits>(topology);
+        std::array all{Field(topology, values[0], nullptr), Field(topology, values[1], nullptr)};
+        for (Field& field : all) field.set_cell_fits(fits);
+        return all;
     }
 
     Polyhedra input;

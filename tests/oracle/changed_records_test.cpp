@@ -105,7 +105,10 @@ private:
         }
     }
     void keep_kept() {
-        if (!kept_) kept_.emplace(topology_, values_, nullptr);
+        if (!kept_) {
+            kept_.emplace(topology_, values_, nullptr);
+            kept_->set_cell_fits(std::make_shared<CellFits>(topology_));
+        }
     }
     void operators();
     void walk(HalfEdge start);

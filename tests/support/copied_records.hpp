@@ -62,7 +62,8 @@ inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind 
 // of all blocks.
 [[nodiscard]] inline Surface cut_in_all_ways(const Topology& topology, const FaceMeshView& mesh,
                                              std::span<const float> values) {
-    const Field field(topology, values, nullptr);
+    Field field(topology, values, nullptr);
+    field.set_cell_fits(std::make_shared<CellFits>(topology));
     std::vector<Index> second;
     for (Index b = 1; b < topology.block_count(); b += 2) second.push_back(b);
     Surface surface;

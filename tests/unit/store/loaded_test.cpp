@@ -1,8 +1,11 @@
 // The cache of loaded data, and the catalog of dataset names.
 #include "support/store_box/box.hpp"
 
+#include "ciel/extract.hpp"
 #include "store/cache/cache.hpp"
 #include "store/catalog.hpp"
+#include "support/meshes.hpp"
+#include "support/views.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -121,6 +124,38 @@ TEST_F(LoadedTest, PlanesAreDistances) {
     EXPECT_THAT(plane.field->range(), ElementsAre(-1, 1));
     EXPECT_EQ(plane.field, loaded.plane(1, {1, 0, 0}, {1, 0, 0}).field) << "the same mesh at another time";
     EXPECT_NE(plane.field, loaded.plane(0, {1, 0, 0}, {0, 1, 0}).field);
+}
+
+// Fields share the least squares of polyhedra, but only at the positions for which they were made.
+TEST(LoadedFields, OfAMovingMeshHaveTheNormalsOfEachStep) {
+    const test::Folder scratch;
+    const Assembled assembled = assemble(test::view(test::voronoi(200, 3)));
+    std::vector<float> moved = assembled.mesh.positions;
+    for (std::size_t i = 0; i < moved.size(); i += 3) moved[i] *= 4;
+    std::vector<float> p(moved.size() / 3);
+    for (std::size_t v = 0; v < p.size(); ++v) p[v] = moved[3 * v] * moved[3 * v + 1] + moved[3 * v + 2];
+    const auto count = static_cast<Index>(p.size());
+    Writer writer(scratch / "m.ciel", {});
+    writer.add_mesh(assembled.mesh, test::identity(count), test::identity(assembled.mesh.cell_types.size()), {});
+    const ArrayInfo info{"p", Association::point, 1, "", ""};
+    (void)writer.add_coordinates(0, moved);
+    for (std::size_t step = 0; step < 4; ++step)
+        writer.add_step(static_cast<double>(step), 0, step % 2, std::vector<ArrayValues>{{info, p}});
+    writer.finish();
+
+    LoadedDataset loaded(Dataset::open(scratch / "m.ciel"), std::size_t{1} << 30);
+    for (std::size_t step = 0; step < 4; ++step) {
+        const ScalarField scalar = loaded.scalar("p", step);
+        const Field fresh(*scalar.topology, scalar.field->values(), nullptr);
+        Surface expected, found;
+        for (const auto& [field, out] : {std::pair{&fresh, &expected}, std::pair{scalar.field.get(), &found}}) {
+            Query query(*scalar.topology, scalar.points);
+            query.set_field(*field);
+            (void)query.extract(1, true, *out);
+        }
+        ASSERT_FALSE(expected.normals.empty());
+        EXPECT_EQ(found.normals, expected.normals) << "step " << step;
+    }
 }
 
 TEST_F(LoadedTest, WhatCannotBeContouredSaysWhy) {

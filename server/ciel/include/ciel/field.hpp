@@ -4,6 +4,7 @@
 
 #include "ciel/array_view.hpp"
 #include "ciel/block_ranges.hpp"
+#include "ciel/cell_fits.hpp"
 #include "ciel/mesh.hpp"
 
 #include <memory>
@@ -15,7 +16,8 @@ namespace ciel {
 class GeometricVertices; // geometric_vertices.hpp
 
 // Copies share everything. Values never change. Values in block order, ranges of cells, sorted extrema and gradients
-// are caches that are filled on demand under locks. Thread-safe, except set_direction and vertices_moved.
+// are caches that are filled on demand under locks. Thread-safe, except set_direction, set_cell_fits
+// and vertices_moved.
 class Field {
 public:
     // Makes a field from one number per point of the mesh, in the caller's order; copies them: 8-bit integers and
@@ -67,7 +69,13 @@ public:
     // all threads of the parallel loop.
     void take_in() const;
 
-    // Drops the cached gradients, which depend on positions. Must not run during an extraction from this field.
+    // Lets gradients use and fill `fits`. Fields of a Mesh share those of the mesh. Without fits, the least squares of
+    // polyhedra are solved for this field alone. Call it before any extraction. Throws Error when the fits are of
+    // another topology.
+    void set_cell_fits(std::shared_ptr<CellFits> fits);
+
+    // Drops the cached gradients and the cell fits, which depend on positions. Must not run during an extraction from
+    // this field.
     void vertices_moved();
 
     struct Data; // defined in src/fields/field_data.hpp, for the kernel only

@@ -33,6 +33,8 @@ struct VtkCells {
     ArrayView cell_face_offsets{}, cell_faces{}, face_offsets{}, face_connectivity{};
 };
 
+class CellFits; // cell_fits.hpp
+
 // Immutable; copies share everything. Thread-safe. Stores points as floats if these are equal to the caller's numbers,
 // else as doubles. Positions of surfaces are floats relative to stored().surface_origin, the middle of the mesh.
 class Mesh {
@@ -63,6 +65,8 @@ public:
     [[nodiscard]] const MeshReport& report() const;
     [[nodiscard]] const Topology& topology() const;   // lives as long as any copy of this mesh
     [[nodiscard]] const FaceMeshView& stored() const; // lives as long as any copy of this mesh
+    // Returns the fits that all fields on this mesh share.
+    [[nodiscard]] const std::shared_ptr<CellFits>& cell_fits() const;
 
     // Returns the caller's id of each stored vertex or cell; empty if stored ids and the caller's ids are equal.
     [[nodiscard]] std::span<const Index> original_vertex() const;

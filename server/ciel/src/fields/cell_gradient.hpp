@@ -45,6 +45,65 @@ struct LeastSquares {
     bool good = false; // the samples span a volume and all have values
 };
 
+// Sums over samples. d: a sample relative to their mean.
+struct Moments {
+    Four mean{};
+    Four squares{};  // of d * d
+    Four products{}; // of d.x * d.y, d.y * d.z, d.x * d.z
+    Four slopes{};   // of d * d.value
+};
+
+// Makes `samples` relative to their mean. `samples`: a std::array or std::vector.
+template <class Samples>
+[[nodiscard]] inline Moments centered(Samples& samples) {
+    Moments out;
+    Four sum{};
+    for (const Sample& s : samples) sum += load(s);
+    out.mean = sum * (1.0 / static_cast<double>(samples.size()));
+    for (Sample& s : samples) {
+        const Four d = load(s) - out.mean;
+        std::memcpy(&s, &d, sizeof d);
+        out.squares += d * d;
+        out.products += d * __builtin_shufflevector(d, d, 1, 2, 0, 3);
+        out.slopes += d * __builtin_shufflevector(d, d, 3, 3, 3, 3);
+    }
+    return out;
+}
+
+// The matrix of the normal equations, ready to be solved for any values. Number: double, or Four for four cells at
+// once.
+template <class Number>
+struct NormalEquationsOf {
+    Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // its cofactors
+    Number inverse_determinant{};              // 0 if the samples are too stretched for normal equations
+
+    NormalEquationsOf() = default;
+    // Sums over samples relative to their mean: of x * x, y * y, z * z, x * y, y * z, x * z.
+    NormalEquationsOf(Number a, Number b, Number c, Number ab, Number bc, Number ac)
+        : xx(b * c - bc * bc), xy(ac * bc - ab * c), xz(ab * bc - ac * b), yy(a * c - ac * ac), yz(ab * ac - a * bc),
+          zz(a * b - ab * ab) {
+        const Number determinant = a * xx + ab * xy + ac * xz;
+        const Number size = (a + b + c) / 3.0;
+        inverse_determinant = determinant > 1e-9 * size * size * size ? 1.0 / determinant : Number{};
+    }
+    // Sums of x * value, y * value, z * value.
+    [[nodiscard]] std::array<Number, 3> gradient(Number x, Number y, Number z) const {
+        return {(xx * x + xy * y + xz * z) * inverse_determinant, (xy * x + yy * y + yz * z) * inverse_determinant,
+                (xz * x + yz * y + zz * z) * inverse_determinant};
+    }
+};
+
+struct NormalEquations : NormalEquationsOf<double> {
+    NormalEquations() = default;
+    explicit NormalEquations(const Moments& of)
+        : NormalEquationsOf(of.squares[0], of.squares[1], of.squares[2], of.products[0], of.products[1],
+                            of.products[2]) {}
+    [[nodiscard]] Vec3f gradient(const Four& slopes) const {
+        const auto [x, y, z] = NormalEquationsOf::gradient(slopes[0], slopes[1], slopes[2]);
+        return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+    }
+};
+
 // Fits the gradient in a stretched cell. `samples` are relative to their mean; they are sheared in place, which keeps
 // volumes. Returns false when the samples are flat, a line or a point up to rounding. The error is about 1e-16 times
 // the aspect ratio, which may be up to 1e10.
@@ -56,35 +115,15 @@ struct LeastSquares {
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
-    Four sum{};
-    for (const Sample& s : samples) sum += load(s);
-    const Four mean = sum * (1.0 / static_cast<double>(samples.size()));
-    std::memcpy(&out.mean, &mean, sizeof mean);
-    Four squares{}, products{}, slopes{};
-    for (Sample& s : samples) {
-        const Four d = load(s) - mean;
-        std::memcpy(&s, &d, sizeof d);
-        squares += d * d;
-        products += d * __builtin_shufflevector(d, d, 1, 2, 0, 3);
-        slopes += d * __builtin_shufflevector(d, d, 3, 3, 3, 3);
-    }
-    const double xx = squares[0], yy = squares[1], zz = squares[2];
-    const double xy = products[0], yz = products[1], xz = products[2];
-    const double xv = slopes[0], yv = slopes[1], zv = slopes[2];
-    const double cx = yy * zz - yz * yz, cy = xz * yz - xy * zz, cz = xy * yz - xz * yy;
-    const double determinant = xx * cx + xy * cy + xz * cz;
-    const double size = (xx + yy + zz) / 3;
+    const Moments moments = centered(samples);
+    std::memcpy(&out.mean, &moments.mean, sizeof out.mean);
     if (!std::isfinite(out.mean.value)) return out;
-    if (!(determinant > 1e-9 * size * size * size)) {
+    const NormalEquations equations(moments);
+    out.good = equations.inverse_determinant > 0;
+    if (out.good)
+        out.gradient = equations.gradient(moments.slopes);
+    else
         out.good = fit_stretched(samples, out.mean, out.gradient);
-        return out;
-    }
-    out.good = true;
-    const double dx = xx * zz - xz * xz, dy = xy * xz - xx * yz, dz = xx * yy - xy * xy;
-    const double inverse = 1 / determinant;
-    out.gradient = {static_cast<float>((cx * xv + cy * yv + cz * zv) * inverse),
-                    static_cast<float>((cy * xv + dx * yv + dy * zv) * inverse),
-                    static_cast<float>((cz * xv + dy * yv + dz * zv) * inverse)};
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "blocks/blocks.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/point_interpolation.hpp"
+#include "fields/cell_fits.hpp"
 #include "fields/field_data.hpp"
 #include "fields/stored_values.hpp"
 
@@ -113,6 +114,7 @@ template <class T>
 Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored)
     : Field(mesh.topology(), ValuesView(*stored), stored) {
     data_->mesh = mesh;
+    data_->fits = mesh.cell_fits();
 }
 
 Field::Field(const Mesh& mesh, const ArrayView& values) {
@@ -158,7 +160,19 @@ void Field::take_in() const {
     });
 }
 
-void Field::vertices_moved() { data_->gradients.forget(); }
+CellFits::Data* Field::Data::shared_fits(const FaceMeshView& cut) const {
+    return fits && fits->data().belong_to(cut.positions.data()) ? &fits->data() : nullptr;
+}
+
+void Field::set_cell_fits(std::shared_ptr<CellFits> fits) {
+    if (fits && fits->data().topology != data_->topology) fail("the cell fits belong to another mesh");
+    data_->fits = std::move(fits);
+}
+
+void Field::vertices_moved() {
+    data_->gradients.forget();
+    data_->fits.reset();
+}
 
 std::span<const Index> Field::sorted_minima() const {
     data_->make_extrema();

@@ -34,6 +34,7 @@ struct Field::Data {
     mutable bool extrema_made = false;
     mutable std::vector<Index> minima, maxima; // sorted by (value, id); maxima descending
     mutable CellRanges ranges;
+    std::shared_ptr<CellFits> fits; // null: none are shared
     mutable GradientCache gradients;
 
     [[nodiscard]] double value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
@@ -42,6 +43,8 @@ struct Field::Data {
     // is the smallest float >= nu, so that they compare as with nu; for doubles, nu. Infinity for NaN, which makes
     // every finite value low.
     [[nodiscard]] double threshold(double nu) const;
+    // Returns the fits that the field shares if they belong to the mesh, else null.
+    [[nodiscard]] CellFits::Data* shared_fits(const FaceMeshView& cut) const;
     [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; } // a vertex has no value
     [[nodiscard]] bool crosses(Index block, double threshold) const {
         return of_blocks.low[block] < threshold && of_blocks.high[block] >= threshold;

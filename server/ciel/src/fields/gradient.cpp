@@ -1,11 +1,14 @@
 #include "fields/gradient.hpp"
 
 #include "ciel/parallel.hpp"
+#include "fields/cell_fits.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient_sums.hpp"
-#include "fields/polyhedron_gradient.hpp"
+#include "fields/many_gradients.hpp"
+#include "fields/solved_cells.hpp"
 
 #include <atomic>
+#include <cstring>
 
 namespace ciel {
 
@@ -20,11 +23,19 @@ enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
 
 struct Scratch {
     std::vector<Sample> sample; // by local vertex
-    std::vector<GradientSum> sum;
     std::vector<Index> wanted, cells;
     std::vector<BlockVertex> ring;
-    std::vector<std::uint8_t> face_asked;
-    PolyhedronSolver polyhedron;
+    PolyhedronFitter fitter;
+    std::vector<Sample> stretched;
+    // Of the block whose cells are solved:
+    std::vector<Index> asked;            // its vertices that are wanted or asked for by a neighbour, ascending
+    std::uint64_t asked_parts = 0;       // the parts of the block with these vertices
+    std::vector<Index> slot;             // by local vertex: index in `sum`, 0 for vertices that are not wanted
+    std::vector<GradientSum> sum;        // the first one is not used
+    std::vector<std::uint64_t> to_solve; // a bit per cell of the section
+    std::vector<std::uint16_t> corners;  // of the cells to solve
+    std::vector<CellGradient> gradients; // of these cells
+    SolvedCells solved;                  // copied to Pass in its exact size
 };
 
 Scratch& scratch_of_this_thread() {
@@ -47,9 +58,12 @@ struct AddSolved {
         sum.add(cell_gradient<shape>(&section.vertex[i * shape.corners], sampler(b)));
     }
     void polyhedron(Index b, Index i, Index) {
-        field.topology->blocks().cells(b).with([&](const auto& polyhedra) {
-            scratch.polyhedron.begin(field.topology->blocks().cells(b), polyhedra);
-            sum.add(scratch.polyhedron.solve(polyhedra, i, sampler(b)));
+        const Block& block = field.topology->blocks().cells(b);
+        sampler(b).with([&](const auto& sample) {
+            block.with([&](const auto& section) {
+                with_fits(field.shared_fits(mesh), b, block, section, sample, scratch.fitter,
+                          [&](auto&& fitted) { sum.add(fitted_gradient(fitted(i), sample, scratch.stretched)); });
+            });
         });
     }
 };
@@ -70,7 +84,7 @@ public:
         for (Index b = 0; b < busy_.size(); ++b)
             if (busy_[b] != 0) busy.push_back(b);
         if (busy.empty()) return;
-        cell_.resize(blocks_.count());
+        solved_.resize(blocks_.count());
         for_each(busy, [this](Index b) { sum_inside(b); });
         for_each(active, [this](Index b) { sum_at_border(b); });
         for_each(busy, [this](Index b) { settle(b); });
@@ -83,6 +97,11 @@ private:
             for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
         });
     }
+    // Atomic, because two tasks may set the same one if the record of a ring has changed.
+    void set_gradient(const BlockVertex& at, const Vec3f& to) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            std::atomic_ref(gradient_[at.block][at.vertex][axis]).store(to[axis], std::memory_order_relaxed);
+    }
     [[nodiscard]] std::span<std::uint8_t> states(const Block& block) const {
         return state_.subspan(block.vertex_begin, block.vertex_count);
     }
@@ -91,11 +110,14 @@ private:
     void want(Index b, const ActiveBlock& cut);
     void solve_one_by_one(Index b, std::span<const Index> vertices);
     void ask_neighbours(Index b);
+    void list_asked(const Block& block, Scratch& scratch) const;
     void sum_inside(Index b);
     template <const StandardShape& shape>
-    void add_standard(const Block& block, const StandardSection& section, CellGradient* cell);
+    void add_standard(const BlockSampler& sampler, const Block& block, const StandardSection& section, Index place);
     template <class Local>
-    void add_polyhedra(const Block& block, const PolyhedralSection<Local>& section, CellGradient* cell);
+    void add_polyhedra(const BlockSampler& sampler, Index b, const PolyhedralSection<Local>& section);
+    template <class Local>
+    void mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scratch& scratch) const;
     void sum_at_border(Index b);
     void settle(Index b);
 
@@ -105,7 +127,7 @@ private:
     std::span<std::uint8_t> state_;
     std::span<std::uint8_t> busy_; // by block: 1 if it has cells to solve
     std::span<std::unique_ptr<Vec3f[]>> gradient_;
-    std::vector<std::unique_ptr<CellGradient[]>> cell_; // by block: gradients of its cells, section by section
+    std::vector<SolvedCells> solved_; // by block
 };
 
 void Pass::want(Index b, const ActiveBlock& cut) {
@@ -153,7 +175,7 @@ void Pass::ask_neighbours(Index b) {
     const std::span<std::uint8_t> state = states(block);
     blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
-            const Index v = blocks_.vertex_at({b, place});
+            const Index v = std::min<Index>(read_once(arrays.border_vertex[place]), block.vertex_count - 1);
             if ((std::atomic_ref(state[v]).load(std::memory_order_relaxed) & wanted) == 0) continue;
             for (BorderVertex at = blocks_.next_in_ring({b, place}, b); at.block != b;
                  at = blocks_.next_in_ring(at, b)) {
@@ -165,65 +187,124 @@ void Pass::ask_neighbours(Index b) {
     });
 }
 
+void Pass::list_asked(const Block& block, Scratch& scratch) const {
+    const std::span<const std::uint8_t> state = states(block);
+    const Index in_part = block.vertices_per_part();
+    constexpr std::uint64_t any = (wanted | asked_by_neighbour) * 0x0101010101010101;
+    scratch.asked.clear();
+    scratch.asked_parts = 0;
+    scratch.slot.assign(block.vertex_count, 0);
+    scratch.sum.assign(1, {});
+    const auto look_at = [&](Index v) {
+        if ((state[v] & (wanted | asked_by_neighbour)) == 0) return;
+        scratch.asked.push_back(v);
+        scratch.asked_parts |= std::uint64_t{1} << v / in_part;
+        if ((state[v] & wanted) == 0) return;
+        scratch.slot[v] = static_cast<Index>(scratch.sum.size());
+        scratch.sum.emplace_back();
+    };
+    Index v = 0;
+    for (; v + 8 <= block.vertex_count; v += 8) {
+        std::uint64_t eight;
+        std::memcpy(&eight, &state[v], sizeof eight);
+        if ((eight & any) == 0) continue;
+        for (Index i = 0; i < 8; ++i) look_at(v + i);
+    }
+    for (; v < block.vertex_count; ++v) look_at(v);
+}
+
 void Pass::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
     Scratch& scratch = scratch_of_this_thread();
-    BlockSampler(mesh_, block, field_.of_block(b)).all(scratch.sample);
-    scratch.sum.assign(block.vertex_count, {});
-    cell_[b] = std::make_unique_for_overwrite<CellGradient[]>(block.cell_count);
-    const std::span<const std::uint8_t> state = states(block);
-    CellGradient* cell = cell_[b].get();
+    const BlockSampler sampler(mesh_, block, field_.of_block(b));
+    list_asked(block, scratch);
+    scratch.solved.begin(block.cell_count);
+    Index place = 0;
     for (const StandardSection& section : block.standard) {
         with_shape(section.shape->type,
-                   [&]<const StandardShape & shape>() { add_standard<shape>(block, section, cell); });
-        cell += section.count();
+                   [&]<const StandardShape & shape>() { add_standard<shape>(sampler, block, section, place); });
+        place += section.count();
     }
-    block.with([&](const auto& polyhedra) {
-        scratch.polyhedron.begin(block, polyhedra);
-        add_polyhedra(block, polyhedra, cell);
-    });
-    for (Index v = 0; v < block.vertex_count; ++v)
-        if ((state[v] & wanted) != 0) gradient_[b][v] = scratch.sum[v].mean();
+    block.with([&](const auto& polyhedra) { add_polyhedra(sampler, b, polyhedra); });
+    solved_[b] = scratch.solved;
+    for (const Index v : scratch.asked)
+        if (scratch.slot[v] != 0) gradient_[b][v] = scratch.sum[scratch.slot[v]].mean();
 }
 
 template <const StandardShape& shape>
-void Pass::add_standard(const Block& block, const StandardSection& section, CellGradient* cell) {
+void Pass::add_standard(const BlockSampler& sampler, const Block& block, const StandardSection& section, Index place) {
     Scratch& scratch = scratch_of_this_thread();
     const std::span<const std::uint8_t> state = states(block);
-    for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
-        const auto vertex = corners_of<shape>(block, &section.vertex[begin]);
-        unsigned states = 0;
-        for (std::size_t c = 0; c < shape.corners; ++c) states |= state[vertex[c]];
-        if ((states & (wanted | asked_by_neighbour)) == 0) continue;
-        *cell = cell_gradient<shape>(vertex.data(), [&](Index v) { return scratch.sample[v]; });
+    constexpr Index in_group = StandardSection::cells_per_group;
+    scratch.cells.clear();
+    scratch.corners.clear();
+    std::uint64_t parts = 0;
+    for (Index group = 0; group < section.group_count(); ++group) {
+        const std::uint64_t of_group = read_once(section.group_parts[group]);
+        if ((of_group & scratch.asked_parts) == 0) continue;
+        const std::size_t before = scratch.cells.size();
+        for (Index i = group * in_group; i < std::min((group + 1) * in_group, section.count()); ++i) {
+            const auto vertex = corners_of<shape>(block, &section.vertex[std::size_t{i} * shape.corners]);
+            unsigned states = 0;
+            for (std::size_t c = 0; c < shape.corners; ++c) states |= state[vertex[c]];
+            if ((states & (wanted | asked_by_neighbour)) == 0) continue;
+            scratch.cells.push_back(i);
+            for (const std::uint16_t v : vertex) scratch.corners.push_back(v);
+        }
+        if (scratch.cells.size() > before) parts |= of_group;
+    }
+    sampler.of_parts(parts, scratch.sample);
+    scratch.gradients.resize(scratch.cells.size());
+    many_gradients(shape.type, scratch.corners, scratch.sample, scratch.gradients);
+    const std::uint16_t* vertex = scratch.corners.data();
+    for (std::size_t at = 0; at < scratch.cells.size(); ++at, vertex += shape.corners) {
+        const CellGradient& cell = scratch.gradients[at];
+        scratch.solved.add(place + scratch.cells[at], cell);
         GradientSum weighted;
-        weighted.add(*cell);
-        for (std::size_t c = 0; c < shape.corners; ++c) scratch.sum[vertex[c]].add(weighted);
+        weighted.add(cell);
+        for (std::size_t c = 0; c < shape.corners; ++c) scratch.sum[scratch.slot[vertex[c]]].add(weighted);
     }
 }
 
+// Sets a bit for each cell that has an asked vertex. Follows the entries of these vertices, which are few.
 template <class Local>
-void Pass::add_polyhedra(const Block& block, const PolyhedralSection<Local>& section, CellGradient* cell) {
+void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scratch& scratch) const {
+    const Block& block = blocks_.cells(b);
+    const BlockAround& around = blocks_.around(b);
+    scratch.to_solve.assign((section.count() + 63) / 64, 0);
+    const auto& next = std::get<AroundArrays<Local>>(around.arrays).next_entry;
+    constexpr Index end_of_list = AroundArrays<Local>::end_of_list;
+    for (const Index v : scratch.asked)
+        for (Index entry = first_entry_from(block, around, v, section.entry_begin); entry != end_of_list;
+             entry = next_entry(next, entry, section.entry_begin))
+            for (const Local& side : section.face_cell[section.face(entry - section.entry_begin)]) {
+                const Index i = read_once(side);
+                if (i >= section.count()) refuse_changed("a face names a cell that does not exist");
+                scratch.to_solve[i / 64] |= std::uint64_t{1} << i % 64;
+            }
+}
+
+template <class Local>
+void Pass::add_polyhedra(const BlockSampler& sampler, Index b, const PolyhedralSection<Local>& section) {
+    if (section.count() == 0) return;
     Scratch& scratch = scratch_of_this_thread();
-    const std::span<const std::uint8_t> state = states(block);
-    const Index last = block.vertex_count - 1;
-    // Computes one flag per face first, because two cells read each face. A changed record may name any face and vertex
-    // of 16 bits.
-    scratch.face_asked.resize(std::max<std::size_t>(section.face_count(), local_ids / 2));
-    for (Index face = 0, k = 0; face < section.face_count(); ++face) {
-        unsigned states = 0;
-        for (const Index end = read_once(section.face_begin[face + 1]); k < end; ++k)
-            states |= state[std::min<Index>(section.vertex[k], last)];
-        scratch.face_asked[face] = (states & (wanted | asked_by_neighbour)) != 0 ? 1 : 0;
-    }
-    for (Index i = 0; i < section.count(); ++i, ++cell) {
-        if (std::ranges::none_of(section.faces_of(i), [&](Index ref) { return scratch.face_asked[ref / 2] != 0; }))
-            continue;
-        *cell = scratch.polyhedron.solve(section, i, [&](Index v) { return scratch.sample[v]; });
-        GradientSum weighted;
-        weighted.add(*cell);
-        for (const Index v : scratch.polyhedron.vertices()) scratch.sum[v].add(weighted);
-    }
+    const Block& block = blocks_.cells(b);
+    mark_polyhedra(b, section, scratch);
+    const Index place = block.cell_count - section.count();
+    sampler.with([&](const auto& sample) {
+        with_fits(field_.shared_fits(mesh_), b, block, section, sample, scratch.fitter, [&](auto&& fitted_at) {
+            for (std::size_t word = 0; word < scratch.to_solve.size(); ++word)
+                for (std::uint64_t bits = scratch.to_solve[word]; bits != 0; bits &= bits - 1) {
+                    const auto i = static_cast<Index>(64 * word) + static_cast<Index>(std::countr_zero(bits));
+                    const auto fitted = fitted_at(i);
+                    const CellGradient cell = fitted_gradient(fitted, sample, scratch.stretched);
+                    scratch.solved.add(place + i, cell);
+                    GradientSum weighted;
+                    weighted.add(cell);
+                    for (const Index v : fitted.vertices) scratch.sum[scratch.slot[v]].add(weighted);
+                }
+        });
+    });
 }
 
 void Pass::sum_at_border(Index b) {
@@ -233,12 +314,18 @@ void Pass::sum_at_border(Index b) {
     const std::span<const std::uint8_t> state = states(block);
     blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {
-            const Index v = blocks_.vertex_at({b, place});
+            const Index v = std::min<Index>(read_once(arrays.border_vertex[place]), block.vertex_count - 1);
             if ((state[v] & wanted) == 0) continue;
             list_ring(blocks_, {b, place}, scratch.ring);
-            AddStored add([this](Index other) { return cell_[other].get(); });
+            const auto is_wanted = [this](const BlockVertex& at) {
+                return (states(blocks_.cells(at.block))[at.vertex] & wanted) != 0;
+            };
+            const auto first = std::ranges::find_if(scratch.ring, is_wanted);
+            if (first == scratch.ring.end() || first->block != b) continue; // done by that block
+            AddStored add([this](Index other, Index cell) { return solved_[other].of(cell); });
             for_cells_around(blocks_, scratch.ring, scratch.cells, add);
-            gradient_[b][v] = add.sum.mean();
+            for (const BlockVertex at : scratch.ring)
+                if (is_wanted(at)) set_gradient(at, add.sum.mean());
         }
     });
 }

@@ -32,25 +32,58 @@ public:
     BlockSampler(const FaceMeshView& mesh, const Block& block, ValuesView values)
         : mesh_(mesh), block_(block), values_(values) {}
 
+    // Returns the sample of a local vertex, from numbers of known types.
+    template <class Value, class Position>
+    class Typed {
+    public:
+        Typed(const Block& block, const Position* positions, const Value* values)
+            : block_(block), ghosts_(static_cast<Index>(block.ghost_vertex.size())),
+              own_(block.own_vertex_begin - ghosts_), positions_(positions), values_(values) {}
+        [[nodiscard]] Sample operator()(Index local) const {
+            return sample(local,
+                          local < ghosts_ ? block_.ghost_vertex[local] : std::min(own_ + local, block_.last_vertex));
+        }
+        // Sets out[local vertex] for the vertices from begin to end - 1.
+        void range(Index begin, Index end, Sample* out) const {
+            for (; begin < std::min(end, ghosts_); ++begin) out[begin] = sample(begin, block_.ghost_vertex[begin]);
+            for (; begin < end; ++begin) out[begin] = sample(begin, own_ + begin);
+        }
+
+    private:
+        [[nodiscard]] Sample sample(Index local, Index vertex) const {
+            const Position* p = &positions_[3 * std::size_t{vertex}];
+            return {p[0], p[1], p[2], values_[local]};
+        }
+
+        const Block& block_;
+        Index ghosts_, own_;        // own_ + local vertex is a vertex of the mesh; wraps around below 0
+        const Position* positions_; // by mesh vertex
+        const Value* values_;       // by local vertex
+    };
+    template <class F>
+    decltype(auto) with(F&& f) const {
+        return values_.with([&](const auto& values) -> decltype(auto) {
+            return mesh_.positions.with([&](const auto& positions) -> decltype(auto) {
+                return f(Typed(block_, positions.data(), values.data()));
+            });
+        });
+    }
+
     [[nodiscard]] Sample operator()(Index local) const {
-        const std::size_t at = 3 * std::size_t{block_.vertex(local)};
-        return {mesh_.positions[at], mesh_.positions[at + 1], mesh_.positions[at + 2], values_[local]};
+        return with([&](const auto& typed) { return typed(local); });
     }
 
     // Sets out[local vertex] for all vertices of the block.
-    void all(std::vector<Sample>& out) const {
+    void all(std::vector<Sample>& out) const { of_parts(~std::uint64_t{0}, out); }
+    // Sets out[local vertex] for the vertices of some of the block's parts (Block::vertices_per_part): bit i stands for
+    // part i. Leaves the others as they are.
+    void of_parts(std::uint64_t parts, std::vector<Sample>& out) const {
         out.resize(block_.vertex_count);
-        const auto set = [&](const auto& values, const auto& positions) {
-            std::size_t local = 0;
-            const auto add = [&](Index vertex) {
-                const auto* p = &positions[3 * std::size_t{vertex}];
-                out[local] = {p[0], p[1], p[2], values[local]};
-                ++local;
-            };
-            block_.ghost_vertex.for_each(add);
-            for (Index vertex = block_.own_vertex_begin; local < out.size(); ++vertex) add(vertex);
-        };
-        values_.with([&](const auto& values) { mesh_.positions.with([&](const auto& all) { set(values, all); }); });
+        with([&](const auto& typed) {
+            const Index in_part = block_.vertices_per_part();
+            for (Index begin = 0; begin < block_.vertex_count; begin += in_part, parts >>= 1)
+                if ((parts & 1) != 0) typed.range(begin, std::min(begin + in_part, block_.vertex_count), out.data());
+        });
     }
 
 private:
@@ -99,7 +132,15 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
 template <class Visit>
 void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
                       Visit&& visit) {
+    std::array<bool, standard_types.size()> has_type{};
+    bool has_polyhedra = false;
+    for (const BlockVertex at : ring) {
+        const Block& block = blocks.cells(at.block);
+        for (const StandardSection& section : block.standard) has_type[place_of_type(section.shape->type)] = true;
+        has_polyhedra = has_polyhedra || block.with([](const auto& section) { return section.count() > 0; });
+    }
     const auto standard = [&]<const StandardShape & shape>() {
+        if (!has_type[place_of_type(shape.type)]) return;
         for (const BlockVertex at : ring) {
             const Block& block = blocks.cells(at.block);
             const BlockAround& around = blocks.around(at.block);
@@ -123,6 +164,7 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     standard.template operator()<hexahedron_shape>();
     standard.template operator()<wedge_shape>();
     standard.template operator()<pyramid_shape>();
+    if (!has_polyhedra) return;
     for (const BlockVertex at : ring) {
         const Block& block = blocks.cells(at.block);
         const BlockAround& around = blocks.around(at.block);
@@ -142,9 +184,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     }
 }
 
-// Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block)`: pointer to
-// the cell gradients of the block, indexed by `place`. Throws Error if it is null, because then the rings of the vertex
-// have changed.
+// Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block, place)`:
+// pointer to the gradient. Throws Error if it is null, because then the rings of the vertex have changed.
 template <class Stored>
 class AddStored {
 public:
@@ -160,10 +201,10 @@ public:
 
 private:
     void add(Index b, Index place) {
-        const CellGradient* cells = stored_(b);
-        if (cells == nullptr) [[unlikely]]
-            refuse_changed("a ring leads to another block than before");
-        sum.add(cells[place]);
+        const CellGradient* cell = stored_(b, place);
+        if (cell == nullptr) [[unlikely]]
+            refuse_changed("a ring leads to another cell than before");
+        sum.add(*cell);
     }
 
     Stored stored_;

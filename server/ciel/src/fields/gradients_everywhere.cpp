@@ -43,7 +43,7 @@ private:
 
 void Everywhere::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
-    std::vector<Sample> samples;
+    std::vector<Sample> samples, scratch;
     BlockSampler(mesh_, block, field_.of_block(b)).all(samples);
     const auto sample = [&](Index v) { return samples[v]; };
     std::vector<GradientSum> sum(block.vertex_count);
@@ -58,14 +58,15 @@ void Everywhere::sum_inside(Index b) {
                 for (const Index v : vertex) sum[v].add(weighted);
             }
         });
-    PolyhedronSolver solver;
+    PolyhedronFitter fitter;
     block.with([&](const auto& polyhedra) {
-        solver.begin(block, polyhedra);
+        fitter.begin(block, polyhedra);
         for (Index i = 0; i < polyhedra.count(); ++i, ++cell) {
-            *cell = solver.solve(polyhedra, i, sample);
+            const FittedPolyhedron<Index> fitted = fitter.fit(polyhedra, i, sample);
+            *cell = fitted_gradient(fitted, sample, scratch);
             GradientSum weighted;
             weighted.add(*cell);
-            for (const Index v : solver.vertices()) sum[v].add(weighted);
+            for (const Index v : fitted.vertices) sum[v].add(weighted);
         }
     });
     const auto ghosts = static_cast<Index>(block.ghost_vertex.size());
@@ -80,7 +81,7 @@ void Everywhere::sum_at_border(Index b) {
         const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
         for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
             list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);
-            AddStored add([this](Index other) { return &cell_[blocks_.numbers.cell[other]]; });
+            AddStored add([this](Index other, Index place) { return &cell_[blocks_.numbers.cell[other] + place]; });
             for_cells_around(blocks_, ring, scratch, add);
             out_[block.vertex(*v)] = add.sum.mean();
         }

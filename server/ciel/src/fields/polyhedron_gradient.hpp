@@ -1,5 +1,5 @@
-// The gradient in a polyhedron (paper, section 3), and its distinct vertices. One solver per thread is reused for many
-// blocks.
+// The gradient in a polyhedron (paper, section 3). What depends on positions only is a PolyhedronFit, which is the same
+// for all fields.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -7,11 +7,50 @@
 
 namespace ciel {
 
-class PolyhedronSolver {
+// Least squares over the distinct vertices of a polyhedron. One cache line.
+struct PolyhedronFit {
+    NormalEquations equations;
+    double volume; // length cubed; 0 if the cell has no gradient
+};
+
+template <class Local>
+struct FittedPolyhedron {
+    const PolyhedronFit& fit;
+    std::span<const Local> vertices; // the distinct local vertices of the cell
+};
+
+// `sample`: BlockSampler::Typed. `scratch`: for stretched cells.
+template <class Local, class Sampler>
+[[nodiscard]] CellGradient fitted_gradient(const FittedPolyhedron<Local>& polyhedron, const Sampler& sample,
+                                           std::vector<Sample>& scratch) {
+    const auto& [fit, vertices] = polyhedron;
+    if (!(fit.volume > 0)) return {};
+    if (fit.equations.inverse_determinant == 0) {
+        scratch.clear();
+        for (const auto v : vertices) scratch.push_back(sample(v));
+        const LeastSquares stretched = least_squares(scratch);
+        if (!stretched.good) return {};
+        return {stretched.gradient, fit.volume};
+    }
+    // Relative to the first vertex, because values may vary by less than 1e-8 of their size.
+    const Four first = load(sample(vertices[0]));
+    Four sum{}, slopes{};
+    for (const auto v : vertices) {
+        const Four d = load(sample(v)) - first;
+        sum += d;
+        slopes += d * __builtin_shufflevector(d, d, 3, 3, 3, 3);
+    }
+    if (!std::isfinite(sum[3])) return {};
+    slopes -= sum * (sum[3] / static_cast<double>(vertices.size()));
+    return {fit.equations.gradient(slopes), fit.volume};
+}
+
+// Makes the fits of polyhedra. One per thread is reused for many blocks.
+class PolyhedronFitter {
 public:
-    // Call before solving cells of another block or with other values. Until the next `begin`, solve calls
-    // `sample(local vertex)` at most once per vertex, and a cell may be solved once. A record that changes meanwhile
-    // may name any vertex and face, which are limited to those of the block, or more corners, which throws Error.
+    // Call before fitting cells of another block or with other positions. Until the next `begin`, a cell may be fitted
+    // once. A record that changes meanwhile may name any vertex and face, which are limited to those of the block, or
+    // more corners, which throws Error.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -23,8 +62,11 @@ public:
         first_stamp_ = ++stamp_;
     }
 
+    // The result is valid until the next call. `sample`: BlockSampler::Typed, of which only positions are used; it is
+    // called at most once per vertex.
     template <class Local, class Sampler>
-    [[nodiscard]] CellGradient solve(const PolyhedralSection<Local>& section, Index cell, const Sampler& sample) {
+    [[nodiscard]] FittedPolyhedron<Index> fit(const PolyhedralSection<Local>& section, Index cell,
+                                              const Sampler& sample) {
         ++stamp_;
         vertices_.clear();
         samples_.clear();
@@ -33,13 +75,10 @@ public:
             spend(loop.size());
             for (Index k = loop.begin; k < loop.end; ++k) see(limited(section.vertex[k]), sample);
         }
-        if (samples_.size() < 4) return {};
-        const LeastSquares fit = least_squares(samples_);
-        if (!fit.good) return {};
-        return {fit.gradient, volume(section, cell, fit.mean)};
+        const Moments moments = centered(samples_);
+        fit_ = {NormalEquations(moments), samples_.size() < 4 ? 0 : volume(section, cell, moments.mean)};
+        return {fit_, vertices_};
     }
-    // Distinct local vertices of the cell solved last.
-    [[nodiscard]] std::span<const Index> vertices() const { return vertices_; }
 
 private:
     struct Vertex {
@@ -64,7 +103,10 @@ private:
     void see(Index v, const Sampler& sample) {
         Vertex& vertex = vertex_[v];
         if (vertex.stamp == stamp_) return;
-        if (vertex.stamp < first_stamp_) vertex.sample = sample(v);
+        if (vertex.stamp < first_stamp_) {
+            vertex.sample = sample(v);
+            vertex.sample.value = 0;
+        }
         vertex.stamp = stamp_;
         vertices_.push_back(v);
         samples_.push_back(vertex.sample);
@@ -73,9 +115,10 @@ private:
     // Returns the volume: the sum of the cones from `mean` to each face. A face's area vector is computed once for both
     // of its cells.
     template <class Local>
-    [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Sample& mean) {
+    [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Four& mean) {
         double six_volumes = 0;
         const Index last_face = section.face_count() - 1;
+        const Sample from{mean[0], mean[1], mean[2], 0};
         for (const Index ref : section.faces_of(cell)) {
             const Index face = std::min(ref / 2, last_face);
             const Sample& apex = at(section, section.face_begin[face]);
@@ -83,7 +126,7 @@ private:
                 area_[face] = area(section, face, apex);
                 area_known_[face] = 1;
             }
-            const double cones = dot(arm(mean, apex), area_[face]);
+            const double cones = dot(arm(from, apex), area_[face]);
             six_volumes += ref % 2 == 0 ? cones : -cones;
         }
         return std::abs(six_volumes) / 6;
@@ -114,6 +157,7 @@ private:
     std::vector<std::uint8_t> area_known_;
     std::vector<Index> vertices_;
     std::vector<Sample> samples_;
+    PolyhedronFit fit_{};
     Index stamp_ = 0, first_stamp_ = 0;
     Index last_vertex_ = 0;
     std::uint64_t left_ = 0; // corners

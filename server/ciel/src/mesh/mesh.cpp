@@ -1,5 +1,6 @@
 #include "ciel/mesh.hpp"
 
+#include "ciel/cell_fits.hpp"
 #include "mesh/polyhedra_lists.hpp"
 
 #include <string>
@@ -14,6 +15,7 @@ struct Mesh::State {
     MeshPoints moved_points;
     std::vector<Index> original_cell;
     FaceMeshView faces;
+    std::shared_ptr<CellFits> cell_fits; // for the positions of `faces`
     MeshReport report;
     std::size_t points = 0, cells = 0;
 };
@@ -52,6 +54,7 @@ Mesh Mesh::make(const ArrayView& points, std::size_t cells, const Put& put) {
     state->faces = assembled->mesh.view();
     state->faces.surface_origin = middle_of(points);
     state->topology = std::make_shared<const Topology>(state->faces);
+    state->cell_fits = std::make_shared<CellFits>(*state->topology);
     state->assembled = std::move(assembled);
     return Mesh(std::move(state));
 }
@@ -82,6 +85,7 @@ Mesh Mesh::from_stored(const FaceMeshView& faces, std::shared_ptr<const void> ke
     state->keep_alive = std::move(keep_alive);
     state->faces = faces;
     state->topology = std::make_shared<const Topology>(faces);
+    state->cell_fits = std::make_shared<CellFits>(*state->topology);
     state->points = faces.vertex_count();
     state->cells = faces.cell_count();
     return Mesh(std::move(state));
@@ -95,6 +99,7 @@ Mesh Mesh::moved(const ArrayView& points) const {
     state->moved_points = mesh_points(points, original_vertex());
     state->faces.origin = {};
     state->faces.positions = state->moved_points.view();
+    state->cell_fits = std::make_shared<CellFits>(*state->topology);
     state->report.bytes_copied += state->faces.positions.size_bytes();
     return Mesh(std::move(state));
 }
@@ -104,6 +109,7 @@ std::size_t Mesh::cell_count() const { return state_->cells; }
 const MeshReport& Mesh::report() const { return state_->report; }
 const Topology& Mesh::topology() const { return *state_->topology; }
 const FaceMeshView& Mesh::stored() const { return state_->faces; }
+const std::shared_ptr<CellFits>& Mesh::cell_fits() const { return state_->cell_fits; }
 
 std::span<const Index> Mesh::original_vertex() const {
     if (!state_->assembled) return {};

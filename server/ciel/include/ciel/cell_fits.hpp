@@ -1,0 +1,35 @@
+// CellFits: the part of the cells' gradients (paper, section 3) that depends on positions only. Not in the paper, which
+// solves the least squares again for each field.
+#pragma once
+
+#include "ciel/topology.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace ciel {
+
+// Holds the least squares of polyhedra, each made at its first use: about 125 bytes for a cell of a Voronoi mesh.
+// Standard cells gain nothing from it. Belongs to the positions with which the first field that shares it
+// (Field::set_cell_fits) is cut; a field that is cut with others does not use it. Thread-safe.
+class CellFits {
+public:
+    // From `most_bytes` on, the fits of further blocks are not kept. The topology must outlive this object.
+    explicit CellFits(const Topology& topology, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
+    ~CellFits();
+    CellFits(const CellFits&) = delete;
+    CellFits& operator=(const CellFits&) = delete;
+
+    // Gives the memory back, for good: no fits are kept from then on.
+    void forget();
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    struct Data; // fields/cell_fits.hpp
+    [[nodiscard]] Data& data() const { return *data_; }
+
+private:
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace ciel
