@@ -124,7 +124,7 @@ json report(const Dataset& dataset) {
     json arrays = json::array(), meshes = json::array(), times = json::array();
     for (const store::ArrayInfo& array : info.arrays) arrays.push_back(array_json(dataset, array));
     for (const store::MeshInfo& mesh : info.meshes) meshes.push_back(mesh_json(mesh));
-    for (const store::Step& step : dataset.steps()) times.push_back(step.time);
+    for (const double time : dataset.steps().times()) times.push_back(time);
     return {{"name", info.name},
             {"format_version", info.format_version},
             {"source", info.source},

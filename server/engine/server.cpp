@@ -130,7 +130,8 @@ struct Server::State {
     void tell_steps(const std::string& dataset) {
         protocol::DatasetChanged note{dataset, std::vector<double>()};
         try {
-            for (const auto& step : catalog.open(dataset)->dataset()->steps()) note.times->push_back(step.time);
+            const auto opened = catalog.open(dataset)->dataset();
+            note.times->assign(opened->steps().times().begin(), opened->steps().times().end());
             // The dataset was removed or is damaged. Clients are notified; sessions keep the data that they have.
         } catch (const Error&) {
             connections.send_all(sessions::notification_text(note));

@@ -68,7 +68,7 @@ protocol::DatasetDescribeResult dataset_describe(Context& context, const protoco
     description.source = info.source;
     description.created = info.created;
     description.length_units = info.length_units;
-    for (const store::Step& step : dataset->steps()) description.times.push_back(step.time);
+    description.times.assign(dataset->steps().times().begin(), dataset->steps().times().end());
     description.input = {static_cast<std::int64_t>(info.input_vertices), static_cast<std::int64_t>(info.input_edges),
                          static_cast<std::int64_t>(info.input_cells)};
     const std::size_t mesh = dataset->steps().empty() ? 0 : dataset->steps().front().mesh;

@@ -6,6 +6,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/documents.hpp"
 #include "store/format/layout.hpp"
+#include "store/format/step_table.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/statistics.hpp"
 
@@ -55,7 +56,6 @@ public:
             any_lost_ = before->any_lost_;
             chunks_ = before->chunks_;
             meshes_ = before->meshes_;
-            steps_ = before->steps_;
         }
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
             meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_));
@@ -66,20 +66,27 @@ public:
             info_.meshes[m].double_positions = positions_[m].doubles;
         }
         layouts_.resize(meshes_.size());
-        for (const MarkedStep& step : marker_.steps) add_step(step, lacking);
+        table_ = std::make_unique<StepTable>(directory_, marker_.table, info_.id);
+        learn_arrays_of_table();
+        for (std::size_t i = 0; i < marker_.steps.size(); ++i) learn_arrays(table_->size() + i, marker_.steps[i]);
+        steps_ = std::make_unique<Steps>(
+            times(), [this, lacking](std::size_t step) { return read_step(step, lacking); },
+            before != nullptr ? before->steps_.get() : nullptr);
+        for (std::size_t step = table_->size(); step < steps_->size(); ++step) (void)(*steps_)[step];
     }
 
     const fs::path& directory() const override { return directory_; }
     const DatasetInfo& info() const override { return info_; }
-    const std::vector<Step>& steps() const override { return steps_; }
+    const Steps& steps() const override { return *steps_; }
 
     std::shared_ptr<Dataset> refreshed() const override {
         for (const auto& mesh : meshes_) mesh->check_unchanged();
         chunks_->check_sizes();
         Documents now = read_documents(directory_);
-        if (now.info.id != info_.id || now.marker.steps.size() < steps_.size() || now.marker.meshes < meshes_.size())
+        const std::size_t steps = now.marker.table.steps + now.marker.steps.size();
+        if (now.info.id != info_.id || steps < steps_->size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
-        if (now.marker.steps.size() == steps_.size()) return nullptr;
+        if (steps == steps_->size()) return nullptr;
         return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, this);
     }
 
@@ -110,9 +117,9 @@ public:
             }
             meshes_[m]->verify();
         }
-        for (std::size_t step = 0; step < steps_.size(); ++step)
-            for (const auto& [name, array] : steps_[step].arrays)
-                if (!array.lazy || is_written(marker_.steps[step], name)) {
+        for (std::size_t step = 0; step < steps_->size(); ++step)
+            for (const auto& [name, array] : (*steps_)[step].arrays)
+                if (!array.lazy || is_written(marked(step), name)) {
                     (void)values(name, step);
                     (void)block_ranges(scalars_of(*find(name)).front(), step);
                 }
@@ -131,12 +138,13 @@ public:
     std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
 
     std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
-        const MarkedStep& marked = marker_.steps.at(step);
-        const auto entry = marked.arrays.find(scalar.array);
-        if (entry == marked.arrays.end()) return std::nullopt;
+        const MarkedStep at = marked(step);
+        const auto entry = at.arrays.find(scalar.array);
+        if (entry == at.arrays.end()) return std::nullopt;
         const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
-        auto ranges = stored_ranges(layouts_[marked.mesh].at(scalar.array).directory, entry->second.chunk,
-                                    entry->second.checksum, scalars.size(), *meshes_[marked.mesh]);
+        check_chunk(at.mesh, scalar.array, entry->second.chunk);
+        auto ranges = stored_ranges(layouts_[at.mesh].at(scalar.array).directory, entry->second.chunk,
+                                    entry->second.checksum, scalars.size(), *meshes_[at.mesh]);
         if (!ranges) return std::nullopt;
         return std::move((*ranges)[static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin())]);
     }
@@ -151,14 +159,15 @@ public:
 
     Values values(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
-        if (step >= steps_.size()) refuse(directory_, "has no step " + std::to_string(step));
-        const MarkedStep& marked = marker_.steps[step];
-        const auto entry = marked.arrays.find(array);
-        if (entry == marked.arrays.end()) return {};
-        const ArrayLayout& shape = layouts_[marked.mesh].at(array);
-        if (entry->second.lazy && !is_written(marked, array))
+        if (step >= steps_->size()) refuse(directory_, "has no step " + std::to_string(step));
+        const MarkedStep at = marked(step);
+        const auto entry = at.arrays.find(array);
+        if (entry == at.arrays.end()) return {};
+        check_chunk(at.mesh, array, entry->second.chunk);
+        const ArrayLayout& shape = layouts_[at.mesh].at(array);
+        if (entry->second.lazy && !is_written(at, array))
             refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
-                                   std::to_string(marked.time) + "; choose another step");
+                                   std::to_string(at.time) + "; choose another step");
         return values_of(shape, entry->second);
     }
 
@@ -226,36 +235,68 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
-    void add_step(const MarkedStep& marked, LackingRanges lacking) {
-        const std::size_t index = next_step_++;
-        const bool is_known = index < steps_.size(); // taken over from the dataset that was refreshed
-        if (marked.coordinates >= positions_[marked.mesh].chunks)
-            refuse(directory_ / layout::commit_marker,
-                   "step " + std::to_string(index) + " names coordinates that do not exist");
-        for (const auto& [name, entry] : marked.arrays) learn_array(marked.mesh, name, entry.chunk);
-        if (is_known) return;
-        Step step{marked.time, marked.mesh, marked.coordinates, {}};
-        for (const auto& [name, entry] : marked.arrays)
-            step.arrays.emplace(name, array_step(marked, name, entry, lacking));
-        steps_.push_back(std::move(step));
+    // Returns a step as the commit marker or the table has it.
+    MarkedStep marked(std::size_t step) const {
+        return step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
     }
 
-    void learn_array(std::size_t mesh, const std::string& name, std::uint64_t chunk) {
-        auto layout = layouts_[mesh].find(name);
-        if (layout == layouts_[mesh].end()) {
-            const auto directory = layout::values(meshes_[mesh]->directory(), name);
-            const auto document = directory / layout::attributes_document;
-            ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
-            if (array.name != name) refuse(document, "is named '" + array.name + "', not '" + name + "'");
-            const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
-            layout = layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first;
-            array.doubles = layout->second.doubles;
-            const ArrayInfo* known = find(name);
-            if (known == nullptr)
-                info_.arrays.push_back(array);
-            else if (!known->has_shape_of(array) || known->doubles != array.doubles)
-                refuse(document, "has another association, number of components or type than on an earlier mesh");
+    std::vector<double> times() const {
+        std::vector<double> times;
+        for (std::size_t step = 0; step < table_->size(); ++step) times.push_back(table_->time(step));
+        for (const MarkedStep& step : marker_.steps) times.push_back(step.time);
+        if (table_->size() > 0 && !marker_.steps.empty() && !(times[table_->size()] > times[table_->size() - 1]))
+            refuse(directory_ / layout::commit_marker, "has a step that is not later than those in the table of steps");
+        return times;
+    }
+
+    Step read_step(std::size_t index, LackingRanges lacking) const {
+        const MarkedStep from = marked(index);
+        check_coordinates(index, from);
+        Step step{from.time, from.mesh, from.coordinates, {}};
+        for (const auto& [name, entry] : from.arrays) {
+            check_chunk(from.mesh, name, entry.chunk);
+            step.arrays.emplace(name, array_step(from, name, entry, lacking));
         }
+        return step;
+    }
+
+    void check_coordinates(std::size_t index, const MarkedStep& step) const {
+        if (step.coordinates >= positions_[step.mesh].chunks)
+            refuse(directory_ / layout::commit_marker,
+                   "step " + std::to_string(index) + " names coordinates that do not exist");
+    }
+
+    void learn_arrays(std::size_t index, const MarkedStep& step) {
+        check_coordinates(index, step);
+        for (const auto& [name, entry] : step.arrays) learn_array(step.mesh, name);
+    }
+
+    void learn_arrays_of_table() {
+        for (const TableArray& array : marker_.table.arrays)
+            for (const std::uint64_t mesh : array.meshes) learn_array(mesh, array.name);
+    }
+
+    void learn_array(std::size_t mesh, const std::string& name) {
+        if (layouts_[mesh].contains(name)) return;
+        const auto directory = layout::values(meshes_[mesh]->directory(), name);
+        const auto document = directory / layout::attributes_document;
+        ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
+        if (array.name != name) refuse(document, "is named '" + array.name + "', not '" + name + "'");
+        const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
+        array.doubles =
+            layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first->second.doubles;
+        const ArrayInfo* known = find(name);
+        if (known == nullptr)
+            info_.arrays.push_back(array);
+        else if (!known->has_shape_of(array) || known->doubles != array.doubles)
+            refuse(document, "has another association, number of components or type than on an earlier mesh");
+    }
+
+    void check_chunk(std::size_t mesh, const std::string& name, std::uint64_t chunk) const {
+        const auto layout = layouts_[mesh].find(name);
+        if (layout == layouts_[mesh].end())
+            refuse_damage(directory_, "has no array '" + name + "' on mesh " + std::to_string(mesh) +
+                                          ", which the table of steps names");
         if (chunk >= layout->second.chunks)
             refuse(layout->second.directory / layout::array_document,
                    "declares " + std::to_string(layout->second.chunks) + " steps, but the commit marker names step " +
@@ -303,8 +344,8 @@ private:
     fs::path directory_;
     DatasetInfo info_;
     Marker marker_;
-    std::vector<Step> steps_;
-    std::size_t next_step_ = 0;
+    std::unique_ptr<const StepTable> table_;
+    std::unique_ptr<const Steps> steps_; // those of the table, then those of the marker
     std::vector<std::shared_ptr<MappedMesh>> meshes_;
     std::vector<ArrayLayout> positions_;                         // per mesh
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
@@ -347,10 +388,12 @@ const ArrayInfo* Dataset::find(const std::string& array) const {
 }
 
 std::size_t Dataset::step_at(double time) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < steps().size(); ++i)
-        if (std::abs(steps()[i].time - time) < std::abs(steps()[best].time - time)) best = i;
-    return best;
+    const auto times = steps().times();
+    if (std::isnan(time)) return 0;
+    const auto after = std::ranges::upper_bound(times, time);
+    if (after == times.begin()) return 0;
+    const auto step = static_cast<std::size_t>(after - times.begin()) - 1;
+    return step + 1 < times.size() && times[step + 1] - time < time - times[step] ? step + 1 : step;
 }
 
 } // namespace ciel::store

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
-#include "store/format/dataset_info.hpp"
+#include "store/format/steps.hpp"
 #include "store/format/values.hpp"
 
 #include <cstdint>
@@ -38,14 +38,15 @@ struct ScalarName {
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
-    // `directory` is not a dataset. Arrays and records are read and verified at their first use, not here.
+    // `directory` is not a dataset. Arrays, records and the arrays of a step in the table of steps are read and
+    // verified at their first use, not here.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed);
     virtual ~Dataset() = default;
 
     [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
     [[nodiscard]] virtual const DatasetInfo& info() const = 0;
-    [[nodiscard]] virtual const std::vector<Step>& steps() const = 0;
+    [[nodiscard]] virtual const Steps& steps() const = 0;
     // Returns the dataset with the steps committed since it was opened or refreshed, or nullptr when there are none.
     // Both datasets share the mapped files. Checks the mapped files and those of the new steps. Throws Error when one
     // is damaged or the dataset was replaced by another.

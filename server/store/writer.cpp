@@ -7,7 +7,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
 #include "store/format/layout.hpp"
-#include "store/format/marker.hpp"
+#include "store/format/step_table.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/imported_copy.hpp"
 #include "store/mesh_counts.hpp"
@@ -43,6 +43,9 @@ std::string random_id() {
     for (std::uint32_t& word : words) word = device();
     return checksum(std::as_bytes(std::span(words))).substr(5);
 }
+
+constexpr std::size_t most_steps_in_marker = 64;
+constexpr std::size_t most_id_bytes = 32; // a binary file has no room for a longer id
 
 struct WrittenMesh {
     MeshAttributes attributes;
@@ -99,6 +102,7 @@ struct Writer::State {
     std::shared_ptr<Dataset> before;
     DatasetInfo info;
     Marker marker;
+    std::optional<double> last_time; // of the last step
     std::vector<WrittenMesh> meshes;
     std::map<std::size_t, std::shared_ptr<const Topology>> topologies; // by mesh, for the ranges of values
     std::unique_ptr<StepUnderWay> under_way;
@@ -147,7 +151,27 @@ struct Writer::State {
         put_text(directory / "meshes" / layout::group_document, group_text());
     }
 
-    void put_marker() const { put_text(directory / layout::commit_marker, to_text(marker)); }
+    void put_marker(const Marker& with) const { put_text(directory / layout::commit_marker, to_text(with)); }
+
+    // Moves the steps of the marker to the table when they are many, so that the marker stays small, and commits that.
+    // Returns whether it did.
+    bool move_steps_to_table() {
+        if (marker.steps.size() <= most_steps_in_marker || info.id.size() > most_id_bytes) return false;
+        Marker next{marker.meshes, append_to_table(directory, marker.table, info.id, marker.steps), {}};
+        put_marker(next);
+        marker = std::move(next);
+        return true;
+    }
+
+    // Call when move_steps_to_table has failed: it may have replaced the marker before.
+    void read_table_again() noexcept {
+        try {
+            const fs::path file = directory / layout::commit_marker;
+            Marker now = parse_marker(read_text(file, layout::marker_bytes), file);
+            if (now.table.steps > marker.table.steps) marker = std::move(now);
+        } catch (const std::exception&) { // the marker is that of the last step, then
+        }
+    }
 
     void check_array(const ArrayValues& array, const WrittenMesh& on) const {
         const std::uint64_t items = on.items(array.info);
@@ -308,6 +332,12 @@ Writer Writer::append(std::shared_ptr<Dataset> dataset) {
         state->meshes.back().attributes.info.double_positions = dataset->info().meshes[m].double_positions;
         complete_checksums(state->meshes.back().attributes, *dataset, m);
     }
+    const TableFacts& table = state->marker.table;
+    for (std::size_t m = 0; m < table.chunks.size(); ++m) state->meshes[m].steps = table.chunks[m];
+    for (const TableArray& array : table.arrays)
+        for (const std::uint64_t m : array.meshes)
+            state->meshes[m].arrays.emplace(array.name, *dataset->find(array.name));
+    if (!dataset->steps().empty()) state->last_time = dataset->steps().times().back();
     for (const MarkedStep& step : state->marker.steps) {
         WrittenMesh& mesh = state->meshes[step.mesh];
         for (const auto& [name, array] : step.arrays) {
@@ -396,9 +426,9 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
     state.take_back();
     const WrittenMesh& written = state.mesh(mesh);
     if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
-    if (!state.marker.steps.empty() && !(time > state.marker.steps.back().time))
+    if (state.last_time && !(time > *state.last_time))
         throw Error("time " + std::to_string(time) + " is not later than the last step, " +
-                    std::to_string(state.marker.steps.back().time));
+                    std::to_string(*state.last_time));
     if (coordinates >= written.attributes.coordinate_checksums.size())
         throw Error("mesh " + std::to_string(mesh) + " has no coordinates " + std::to_string(coordinates));
     state.under_way = std::make_unique<StepUnderWay>(StepUnderWay{{time, mesh, coordinates, {}}, {}, {}});
@@ -428,9 +458,11 @@ void Writer::end_step() {
         state.take_back();
         throw;
     }
+    const double time = state.under_way->step.time;
     if (!state.appending()) {
         state.learn_arrays(*state.under_way);
         state.marker.steps.push_back(std::move(state.under_way->step));
+        state.last_time = time;
         return state.under_way.reset();
     }
     const std::vector<WrittenMesh> meshes = state.meshes;
@@ -447,12 +479,19 @@ void Writer::end_step() {
     state.marker.steps.push_back(state.under_way->step);
     state.under_way.reset(); // keeps the chunks: put_marker may throw after it has replaced the marker
     try {
-        state.put_marker();
+        state.put_marker(state.marker);
     } catch (...) {
         state.meshes = meshes;
         state.marker.meshes = known_meshes;
         state.marker.steps.pop_back();
         throw;
+    }
+    state.last_time = time;
+    // The step is committed, so no error of what follows may look like its failure. The next step tries again.
+    try {
+        (void)state.move_steps_to_table();
+    } catch (const std::exception&) {
+        state.read_table_again();
     }
 }
 
@@ -472,7 +511,7 @@ void Writer::finish() {
         state.marker.meshes = state.meshes.size();
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
         state.put_root();
-        state.put_marker();
+        if (!state.move_steps_to_table()) state.put_marker(state.marker);
         read_again(*state.place);
         state.place->commit();
     }

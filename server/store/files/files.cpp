@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace ciel::store {
 namespace {
@@ -142,6 +143,26 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit) {
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     write_all(create(file), file, bytes);
+}
+
+void append_after(const std::filesystem::path& file, std::uint64_t size, std::span<const std::byte> bytes) {
+    const Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    if (out.get() < 0) refuse_errno(file, "cannot be opened for writing");
+    struct stat status {};
+    if (::fstat(out.get(), &status) != 0) refuse_errno(file, "cannot be read");
+    if (static_cast<std::uint64_t>(status.st_size) < size)
+        refuse_damage(file, "has " + std::to_string(status.st_size) + " bytes instead of " + std::to_string(size));
+    if (status.st_nlink > 1) { // a backup has the same file, and must not change
+        std::vector<std::byte> all(size);
+        InputFile(file).read(0, all);
+        all.insert(all.end(), bytes.begin(), bytes.end());
+        return replace_file(file, all);
+    }
+    const auto end = static_cast<off_t>(size);
+    if (::ftruncate(out.get(), end) != 0 || ::lseek(out.get(), end, SEEK_SET) != end)
+        refuse_errno(file, "cannot be written");
+    write_all(out, file, bytes);
+    if (::fsync(out.get()) != 0) refuse_errno(file, "cannot be flushed to the disk");
 }
 
 NewFile::NewFile(const std::filesystem::path& file) : path_(file), out_(create(file)) {}

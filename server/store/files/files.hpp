@@ -58,6 +58,10 @@ void sync_filesystem(const std::filesystem::path& directory);
     return std::as_bytes(std::span(text.data(), text.size()));
 }
 
+// Writes bytes after the first `size` bytes of a file, truncates what is behind, and flushes the file to the disk.
+// Readers of the first `size` bytes are not disturbed. A file with several hard links is replaced by a new one.
+void append_after(const std::filesystem::path& file, std::uint64_t size, std::span<const std::byte> bytes);
+
 // Owns a file descriptor.
 class Descriptor {
 public:

@@ -12,10 +12,11 @@ constexpr std::string_view digits = "0123456789abcdef";
 
 std::uint64_t checksum_number(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-std::string checksum(std::span<const std::byte> bytes) {
-    const std::uint64_t hash = checksum_number(bytes);
+std::string checksum(std::span<const std::byte> bytes) { return checksum_text(checksum_number(bytes)); }
+
+std::string checksum_text(std::uint64_t number) {
     std::string text(prefix);
-    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15];
+    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(number >> shift) & 15];
     return text;
 }
 

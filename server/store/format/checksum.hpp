@@ -10,6 +10,7 @@ namespace ciel::store {
 
 [[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
+[[nodiscard]] std::string checksum_text(std::uint64_t number);
 [[nodiscard]] std::uint64_t checksum_number(const std::string& text); // of what `checksum` returned
 [[nodiscard]] bool is_checksum(const std::string& text);
 

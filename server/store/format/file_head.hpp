@@ -14,8 +14,10 @@ namespace ciel::store {
 
 // Four characters. The files of records have the kinds of their records (RecordKind).
 enum class FileKind : std::uint32_t {
-    index = 0x78646e69,  // "indx"
-    ranges = 0x676e6172, // "rang"
+    index = 0x78646e69,       // "indx"
+    ranges = 0x676e6172,      // "rang"
+    step_rows = 0x77727473,   // "strw"
+    step_arrays = 0x72617473, // "star"
 };
 [[nodiscard]] inline FileKind file_kind(RecordKind kind) { return static_cast<FileKind>(kind); }
 

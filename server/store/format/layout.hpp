@@ -14,6 +14,7 @@ namespace ciel::store::layout {
 inline constexpr int format_version = 1;
 inline constexpr std::uint16_t records_version = 2; // of the index and the files of records
 inline constexpr const char* commit_marker = "steps.json";
+inline constexpr const char* step_table = "steps"; // a folder
 inline constexpr const char* group_document = ".zgroup";
 inline constexpr const char* attributes_document = ".zattrs";
 inline constexpr const char* array_document = ".zarray";

@@ -2,12 +2,14 @@
 
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
-#include "store/format/layout.hpp"
 
 namespace ciel::store {
 namespace {
 
 constexpr std::uint64_t most_meshes = 1'000'000;
+constexpr std::uint64_t most_table_steps = 100'000'000;
+// ciel_steps. Readers of version 1 must refuse a dataset with a table, because they would see its last steps only.
+constexpr std::uint64_t plain_version = 1, table_version = 2;
 
 std::array<double, 2> parse_range(const JsonReader& value) {
     const auto items = value.items();
@@ -53,15 +55,15 @@ MarkedArray parse_array(const JsonReader& value, std::uint64_t default_chunk) {
     return array;
 }
 
-MarkedStep parse_step(const JsonReader& value, std::vector<std::uint64_t>& steps_on_mesh) {
+MarkedStep parse_step(const JsonReader& value, std::vector<std::uint64_t>& next_chunk) {
     MarkedStep step;
     step.time = value.at("time").number();
     if (const auto mesh = value.find("mesh")) step.mesh = mesh->count();
-    if (step.mesh >= steps_on_mesh.size())
+    if (step.mesh >= next_chunk.size())
         value.refuse("names mesh " + std::to_string(step.mesh) + ", but there are " +
-                     std::to_string(steps_on_mesh.size()));
+                     std::to_string(next_chunk.size()));
     if (const auto coordinates = value.find("coordinates")) step.coordinates = coordinates->count();
-    const std::uint64_t default_chunk = steps_on_mesh[step.mesh]++;
+    const std::uint64_t default_chunk = next_chunk[step.mesh]++;
     if (const auto arrays = value.find("arrays"))
         for (const auto& [name, array] : arrays->members())
             step.arrays.emplace(name, parse_array(array, default_chunk));
@@ -85,21 +87,52 @@ nlohmann::json to_json(const MarkedArray& array) {
     return json;
 }
 
+TableFacts parse_table(const JsonReader& value, std::uint64_t meshes) {
+    TableFacts table;
+    table.steps = value.at("steps").count();
+    const JsonReader sum = value.at("checksum");
+    table.checksum = sum.text();
+    if (!is_checksum(table.checksum)) sum.refuse("must be \"xxh3:\" and 16 hexadecimal digits");
+    for (const JsonReader& item : value.at("arrays").items()) {
+        TableArray& array = table.arrays.emplace_back(TableArray{item.at("name").text(), {}});
+        for (const JsonReader& mesh : item.at("meshes").items()) {
+            array.meshes.push_back(mesh.count());
+            if (array.meshes.back() >= meshes) mesh.refuse("is not the number of a mesh");
+        }
+    }
+    for (const JsonReader& chunks : value.at("chunks").items()) table.chunks.push_back(chunks.count());
+    if (table.steps == 0 || table.steps > most_table_steps) value.at("steps").refuse("must be 1 to 100000000");
+    if (table.chunks.size() > meshes) value.at("chunks").refuse("has more entries than there are meshes");
+    return table;
+}
+
+nlohmann::json to_json(const TableFacts& table) {
+    nlohmann::json arrays = nlohmann::json::array();
+    for (const TableArray& array : table.arrays) arrays.push_back({{"name", array.name}, {"meshes", array.meshes}});
+    return {
+        {"steps", table.steps}, {"checksum", table.checksum}, {"arrays", std::move(arrays)}, {"chunks", table.chunks}};
+}
+
 } // namespace
 
 Marker parse_marker(std::string_view text, const std::filesystem::path& file) {
     const nlohmann::json json = parse_json(text, file);
     const JsonReader document(json, file);
     const JsonReader version = document.at("ciel_steps");
-    if (version.count() != layout::format_version)
+    if (version.count() < plain_version || version.count() > table_version)
         version.refuse("is " + std::to_string(version.count()) + ", but the installed CIEL reads " +
-                       std::to_string(layout::format_version) + "; update CIEL");
+                       std::to_string(plain_version) + " and " + std::to_string(table_version) + "; update CIEL");
     Marker marker;
     marker.meshes = document.at("meshes").count();
     if (marker.meshes == 0 || marker.meshes > most_meshes) document.at("meshes").refuse("must be 1 to 1000000");
-    std::vector<std::uint64_t> steps_on_mesh(marker.meshes);
+    if (const auto table = document.find("table")) {
+        if (version.count() < table_version) version.refuse("must be 2, because there is a table of steps");
+        marker.table = parse_table(*table, marker.meshes);
+    }
+    std::vector<std::uint64_t> next_chunk = marker.table.chunks;
+    next_chunk.resize(marker.meshes);
     for (const JsonReader& item : document.at("steps").items()) {
-        marker.steps.push_back(parse_step(item, steps_on_mesh));
+        marker.steps.push_back(parse_step(item, next_chunk));
         if (marker.steps.size() > 1 && !(marker.steps.back().time > marker.steps[marker.steps.size() - 2].time))
             item.refuse("is not later than the step before it");
     }
@@ -116,8 +149,12 @@ std::string to_text(const Marker& marker) {
                          {"coordinates", step.coordinates},
                          {"arrays", std::move(arrays)}});
     }
-    return to_text(
-        nlohmann::json{{"ciel_steps", layout::format_version}, {"meshes", marker.meshes}, {"steps", std::move(steps)}});
+    const bool has_table = marker.table.steps > 0;
+    nlohmann::json document{{"ciel_steps", has_table ? table_version : plain_version},
+                            {"meshes", marker.meshes},
+                            {"steps", std::move(steps)}};
+    if (has_table) document["table"] = to_json(marker.table);
+    return to_text(document);
 }
 
 } // namespace ciel::store

@@ -1,5 +1,6 @@
-// The commit marker, steps.json: the list of the steps that readers see. Readers ignore chunks that it does not list.
-// Writers only replace it as a whole.
+// The commit marker, steps.json: the list of the steps that readers see, or of the last ones and the facts of the table
+// that has the others (step_table.hpp). Readers ignore chunks that it does not list. Writers only replace it as a
+// whole.
 #pragma once
 
 #include "store/format/dataset_info.hpp"
@@ -23,13 +24,26 @@ struct MarkedStep {
     std::map<std::string, MarkedArray> arrays;
 };
 
+struct TableArray {
+    std::string name;
+    std::vector<std::uint64_t> meshes; // with steps at which the array was written
+};
+
+struct TableFacts {
+    std::uint64_t steps = 0; // 0: there is no table
+    std::string checksum;    // of the rows
+    std::vector<TableArray> arrays;
+    std::vector<std::uint64_t> chunks; // by mesh: number after the last chunk; may be shorter than the meshes
+};
+
 struct Marker {
     std::size_t meshes = 0;
-    std::vector<MarkedStep> steps;
+    TableFacts table;
+    std::vector<MarkedStep> steps; // after those of the table
 };
 
 // Throws Error that names `file` and the place in it, also when times do not increase or a step is on a mesh that does
-// not exist. `chunk` defaults to the number of earlier steps on the same mesh.
+// not exist. `chunk` defaults to the number of earlier steps on the same mesh, in the marker and in `chunks`.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 

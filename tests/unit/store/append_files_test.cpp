@@ -39,10 +39,11 @@ std::size_t stat_calls_of(const Work& work) {
     return test::stat_calls() - before;
 }
 
+// Both datasets have a table of steps.
 TEST(AppendFiles, TheFilesOfOldStepsAreNotAskedFor) {
     const test::Folder scratch;
     std::vector<std::size_t> writing, reading;
-    for (const std::size_t steps : {3, 300}) {
+    for (const std::size_t steps : {70, 700}) {
         const fs::path directory = scratch / (std::to_string(steps) + ".ciel");
         write_steps(directory, steps);
         const auto reader = Dataset::open(directory);
@@ -56,15 +57,15 @@ TEST(AppendFiles, TheFilesOfOldStepsAreNotAskedFor) {
 
 TEST(AppendFiles, AReaderLooksAtNoFileOfAStepBeforeItIsShown) {
     const test::Folder scratch;
-    write_steps(scratch / "few.ciel", 3);
-    write_steps(scratch / "many.ciel", 300);
+    write_steps(scratch / "few.ciel", 70);
+    write_steps(scratch / "many.ciel", 700);
     const std::size_t one = stat_calls_of([&] { (void)Dataset::open(scratch / "few.ciel"); });
     EXPECT_GT(one, 0U) << "they are counted";
     EXPECT_EQ(stat_calls_of([&] { (void)Dataset::open(scratch / "many.ciel"); }), one);
     const auto reader = Dataset::open(scratch / "few.ciel");
-    append_step(scratch / "few.ciel", 10);
+    append_step(scratch / "few.ciel", 100);
     const std::size_t first = stat_calls_of([&] { (void)reader->refreshed(); });
-    append_step(scratch / "few.ciel", 11);
+    append_step(scratch / "few.ciel", 101);
     EXPECT_EQ(stat_calls_of([&] { (void)reader->refreshed(); }), first);
 }
 

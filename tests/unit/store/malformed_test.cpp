@@ -42,6 +42,14 @@ Damage edit(const char* file, const std::function<void(json&)>& change) {
         test::overwrite_file(d / file, document.dump());
     };
 }
+// Adds a table of steps to the marker, with some entries changed.
+auto as_table(const json& changes) {
+    return [=](json& j) {
+        j["ciel_steps"] = 2;
+        j["table"] = {{"steps", 2}, {"checksum", "xxh3:0123456789abcdef"}, {"arrays", json::array()}, {"chunks", {1}}};
+        j["table"].update(changes);
+    };
+}
 Damage flip(const char* file, std::size_t byte) {
     return [=](const fs::path& d) {
         std::string content = test::read_file(d / file);
@@ -93,8 +101,22 @@ const std::vector<Malformed> table{
     {"no input counts", edit(".zattrs", [](json& j) { j["ciel"].erase("input"); }), ".zattrs", "lacks 'input'"},
     {"no commit marker", remove("steps.json"), "steps.json", "is missing"},
     {"marker empty", write("steps.json", ""), "steps.json", "not valid JSON"},
-    {"marker of a newer version", edit("steps.json", [](json& j) { j["ciel_steps"] = 2; }), "steps.json",
+    {"marker of a newer version", edit("steps.json", [](json& j) { j["ciel_steps"] = 3; }), "steps.json",
      "update CIEL"},
+    {"table in a marker of version 1",
+     edit("steps.json",
+          [](json& j) {
+              j["table"] = {{"steps", 1}};
+          }),
+     "steps.json", "must be 2"},
+    {"table without rows", edit("steps.json", as_table(json::object())), "steps/rows", "is missing"},
+    {"table of too many steps", edit("steps.json", as_table({{"steps", 100'000'000}})), "steps/rows", "is missing"},
+    {"table of no step", edit("steps.json", as_table({{"steps", 0}})), "steps.json", "must be 1 to 100000000"},
+    {"table without a checksum", edit("steps.json", as_table({{"checksum", "md5"}})), "steps.json", "xxh3"},
+    {"table on more meshes", edit("steps.json", as_table({{"chunks", {1, 1}}})), "steps.json", "more entries than"},
+    {"table of an array on no mesh",
+     edit("steps.json", as_table({{"arrays", json::array({json{{"name", "p"}, {"meshes", {1}}}})}})), "steps.json",
+     "number of a mesh"},
     {"marker without steps", edit("steps.json", [](json& j) { j.erase("steps"); }), "steps.json", "lacks 'steps'"},
     {"no meshes", edit("steps.json", [](json& j) { j["meshes"] = 0; }), "steps.json", "'meshes' must be 1"},
     {"meshes beyond all", edit("steps.json", [](json& j) { j["meshes"] = 18446744073709551615U; }), "steps.json",

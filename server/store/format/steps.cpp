@@ -1,0 +1,33 @@
+#include "store/format/steps.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace ciel::store {
+
+Steps::Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before)
+    : times_(std::move(times)), read_(std::move(read)), known_(times_.size()) {
+    if (before == nullptr) return;
+    const std::lock_guard lock(before->mutex_);
+    std::copy_n(before->known_.begin(), std::min(before->known_.size(), known_.size()), known_.begin());
+}
+
+const Step& Steps::operator[](std::size_t step) const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (known_[step]) return *known_[step];
+    }
+    // Read without the lock, because it may take long: the ranges of an array that was appended with plain Zarr.
+    auto read = std::make_shared<const Step>(read_(step));
+    const std::lock_guard lock(mutex_);
+    if (!known_[step]) known_[step] = std::move(read);
+    return *known_[step];
+}
+
+const Step& Steps::at(std::size_t step) const {
+    if (step >= size())
+        throw Error("the dataset has " + std::to_string(size()) + " steps, and no step " + std::to_string(step));
+    return (*this)[step];
+}
+
+} // namespace ciel::store

@@ -1,0 +1,62 @@
+// Steps: the steps of a dataset, each read when it is first asked for.
+#pragma once
+
+#include "store/format/dataset_info.hpp"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace ciel::store {
+
+// By ascending time. Thread-safe. A reference to a step is valid as long as the dataset. Functions that return a step
+// throw Error when it is damaged.
+class Steps {
+public:
+    // `read`: returns a step; may be called by several threads. `before`: the same dataset with fewer steps, or null.
+    Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before);
+
+    [[nodiscard]] std::size_t size() const { return times_.size(); }
+    [[nodiscard]] bool empty() const { return times_.empty(); }
+    [[nodiscard]] std::span<const double> times() const { return times_; } // reads no step
+    [[nodiscard]] const Step& operator[](std::size_t step) const;
+    [[nodiscard]] const Step& at(std::size_t step) const; // throws Error if there is no such step
+    [[nodiscard]] const Step& front() const { return (*this)[0]; }
+    [[nodiscard]] const Step& back() const { return (*this)[size() - 1]; }
+
+    class Iterator {
+    public:
+        using value_type = Step;
+        using difference_type = std::ptrdiff_t;
+
+        Iterator() = default;
+        Iterator(const Steps& of, std::size_t at) : of_(&of), at_(at) {}
+        const Step& operator*() const { return (*of_)[at_]; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        Iterator operator++(int) {
+            Iterator before = *this;
+            ++at_;
+            return before;
+        }
+        bool operator==(const Iterator& other) const { return at_ == other.at_; }
+
+    private:
+        const Steps* of_ = nullptr;
+        std::size_t at_ = 0;
+    };
+    [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+    [[nodiscard]] Iterator end() const { return {*this, size()}; }
+
+private:
+    std::vector<double> times_;
+    std::function<Step(std::size_t)> read_;
+    mutable std::mutex mutex_;
+    mutable std::vector<std::shared_ptr<const Step>> known_; // null until a step is read
+};
+
+} // namespace ciel::store

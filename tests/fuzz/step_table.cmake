@@ -1,0 +1,1 @@
+ciel_fuzz(step_table LINKS store ciel PACKAGES test_support)
