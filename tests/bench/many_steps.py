@@ -9,7 +9,6 @@ and of the next append.
 """
 
 import argparse
-import asyncio
 import json
 import pathlib
 import re
@@ -17,20 +16,21 @@ import shutil
 import subprocess
 import tempfile
 import time
+import urllib.request
 
 import numpy
-import websockets
-from drag import Client
 
 TOKEN = "many-steps-bench"
 
 
-async def describe(port, name):
-    async with websockets.connect(f"ws://127.0.0.1:{port}/ws?token={TOKEN}", subprotocols=["ciel.v1"], max_size=None) as socket:
-        await Client(socket).call("server.info")
-        begin = time.monotonic()
-        await Client(socket).call("dataset.describe", dataset=name)
-        return round(time.monotonic() - begin, 3)
+def describe(port, name):
+    """By POST, because the answer may be too long for a WebSocket."""
+    call = {"jsonrpc": "2.0", "id": 1, "method": "dataset.describe", "params": {"dataset": name}}
+    request = urllib.request.Request(f"http://127.0.0.1:{port}/rpc?token={TOKEN}", json.dumps(call).encode(), {"Content-Type": "application/json"})
+    begin = time.monotonic()
+    with urllib.request.urlopen(request) as answer:
+        json.load(answer)["result"]
+    return round(time.monotonic() - begin, 3)
 
 
 def served(ciel, dataset):
@@ -40,7 +40,7 @@ def served(ciel, dataset):
     try:
         port = next(found.group(1) for line in server.stdout if (found := re.search(r"http://[^\s/]+:(\d+)", line)))
         listening = round(time.monotonic() - begin, 3)
-        return {"listening": listening, "describe": asyncio.run(describe(port, dataset.stem))}
+        return {"listening": listening, "describe": describe(port, dataset.stem)}
     finally:
         server.terminate()
         server.wait()
