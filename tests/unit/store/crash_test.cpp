@@ -6,6 +6,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -178,6 +179,87 @@ TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
     EXPECT_THROW(check_place(scratch / "a.ciel", false), Error);
     EXPECT_THROW(check_place(scratch / "nowhere/a.ciel", true), Error);
     EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
+}
+
+// Appends steps of two arrays until the process ends. Writes a byte to `told` after each.
+[[noreturn]] void append_forever(const fs::path& directory, int told) {
+    for (;;) {
+        Writer writer = Writer::append(directory);
+        const std::size_t step = writer.before()->steps().size();
+        const auto p = test::values_of(8, step), q = test::values_of(8, 2 * step);
+        writer.add_step(static_cast<double>(step), 0, 0,
+                        std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p},
+                                                 {{"q", Association::point, 1, "", ""}, q}});
+        if (::write(told, "s", 1) != 1) ::_exit(1);
+    }
+}
+
+// The steps pass from the marker to the table several times.
+TEST(Crash, AWriterKilledAtAnyMomentLosesNoStepThatItHasTold) {
+    const test::Folder scratch;
+    const fs::path directory = scratch / "a.ciel";
+    {
+        Writer writer(directory, {});
+        add_box(writer, test::box(1, 1, 1));
+        writer.finish();
+    }
+    std::mt19937 random(3);
+    auto reader = Dataset::open(directory);
+    std::size_t told = 0;
+    for (int round = 0; round < 40 || told < 200; ++round) {
+        int ends[2];
+        ASSERT_EQ(::pipe(ends), 0);
+        const pid_t child = ::fork();
+        if (child == 0) append_forever(directory, ends[1]);
+        ::close(ends[1]);
+        char byte = 0;
+        const std::size_t wanted = 1 + random() % 12;
+        for (std::size_t i = 0; i < wanted && ::read(ends[0], &byte, 1) == 1; ++i) ++told;
+        ::usleep(random() % 3000);
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        while (::read(ends[0], &byte, 1) == 1) ++told;
+        ::close(ends[0]);
+        if (auto now = reader->refreshed()) reader = std::move(now);
+        const auto dataset = Dataset::open(directory);
+        ASSERT_GE(dataset->steps().size(), told);
+        ASSERT_LE(dataset->steps().size(), told + static_cast<std::size_t>(round) + 1);
+        ASSERT_EQ(reader->steps().size(), dataset->steps().size());
+        for (std::size_t step = 0; step < dataset->steps().size(); ++step) {
+            ASSERT_EQ(dataset->steps()[step].time, static_cast<double>(step));
+            ASSERT_THAT(dataset->values("p", step), testing::ElementsAreArray(test::values_of(8, step)));
+        }
+    }
+    reader->verify();
+}
+
+TEST(Crash, AReaderSeesEachStepWhileTheyMoveToTheTable) {
+    const test::Folder scratch;
+    const fs::path directory = scratch / "a.ciel";
+    {
+        Writer writer(directory, {});
+        add_box(writer, test::box(1, 1, 1));
+        writer.finish();
+    }
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) append_forever(directory, ends[1]);
+    auto reader = Dataset::open(directory);
+    while (reader->steps().size() < 150) {
+        auto now = reader->refreshed();
+        const auto opened = Dataset::open(directory);
+        EXPECT_GE(opened->steps().size(), now ? now->steps().size() : 0);
+        if (!now) continue;
+        reader = std::move(now);
+        const std::size_t last = reader->steps().size() - 1;
+        ASSERT_THAT(reader->values("q", last), testing::ElementsAreArray(test::values_of(8, 2 * last)));
+        ASSERT_EQ(reader->steps()[last / 2].time, static_cast<double>(last / 2));
+    }
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 } // namespace
