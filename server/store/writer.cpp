@@ -3,11 +3,12 @@
 #include "store/cache/mapped_file.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/cell_places.hpp"
+#include "store/commit.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
 #include "store/format/layout.hpp"
-#include "store/format/step_table.hpp"
+#include "store/format/marker.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/imported_copy.hpp"
 #include "store/mesh_counts.hpp"
@@ -43,9 +44,6 @@ std::string random_id() {
     for (std::uint32_t& word : words) word = device();
     return checksum(std::as_bytes(std::span(words))).substr(5);
 }
-
-constexpr std::size_t most_steps_in_marker = 64;
-constexpr std::size_t most_id_bytes = 32; // a binary file has no room for a longer id
 
 struct WrittenMesh {
     MeshAttributes attributes;
@@ -151,27 +149,7 @@ struct Writer::State {
         put_text(directory / "meshes" / layout::group_document, group_text());
     }
 
-    void put_marker(const Marker& with) const { put_text(directory / layout::commit_marker, to_text(with)); }
-
-    // Moves the steps of the marker to the table when they are many, so that the marker stays small, and commits that.
-    // Returns whether it did.
-    bool move_steps_to_table() {
-        if (marker.steps.size() <= most_steps_in_marker || info.id.size() > most_id_bytes) return false;
-        Marker next{marker.meshes, append_to_table(directory, marker.table, info.id, marker.steps), {}};
-        put_marker(next);
-        marker = std::move(next);
-        return true;
-    }
-
-    // Call when move_steps_to_table has failed: it may have replaced the marker before.
-    void read_table_again() noexcept {
-        try {
-            const fs::path file = directory / layout::commit_marker;
-            Marker now = parse_marker(read_text(file, layout::marker_bytes), file);
-            if (now.table.steps > marker.table.steps) marker = std::move(now);
-        } catch (const std::exception&) { // the marker is that of the last step, then
-        }
-    }
+    [[nodiscard]] Commit commit() const { return {directory, info.id, appending()}; }
 
     void check_array(const ArrayValues& array, const WrittenMesh& on) const {
         const std::uint64_t items = on.items(array.info);
@@ -477,9 +455,9 @@ void Writer::end_step() {
     }
     state.marker.meshes = state.meshes.size();
     state.marker.steps.push_back(state.under_way->step);
-    state.under_way.reset(); // keeps the chunks: put_marker may throw after it has replaced the marker
+    state.under_way.reset(); // keeps the chunks: put may throw after it has replaced the marker
     try {
-        state.put_marker(state.marker);
+        state.commit().put(state.marker);
     } catch (...) {
         state.meshes = meshes;
         state.marker.meshes = known_meshes;
@@ -489,9 +467,9 @@ void Writer::end_step() {
     state.last_time = time;
     // The step is committed, so no error of what follows may look like its failure. The next step tries again.
     try {
-        (void)state.move_steps_to_table();
+        (void)state.commit().move_steps_to_table(state.marker);
     } catch (const std::exception&) {
-        state.read_table_again();
+        state.commit().read_table_again(state.marker);
     }
 }
 
@@ -511,7 +489,7 @@ void Writer::finish() {
         state.marker.meshes = state.meshes.size();
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
         state.put_root();
-        if (!state.move_steps_to_table()) state.put_marker(state.marker);
+        if (!state.commit().move_steps_to_table(state.marker)) state.commit().put(state.marker);
         read_again(*state.place);
         state.place->commit();
     }
