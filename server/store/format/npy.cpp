@@ -63,7 +63,7 @@ std::vector<std::size_t> parse_shape(std::string_view text, const std::filesyste
 template <typename T>
 Values copied(std::string_view data) {
     std::vector<T> values(data.size() / sizeof(T));
-    std::memcpy(values.data(), data.data(), values.size() * sizeof(T));
+    if (!values.empty()) std::memcpy(values.data(), data.data(), values.size() * sizeof(T));
     return Values(std::move(values));
 }
 
