@@ -2,7 +2,9 @@
 
 #include <array>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 
 namespace ciel::test {
 namespace {
@@ -99,6 +101,17 @@ std::string read_file(const std::filesystem::path& file) {
 
 void overwrite_file(const std::filesystem::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
+}
+
+std::string hex_dump(const std::string& bytes) {
+    std::ostringstream text;
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        if (at % 16 == 0) text << std::hex << std::setw(4) << std::setfill('0') << at << ' ';
+        if (at % 8 == 0) text << ' ';
+        text << std::setw(2) << static_cast<unsigned>(static_cast<unsigned char>(bytes[at]))
+             << (at % 16 == 15 || at + 1 == bytes.size() ? '\n' : ' ');
+    }
+    return text.str();
 }
 
 } // namespace ciel::test

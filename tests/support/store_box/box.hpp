@@ -23,6 +23,7 @@ void write_box(const std::filesystem::path& directory, const FaceMesh& mesh);
 std::vector<float> values_of(std::size_t count, std::size_t step);
 
 std::string read_file(const std::filesystem::path& file);
+std::string hex_dump(const std::string& bytes); // lines of 16 bytes, as the store's README shows them
 void overwrite_file(const std::filesystem::path& file, const std::string& content);
 
 } // namespace ciel::test

@@ -12,8 +12,6 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iomanip>
-#include <sstream>
 
 namespace ciel::store {
 namespace {
@@ -36,26 +34,13 @@ FaceMesh one_tetrahedron() {
 
 Topology cells_of_all_kinds() { return Topology(assemble(test::view(test::zoo({{8, 8, 8}}))).mesh.view(), {32}); }
 
-// Lines of 16 bytes as hexadecimal numbers.
-std::string dump(const fs::path& file) {
-    const std::string bytes = test::read_file(file);
-    std::ostringstream text;
-    for (std::size_t at = 0; at < bytes.size(); ++at) {
-        if (at % 16 == 0) text << std::hex << std::setw(4) << std::setfill('0') << at << ' ';
-        if (at % 8 == 0) text << ' ';
-        text << std::setw(2) << static_cast<unsigned>(static_cast<unsigned char>(bytes[at]))
-             << (at % 16 == 15 || at + 1 == bytes.size() ? '\n' : ' ');
-    }
-    return text.str();
-}
-
 TEST(Blocks, HaveTheBytesThatTheReadmeShows) {
     const test::Folder scratch;
     const FaceMesh mesh = one_tetrahedron();
     write_blocks(scratch.path(), Topology(mesh.view()), id, bounds);
     std::string shown;
     for (const char* file : {"index", "cells/0", "around/0", "mates/0"})
-        shown += std::string("blocks/") + file + '\n' + dump(scratch / "blocks" / file);
+        shown += std::string("blocks/") + file + '\n' + test::hex_dump(test::read_file(scratch / "blocks" / file));
     const std::string readme = test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md");
     EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
 }

@@ -181,6 +181,12 @@ TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
     EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
 }
 
+void write_without_steps(const fs::path& directory) {
+    Writer writer(directory, {});
+    add_box(writer, test::box(1, 1, 1));
+    writer.finish();
+}
+
 // Appends steps of two arrays until the process ends. Writes a byte to `told` after each.
 [[noreturn]] void append_forever(const fs::path& directory, int told) {
     for (;;) {
@@ -198,11 +204,7 @@ TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
 TEST(Crash, AWriterKilledAtAnyMomentLosesNoStepThatItHasTold) {
     const test::Folder scratch;
     const fs::path directory = scratch / "a.ciel";
-    {
-        Writer writer(directory, {});
-        add_box(writer, test::box(1, 1, 1));
-        writer.finish();
-    }
+    write_without_steps(directory);
     std::mt19937 random(3);
     auto reader = Dataset::open(directory);
     std::size_t told = 0;
@@ -236,11 +238,7 @@ TEST(Crash, AWriterKilledAtAnyMomentLosesNoStepThatItHasTold) {
 TEST(Crash, AReaderSeesEachStepWhileTheyMoveToTheTable) {
     const test::Folder scratch;
     const fs::path directory = scratch / "a.ciel";
-    {
-        Writer writer(directory, {});
-        add_box(writer, test::box(1, 1, 1));
-        writer.finish();
-    }
+    write_without_steps(directory);
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     const pid_t child = ::fork();

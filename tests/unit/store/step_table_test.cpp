@@ -10,9 +10,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iomanip>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace ciel::store {
 namespace {
@@ -60,17 +58,6 @@ TEST(StepTable, SaysWhatTheMarkerSaid) {
     }
 }
 
-std::string dump(const std::string& bytes) {
-    std::ostringstream text;
-    for (std::size_t at = 0; at < bytes.size(); ++at) {
-        if (at % 16 == 0) text << std::hex << std::setw(4) << std::setfill('0') << at << ' ';
-        if (at % 8 == 0) text << ' ';
-        text << std::setw(2) << static_cast<unsigned>(static_cast<unsigned char>(bytes[at]))
-             << (at % 16 == 15 || at + 1 == bytes.size() ? '\n' : ' ');
-    }
-    return text.str();
-}
-
 TEST(StepTable, HasTheBytesThatTheReadmeShows) {
     const test::Folder scratch;
     ArrayStep p;
@@ -81,7 +68,7 @@ TEST(StepTable, HasTheBytesThatTheReadmeShows) {
     (void)append_to_table(scratch.path(), {}, id, steps);
     std::string shown;
     for (const char* file : {"steps/rows", "steps/arrays"})
-        shown += std::string(file) + '\n' + dump(test::read_file(scratch / file));
+        shown += std::string(file) + '\n' + test::hex_dump(test::read_file(scratch / file));
     EXPECT_THAT(test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md"),
                 HasSubstr("```\n" + shown + "```"))
         << "the README must show:\n"
