@@ -35,7 +35,12 @@ void check_status(const std::filesystem::path& file, const struct stat& status, 
     refuse(file, "has changed while it was open; restore it, and replace files of a dataset instead of rewriting them");
 }
 
-bool is_same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
+FileVersion version_of(const struct stat& status) {
+    return {status.st_dev,
+            status.st_ino,
+            {status.st_mtim.tv_sec, status.st_mtim.tv_nsec},
+            {status.st_ctim.tv_sec, status.st_ctim.tv_nsec}};
+}
 
 } // namespace
 
@@ -46,6 +51,7 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
     if (in.get() < 0) refuse_absent(path_);
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
+    seen_ = opened_;
     // First zeros for all, then the file over their begin.
     mapped_ = bytes + tail;
     void* data = ::mmap(nullptr, mapped_, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -69,8 +75,8 @@ MappedFile::~MappedFile() {
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
-      mapped_(std::exchange(other.mapped_, 0)), opened_(other.opened_), any_lost_(std::move(other.any_lost_)),
-      watched_(std::exchange(other.watched_, nullptr)) {}
+      mapped_(std::exchange(other.mapped_, 0)), opened_(other.opened_), seen_(other.seen_),
+      any_lost_(std::move(other.any_lost_)), watched_(std::exchange(other.watched_, nullptr)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(path_, other.path_);
@@ -78,17 +84,13 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(size_, other.size_);
     std::swap(mapped_, other.mapped_);
     std::swap(opened_, other.opened_);
+    std::swap(seen_, other.seen_);
     std::swap(any_lost_, other.any_lost_);
     std::swap(watched_, other.watched_);
     return *this;
 }
 
-FileVersion MappedFile::version() const {
-    return {opened_.st_dev,
-            opened_.st_ino,
-            {opened_.st_mtim.tv_sec, opened_.st_mtim.tv_nsec},
-            {opened_.st_ctim.tv_sec, opened_.st_ctim.tv_nsec}};
-}
+FileVersion MappedFile::version() const { return version_of(opened_); }
 
 void MappedFile::expect_random_reads() const {
     if (size_ != 0) (void)::madvise(data_, size_, MADV_RANDOM);
@@ -122,17 +124,11 @@ void MappedFile::check_intact() const {
     if (loss == Loss::changed) refuse_changed(path_);
 }
 
-bool MappedFile::was_touched() const {
+bool MappedFile::was_touched() {
     struct stat status {};
-    if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return false;
-    const bool is_mapped_one = status.st_dev == opened_.st_dev && status.st_ino == opened_.st_ino;
-    return is_mapped_one &&
-           !(is_same_time(status.st_mtim, opened_.st_mtim) && is_same_time(status.st_ctim, opened_.st_ctim));
-}
-
-void MappedFile::accept_touch() {
-    struct stat status {};
-    if (::stat(path_.c_str(), &status) == 0) opened_ = status;
+    if (size_ == 0 || ::stat(path_.c_str(), &status) != 0 || version_of(status) == version_of(seen_)) return false;
+    seen_ = status;
+    return true;
 }
 
 void MappedFile::refuse() const {

@@ -30,7 +30,7 @@ struct FileVersion {
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
-// Thread-safe, except moving and accept_touch.
+// Thread-safe, except moving and was_touched.
 class MappedFile {
 public:
     MappedFile() = default;
@@ -50,7 +50,7 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
-    [[nodiscard]] FileVersion version() const; // of the file when it was opened or at the last accept_touch
+    [[nodiscard]] FileVersion version() const; // of the file when it was opened
     // Expect that parts are read here and there, so that a part is not read with what lies behind it.
     void expect_random_reads() const;
     // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the
@@ -62,11 +62,9 @@ public:
     [[nodiscard]] bool is_lost() const;
     // Throws Error when the mapping is lost. Then everything that was read from it must be discarded.
     void check_intact() const;
-    // Returns whether the times of the mapped file's inode have changed since it was opened or since accept_touch: its
-    // content may have changed.
-    [[nodiscard]] bool was_touched() const;
-    // Makes was_touched return false until the next change. Must not run at the same time as was_touched.
-    void accept_touch();
+    // Returns whether the file at the path was written to or replaced since it was opened or since the last call. Then
+    // the mapping may be of other content than it should: a replaced file may have been damaged when it was mapped.
+    [[nodiscard]] bool was_touched();
     // Marks the mapping as lost, because its content has changed, and throws Error.
     [[noreturn]] void refuse() const;
 
@@ -74,7 +72,8 @@ private:
     std::filesystem::path path_;
     void* data_ = nullptr;
     std::size_t size_ = 0, mapped_ = 0; // mapped_: with the tail
-    struct stat opened_ {};             // status of the file when it was opened or at the last accept_touch
+    struct stat opened_ {
+    }, seen_{}; // status of the file when it was opened; at the last was_touched
     AnyLost any_lost_;
     WatchedMapping* watched_ = nullptr;
 };

@@ -236,9 +236,10 @@ void MappedMesh::check_unchanged() {
     const std::lock_guard lock(checking_);
     for (auto& [name, file] : arrays_) {
         file.check_size();
-        if (!file.was_touched()) continue;
-        file.accept_touch(); // before the checksum, so that a write during it is found by the next call
-        if (!has_its_checksum(name, file)) file.refuse();
+        if (!file.was_touched()) continue; // before the checksum, so that a write during it is found by the next call
+        const bool is_whole = has_its_checksum(name, file);
+        file.check_intact(); // a truncated file reads as zeros, which may have the checksum
+        if (!is_whole) file.refuse();
     }
     if (blocks_) blocks_->check_unchanged();
 }

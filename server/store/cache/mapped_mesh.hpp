@@ -41,8 +41,8 @@ public:
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
     [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
     void verify() const; // reads all arrays and records; throws Error at the first that is damaged
-    // Throws Error when a file has shrunk, or was written to and no longer has its checksum. Makes a stat call per
-    // file.
+    // Throws Error when a file has shrunk, or was written to or replaced and its mapping does not have its checksum.
+    // Makes a stat call per file.
     void check_unchanged();
     void check_intact() const;
 
@@ -80,7 +80,7 @@ private:
 
     std::filesystem::path directory_;
     AnyLost any_lost_;
-    std::mutex checking_; // held by check_unchanged: was_touched and accept_touch must not run at the same time
+    std::mutex checking_; // held by check_unchanged: was_touched must not run twice at the same time
     MeshAttributes attributes_;
     std::uint64_t vertex_count_ = 0;
     std::map<std::string, MappedFile> arrays_; // by name; groups as "groups/<index>"

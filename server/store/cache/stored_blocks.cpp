@@ -147,7 +147,7 @@ void StoredBlocks::check_unchanged() const {
 void StoredBlocks::check_file(std::size_t kind, std::size_t number) const {
     File& file = *files_[kind][number];
     const auto now = file.in.changed_at();
-    if (now == file.changed_at || file.in.is_deleted()) return;
+    if (now == file.changed_at || (file.in.is_deleted() && !std::filesystem::exists(file.in.path()))) return;
     std::vector<std::uint64_t> record;
     for (const RecordPlace& place : index_.places[kind])
         if (place.file == number && !read_into(place, file, record)) lose(file);

@@ -38,8 +38,8 @@ public:
     // Returns a record in its mapped file; likewise. Only for RecordAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
-    // Throws Error when a file was changed in place and a record no longer has its checksum. Makes a stat call per
-    // file.
+    // Throws Error when a file was changed in place or replaced, and a record of the open file does not have its
+    // checksum. Makes a stat call per file.
     void check_unchanged() const;
     void check_intact() const; // throws Error when a file is known to be lost
 
