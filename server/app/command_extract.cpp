@@ -54,7 +54,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
         const store::Values values =
             is_of_cells(loaded, scalar)
                 ? geometry::flat_values(surface, surface.polygon_cell, loaded.cell_values(scalar, step))
-                : geometry::values_at(surface.points, loaded.scalar_values(scalar, step));
+                : loaded.stored_scalar(scalar, step)->at(surface.points);
         all.push_back(wire::NamedValues::copy_of(name.magnitude ? name.array + ":magnitude" : scalar, values));
     }
     return all;

@@ -72,10 +72,9 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
         made.flat = flat && new_sound == sound ? flat : separated(*new_sound);
         made.scalars = made.flat_scalars(loaded);
     } else if (!new_array.empty()) {
-        const store::Values values = loaded.scalar_values(new_array, new_step);
+        const auto values = loaded.stored_scalar(new_array, new_step);
         const auto& points = new_sound->surface.points;
-        made.scalars =
-            of.value ? same_value(points.size(), *of.value, values.has_doubles()) : values_at(points, values);
+        made.scalars = of.value ? same_value(points.size(), *of.value, values->has_doubles()) : values->at(points);
     }
     made.sound = std::move(new_sound);
     const auto is_finite = [](auto value) { return std::isfinite(value); };
@@ -99,7 +98,7 @@ void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::str
         return;
     const auto sound = sound_shape(shape, std::span(&new_array, 1), new_step, loaded);
     const auto& points = sound->surface.points;
-    const store::Values at_points = values_at(points, loaded.scalar_values(new_array, new_step));
+    const store::Values at_points = loaded.stored_scalar(new_array, new_step)->at(points);
     auto made = std::make_shared<Shape>();
     made->lines = true;
     auto& positions = made->surface.positions;

@@ -20,14 +20,6 @@ std::vector<T> at(const std::vector<T>& of_vertices, const std::vector<Index>& v
 
 } // namespace
 
-store::Values values_at(std::span<const EdgePoint> points, ValuesView values) {
-    return values.with([&]<class T>(std::span<const T> all) {
-        std::vector<T> found(points.size());
-        interpolate(points, all, 1, found);
-        return store::Values(std::move(found));
-    });
-}
-
 std::shared_ptr<const Shape> separated(const Shape& shape) {
     const Surface& whole = shape.surface;
     Surface apart;

@@ -1,12 +1,9 @@
-// The values of an array on a surface, in the array's type.
+// The values of an array on the polygons of a surface, in the array's type.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
 
 namespace ciel::geometry {
-
-// Interpolates values on mesh vertices at points of a surface.
-[[nodiscard]] store::Values values_at(std::span<const EdgePoint> points, ValuesView values);
 
 // Returns the same polygons without shared vertices: then every polygon can have the value of its cell or face.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);

@@ -44,9 +44,40 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
     return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
 }
 
-ValuesView view_of(const MappedFile& chunk, bool doubles) {
-    return doubles ? ValuesView(chunk.as<double>()) : ValuesView(chunk.as<float>());
+PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles) {
+    const MappedFile& file = chunk->file();
+    return {doubles ? ValuesView(file.as<double>()) : ValuesView(file.as<float>()), std::move(chunk)};
 }
+
+Values loaded(PagedValues paged) {
+    if (paged.file) paged.file->load_all();
+    return {paged.values, std::move(paged.file)};
+}
+
+void refuse_infinite(std::span<const std::byte> page, bool doubles, const fs::path& file) {
+    const auto check = [&]<class T>(const T* begin) {
+        if (!std::all_of(begin, begin + page.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
+            refuse(file, "holds a coordinate that is not finite");
+    };
+    if (doubles)
+        check(reinterpret_cast<const double*>(page.data()));
+    else
+        check(reinterpret_cast<const float*>(page.data()));
+}
+
+// Keeps the positions mapped.
+class PositionsLoader final : public VertexLoader {
+public:
+    PositionsLoader(PagedValues positions, std::size_t blocks)
+        : VertexLoader(blocks), file_(std::move(positions.file)),
+          vertex_bytes_(3 * (positions.values.has_doubles() ? sizeof(double) : sizeof(float))) {}
+
+    void load(Index begin, Index end) const override { file_->load(begin * vertex_bytes_, end * vertex_bytes_); }
+
+private:
+    std::shared_ptr<const PagedFile> file_;
+    std::size_t vertex_bytes_;
+};
 
 class MappedDataset final : public Dataset {
 public:
@@ -103,11 +134,19 @@ public:
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
         const Values all = positions(mesh, coordinates);
-        return of_dataset(at(mesh)->view(all), mesh, all);
+        return of_dataset(at(mesh)->view(all), mesh, all.keep_alive());
     }
     FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
         const Values all = positions(mesh, coordinates);
-        return of_dataset(at(mesh)->view_points(all), mesh, all);
+        return of_dataset(at(mesh)->view_points(all), mesh, all.keep_alive());
+    }
+    FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const override {
+        if (!at(mesh)->has_blocks()) return points(mesh, coordinates);
+        const PagedValues paged = paged_positions(mesh, coordinates);
+        const auto loader = std::make_shared<const PositionsLoader>(paged, at(mesh)->block_count());
+        FaceMeshView view = of_dataset(at(mesh)->view_points(paged.values), mesh, loader);
+        view.loader = loader.get();
+        return view;
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -143,77 +182,94 @@ public:
         if (entry == at.arrays.end()) return std::nullopt;
         const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
         check_chunk(at.mesh, scalar.array, entry->second.chunk);
-        auto ranges = stored_ranges(layouts_[at.mesh].at(scalar.array).directory, entry->second.chunk,
-                                    entry->second.checksum, scalars.size(), *meshes_[at.mesh]);
+        auto ranges = stored_ranges(layouts_[at.mesh].at(scalar.array), entry->second.chunk, entry->second.checksum,
+                                    scalars.size(), *meshes_[at.mesh]);
         if (!ranges) return std::nullopt;
-        return std::move((*ranges)[static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin())]);
+        const auto place = static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
+        return std::move(ranges->scalars[place]);
     }
 
     std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const override {
         const auto& sums = coordinate_checksums_.at(mesh);
         if (coordinates >= sums.size()) return std::nullopt;
-        auto ranges = stored_ranges(positions_[mesh].directory, coordinates, sums[coordinates], 3, *meshes_[mesh]);
+        auto ranges = stored_ranges(positions_[mesh], coordinates, sums[coordinates], 3, *meshes_[mesh]);
         if (!ranges) return std::nullopt;
-        return BlockBoxes{std::move((*ranges)[0]), std::move((*ranges)[1]), std::move((*ranges)[2])};
+        std::vector<BlockRanges>& axes = ranges->scalars;
+        return BlockBoxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
     }
 
     Values values(const std::string& array, std::size_t step) const override {
+        return loaded(values_to_load(array, step));
+    }
+    PagedValues values_to_load(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
         if (step >= steps_->size()) refuse(directory_, "has no step " + std::to_string(step));
         const MarkedStep at = marked(step);
         const auto entry = at.arrays.find(array);
         if (entry == at.arrays.end()) return {};
         check_chunk(at.mesh, array, entry->second.chunk);
-        const ArrayLayout& shape = layouts_[at.mesh].at(array);
         if (entry->second.lazy && !is_written(at, array))
             refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
                                    std::to_string(at.time) + "; choose another step");
-        return values_of(shape, entry->second);
+        return paged_values(at.mesh, array, entry->second);
     }
 
 private:
-    FaceMeshView of_dataset(FaceMeshView view, std::size_t mesh, const Values& positions) const {
+    FaceMeshView of_dataset(FaceMeshView view, std::size_t mesh, std::shared_ptr<const void> keep_alive) const {
         const std::array<double, 6>& bounds = info_.meshes[mesh].bounds;
         for (std::size_t axis = 0; axis < 3; ++axis)
             view.surface_origin[axis] = bounds[2 * axis] / 2 + bounds[2 * axis + 1] / 2;
-        view.keep_alive = positions.keep_alive();
+        view.keep_alive = std::move(keep_alive);
         return view;
     }
 
-    Values values_of(const ArrayLayout& shape, const MarkedArray& entry) const {
-        const auto chunk = chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, entry.checksum);
-        return {view_of(*chunk, shape.doubles), chunk};
+    PagedValues paged_values(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
+        const ArrayLayout& shape = layouts_[mesh].at(array);
+        const auto checks = [&] {
+            const std::size_t scalars = scalars_of(*find(array)).size();
+            return page_checks(shape, entry.chunk, entry.checksum, scalars, *meshes_[mesh]);
+        };
+        return view_of(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, checks), shape.doubles);
     }
 
-    // Returns the positions of a coordinate set, which are checked at the first call.
-    Values positions(std::size_t mesh, std::size_t coordinates) const {
-        (void)at(mesh);
-        const ArrayLayout& positions = positions_[mesh];
-        if (coordinates >= positions.chunks)
-            refuse(positions.directory, "has no coordinates " + std::to_string(coordinates));
-        const auto& sums = coordinate_checksums_[mesh];
-        const fs::path file = positions.chunk(coordinates);
-        const auto check = [&](const MappedFile& mapped) {
-            const auto is_finite = [](const auto& all) {
-                return std::ranges::all_of(all, [](auto v) { return std::isfinite(v); });
-            };
-            if (!view_of(mapped, positions.doubles).with(is_finite))
-                refuse(file, "holds a coordinate that is not finite");
+    PagedValues paged_positions(std::size_t mesh, std::size_t coordinates) const {
+        const MappedMesh& of = *at(mesh);
+        const ArrayLayout& shape = positions_[mesh];
+        if (coordinates >= shape.chunks) refuse(shape.directory, "has no coordinates " + std::to_string(coordinates));
+        const fs::path file = shape.chunk(coordinates);
+        const auto checks = [&] {
+            const auto& sums = coordinate_checksums_[mesh];
+            const std::string sum = coordinates < sums.size() ? sums[coordinates] : std::string();
+            PageChecks made = page_checks(shape, coordinates, sum, 3, of);
+            made.numbers = [file, doubles = shape.doubles](auto page) { refuse_infinite(page, doubles, file); };
+            return made;
         };
-        const std::string sum = coordinates < sums.size() ? sums[coordinates] : std::string();
-        const auto chunk = chunks_->get(file, positions.chunk_bytes, sum, check);
-        return {view_of(*chunk, positions.doubles), chunk};
+        return view_of(chunks_->get(file, shape.chunk_bytes, checks), shape.doubles);
+    }
+    Values positions(std::size_t mesh, std::size_t coordinates) const {
+        return loaded(paged_positions(mesh, coordinates));
+    }
+
+    // A chunk whose pages have no checksums is one page. `sum`: of the chunk, empty if it is not known.
+    PageChecks page_checks(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum, std::size_t scalars,
+                           const MappedMesh& mesh) const {
+        auto ranges = stored_ranges(array, chunk, sum, scalars, mesh);
+        if (ranges && !ranges->page_checksums.empty()) return {checksum_page_bytes, std::move(ranges->page_checksums)};
+        PageChecks whole;
+        whole.page_bytes = std::max<std::size_t>(array.chunk_bytes, 1);
+        if (!sum.empty()) whole.checksums = {checksum_number(sum)};
+        return whole;
     }
 
     // Returns the ranges of a chunk with this checksum, which is empty if it is not known.
-    std::optional<ValueRanges> stored_ranges(const fs::path& array, std::uint64_t chunk, const std::string& sum,
+    std::optional<ValueRanges> stored_ranges(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum,
                                              std::size_t scalars, const MappedMesh& mesh) const {
         if (sum.empty() || !mesh.has_blocks()) return std::nullopt;
-        const auto file = layout::value_ranges(array, chunk);
+        const auto file = layout::value_ranges(array.directory, chunk);
         std::error_code error;
         if (!fs::exists(file, error)) return std::nullopt;
         return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), info_.id, scalars,
-                                  mesh.block_count(), checksum_number(sum), file);
+                                  mesh.block_count(), array.chunk_bytes, checksum_number(sum), file);
     }
 
     const std::shared_ptr<MappedMesh>& at(std::size_t mesh) const {
@@ -332,8 +388,7 @@ private:
         } else if (lacking == LackingRanges::left_out || (entry.lazy && !is_written(step, name))) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
-            const ArrayLayout& shape = layouts_[step.mesh].at(name);
-            result = statistics(values_of(shape, entry), array);
+            result = statistics(loaded(paged_values(step.mesh, name, entry)), array);
             result.extremes.clear(); // left empty, because finding their places would read all faces
         }
         result.lazy = entry.lazy;

@@ -15,6 +15,8 @@
 
 namespace ciel::store {
 
+struct PagedValues; // cache/paged_file.hpp
+
 // What opening a dataset does about ranges that the commit marker lacks, as for steps appended with plain Zarr.
 enum class LackingRanges {
     computed, // reads those chunks
@@ -68,6 +70,9 @@ public:
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the mesh without its faces: face_count() is 0. Reads positions only.
     [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Likewise, but reads nothing: positions are read and checked when the view's loader loads them. If the mesh was
+    // stored without blocks, all are read here.
+    [[nodiscard]] virtual FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
     // open. If the mesh was stored without blocks, the topology is built here.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
@@ -82,6 +87,8 @@ public:
     // doubles if ArrayInfo::doubles. Empty when the array was not written at this step. Throws Error for an unknown
     // array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
+    // Likewise, but reads nothing: pages are read and checked when they are loaded.
+    [[nodiscard]] virtual PagedValues values_to_load(const std::string& array, std::size_t step) const = 0;
 
     // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
     // was appended with plain Zarr. Throws Error when they are damaged.
@@ -101,6 +108,10 @@ public:
 // no_value (no_value.hpp) if one component is.
 [[nodiscard]] double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& scalar);
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, ValuesView tuple);
+// Set `out` to that scalar of each tuple. `tuples`: the components, interleaved.
+void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
+void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
+                std::span<double> out);
 // Returns a copy: that scalar of each tuple, in the type of `values`, which are the components, interleaved.
 [[nodiscard]] Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar);
 // Returns the scalars of an array, in the order of scalar_names.

@@ -115,12 +115,12 @@ struct LoadedDataset::State {
     }
 
     // Returns the values of an array at a step. Throws NotWritten when there are none, Error for another association.
-    [[nodiscard]] static Values written(const Dataset& dataset, const std::string& array, std::size_t step,
-                                        Association wanted) {
+    [[nodiscard]] static PagedValues written(const Dataset& dataset, const std::string& array, std::size_t step,
+                                             Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
             throw Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " + name_of(wanted));
-        auto values = dataset.values(array, step);
-        if (values.empty()) {
+        auto values = dataset.values_to_load(array, step);
+        if (values.file == nullptr) {
             std::ostringstream time;
             time << dataset.steps()[step].time;
             throw NotWritten("'" + array + "' has no values at time " + time.str() + "; it has values at " +
@@ -133,9 +133,9 @@ struct LoadedDataset::State {
         const auto of = current();
         (void)step_of(*of, step);
         const ScalarName scalar = parse_scalar(*of, name);
-        const auto values = written(*of, scalar.array, step, wanted);
+        const StoredScalar stored(*of->find(scalar.array), scalar, written(*of, scalar.array, step, wanted));
         const auto made = fields.get<Values>(step_key("values", name, step), [&]() -> Cache::Made {
-            const auto copied = std::make_shared<Values>(one_scalar(*of->find(scalar.array), values, scalar));
+            const auto copied = std::make_shared<Values>(stored.all());
             return {copied, copied->size_bytes()};
         });
         of->check_intact();
@@ -194,7 +194,7 @@ struct LoadedDataset::State {
         });
         of->check_intact();
         // Returns the topology of the field, not `topology`: an earlier refresh may have cached the field.
-        return {kept->topology, {kept, &kept->field}, of->points(at.mesh, at.coordinates), of, step};
+        return {kept->topology, {kept, &kept->field}, of->points_to_load(at.mesh, at.coordinates), of, step};
     }
 
     mutable std::mutex mutex;
@@ -247,24 +247,28 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     return slot->topology = std::move(made);
 }
 
+std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::string& name, std::size_t step) {
+    const auto of = state_->current();
+    (void)State::step_of(*of, step);
+    ScalarName scalar = parse_scalar(*of, name);
+    const ArrayInfo& array = *of->find(scalar.array);
+    PagedValues values = State::written(*of, scalar.array, step, Association::point);
+    return std::make_shared<const StoredScalar>(array, std::move(scalar), std::move(values));
+}
+
 ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    const ScalarName scalar = parse_scalar(*of, name);
-    (void)State::written(*of, scalar.array, step, Association::point);
+    const auto source = stored_scalar(name, step);
     const auto of_mesh = topology(at.mesh);
-    const std::uint64_t vertices = of_mesh->counts().vertices;
-    const std::size_t value_bytes = of->find(scalar.array)->value_bytes();
-    return state_->field(of, step, step_key("field", name, step), of_mesh,
-                         field_bytes(vertices, value_bytes) + vertices * value_bytes, [&] {
-                             // A copy, because the kernel reads a value several times and the file may change.
-                             const Values values = scalar_values(name, step);
-                             auto ranges = of->block_ranges(scalar, step);
-                             if (!ranges) ranges = block_ranges(*of_mesh, values);
-                             Field made(*of_mesh, values, *std::move(ranges), values.keep_alive());
-                             made.set_cell_fits(state_->cell_fits(at, of_mesh));
-                             return made;
-                         });
+    const std::size_t bytes = field_bytes(source->size(), source->has_doubles() ? sizeof(double) : sizeof(float));
+    return state_->field(of, step, step_key("field", name, step), of_mesh, bytes, [&] {
+        auto ranges = of->block_ranges(parse_scalar(*of, name), step);
+        if (!ranges) ranges = block_ranges(*of_mesh, source->all());
+        Field made(*of_mesh, source, *std::move(ranges));
+        made.set_cell_fits(state_->cell_fits(at, of_mesh));
+        return made;
+    });
 }
 
 Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
@@ -331,7 +335,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto boxes = state_->boxes(*of, at, *of_mesh);
     const std::size_t value_bytes = of->info().meshes[at.mesh].double_positions ? sizeof(double) : sizeof(float);
     return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices, value_bytes), [&] {
-        const FaceMeshView points = of->points(at.mesh, at.coordinates);
+        const FaceMeshView points = of->points_to_load(at.mesh, at.coordinates);
         Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);
         return made;

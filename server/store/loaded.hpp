@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/field.hpp"
-#include "store/dataset.hpp"
+#include "store/stored_scalar.hpp"
 
 namespace ciel::store {
 
@@ -43,8 +43,9 @@ public:
     // Returns the field of a scalar on points. Throws NotWritten when its array was not written at the step, Error when
     // the scalar does not exist or is not on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Returns a scalar on points as an array in the dataset's type, one value per vertex, for coloring and probing.
-    // Components and magnitudes are computed once. Throws like scalar().
+    // Returns a scalar on points, which is read where it is needed. Throws like scalar().
+    [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step);
+    // Returns all its values in the dataset's type, one per vertex. Kept in the cache. Throws like scalar().
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
     // cell_values returns one value per cell of a scalar on cells; face_values returns one value per boundary face of a
     // scalar on boundary faces. Both throw NotWritten when its array was not written at the step, and Error for any

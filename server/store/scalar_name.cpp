@@ -61,7 +61,26 @@ T scalar_in(const ArrayInfo& array, std::span<const T> tuple, const ScalarName& 
     return static_cast<T>(magnitude_in(array, tuple));
 }
 
+template <class T>
+void all_in(const ArrayInfo& array, std::span<const T> tuples, const ScalarName& scalar, std::span<T> out) {
+    const auto width = static_cast<std::size_t>(array.components);
+    if (width == 1) {
+        std::ranges::copy(tuples, out.begin());
+        return;
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = scalar_in(array, tuples.subspan(i * width, width), scalar);
+}
+
 } // namespace
+
+void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out) {
+    all_in(array, tuples, scalar, out);
+}
+
+void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
+                std::span<double> out) {
+    all_in(array, tuples, scalar, out);
+}
 
 bool has_magnitude(const ArrayInfo& array) {
     return array.components == 2 || array.components == 3 || !array.component_names.empty();
@@ -76,10 +95,8 @@ double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& sca
 Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar) {
     const auto components = static_cast<std::size_t>(array.components);
     return values.with([&]<class T>(std::span<const T> all) {
-        if (components == 1) return Values(std::vector<T>(all.begin(), all.end()));
         std::vector<T> result(all.size() / components);
-        for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] = scalar_in(array, all.subspan(i * components, components), scalar);
+        scalars_in(array, all, scalar, std::span(result));
         return Values(std::move(result));
     });
 }

@@ -198,7 +198,8 @@ struct Writer::State {
         if (!topology) return;
         ValueRanges ranges;
         for (const ScalarName& scalar : scalars_of(array))
-            ranges.push_back(block_ranges(*topology, one_scalar(array, values, scalar)));
+            ranges.scalars.push_back(block_ranges(*topology, one_scalar(array, values, scalar)));
+        ranges.page_checksums = page_checksums(values.bytes());
         const fs::path file = layout::value_ranges(path, row);
         make_directory(file.parent_path());
         under_way->chunks.push_back(file);

@@ -1,28 +1,25 @@
 #include "store/cache/chunk_cache.hpp"
 
-#include "store/files/files.hpp"
-#include "store/format/checksum.hpp"
-
 #include <vector>
 
 namespace ciel::store {
 
-std::shared_ptr<const MappedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
-                                                  const std::string& sum,
-                                                  const std::function<void(const MappedFile&)>& verify) {
+std::shared_ptr<const PagedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
+                                                 const std::function<PageChecks()>& checks) {
     Entry& of_file = entry(file);
     const std::lock_guard lock(of_file.mutex);
-    std::shared_ptr<const MappedFile> mapped = of_file.mapped.lock();
+    std::shared_ptr<const PagedFile> mapped = of_file.mapped.lock();
     if (mapped == nullptr) {
-        mapped = std::make_shared<const MappedFile>(file, bytes, any_lost_);
-        if (of_file.verified != mapped->version()) {
-            if (!sum.empty() && checksum(mapped->bytes()) != sum) refuse_damage(file, "does not match its checksum");
-            if (verify) verify(*mapped);
-            of_file.verified = mapped->version();
+        MappedFile again(file, bytes, any_lost_);
+        again.expect_random_reads();
+        if (of_file.version != again.version()) {
+            of_file.pages = std::make_shared<PageStates>(bytes, checks());
+            of_file.version = again.version();
         }
+        mapped = std::make_shared<const PagedFile>(std::move(again), of_file.pages);
         of_file.mapped = mapped;
     }
-    mapped->check_intact();
+    mapped->file().check_intact();
     keep(of_file, mapped);
     return mapped;
 }
@@ -34,7 +31,7 @@ ChunkCache::Entry& ChunkCache::entry(const std::filesystem::path& file) {
     return *found;
 }
 
-void ChunkCache::keep(Entry& entry, const std::shared_ptr<const MappedFile>& file) {
+void ChunkCache::keep(Entry& entry, const std::shared_ptr<const PagedFile>& file) {
     Kept let_go; // unmapped after the lock
     const std::lock_guard lock(mutex_);
     if (const auto known = place_.find(&entry); known != place_.end()) {
@@ -65,7 +62,7 @@ void ChunkCache::for_each(const std::function<void(const MappedFile&)>& visit) c
     }
     for (Entry* entry : all) {
         const std::lock_guard lock(entry->mutex);
-        if (const auto mapped = entry->mapped.lock()) visit(*mapped);
+        if (const auto mapped = entry->mapped.lock()) visit(mapped->file());
     }
 }
 

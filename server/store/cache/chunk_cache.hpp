@@ -1,8 +1,8 @@
-// ChunkCache: maps the chunk files of a dataset and verifies each file at its first use. All refreshes of the dataset
-// share one ChunkCache. Thread-safe.
+// ChunkCache: maps the chunk files of a dataset. Their pages are checked when they are first read. All refreshes of the
+// dataset share one ChunkCache. Thread-safe.
 #pragma once
 
-#include "store/cache/mapped_file.hpp"
+#include "store/cache/paged_file.hpp"
 
 #include <functional>
 #include <list>
@@ -21,26 +21,26 @@ public:
     static constexpr std::size_t most_kept = 64;
 
     explicit ChunkCache(AnyLost any_lost) : any_lost_(std::move(any_lost)) {}
-    // Returns `file`, mapped. The first call maps the file, compares it with `checksum` (empty: not known) and
-    // calls `verify`. If one of these throws, the next call tries again. A file that has been let go and has not
-    // changed since is mapped again without these checks. Throws Error when the file was truncated or rewritten since
-    // it was mapped.
-    [[nodiscard]] std::shared_ptr<const MappedFile> get(const std::filesystem::path& file, std::size_t bytes,
-                                                        const std::string& checksum,
-                                                        const std::function<void(const MappedFile&)>& verify = {});
+    // Returns `file`, mapped; checks no page. `checks`: called when the file is mapped for the first time or has
+    // changed. If it throws, the next call tries again. A file that has been let go and has not changed since is mapped
+    // again, and its pages that were checked are not checked again. Throws Error when the file was truncated or
+    // rewritten since it was mapped.
+    [[nodiscard]] std::shared_ptr<const PagedFile> get(const std::filesystem::path& file, std::size_t bytes,
+                                                       const std::function<PageChecks()>& checks);
     void check_sizes() const;
     void check_intact() const;
 
 private:
     struct Entry {
         std::mutex mutex; // one per chunk, so that a slow read of one chunk does not block others
-        std::weak_ptr<const MappedFile> mapped;
-        std::optional<FileVersion> verified;
+        std::weak_ptr<const PagedFile> mapped;
+        std::optional<FileVersion> version; // that `pages` are of
+        std::shared_ptr<PageStates> pages;
     };
-    using Kept = std::list<std::pair<Entry*, std::shared_ptr<const MappedFile>>>;
+    using Kept = std::list<std::pair<Entry*, std::shared_ptr<const PagedFile>>>;
 
     [[nodiscard]] Entry& entry(const std::filesystem::path& file);
-    void keep(Entry& entry, const std::shared_ptr<const MappedFile>& file);
+    void keep(Entry& entry, const std::shared_ptr<const PagedFile>& file);
     void for_each(const std::function<void(const MappedFile&)>& visit) const;
 
     AnyLost any_lost_;

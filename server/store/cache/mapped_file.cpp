@@ -103,7 +103,10 @@ void MappedFile::load(std::span<const std::byte> part) const {
     const auto address = reinterpret_cast<std::uintptr_t>(part.data());
     const std::uintptr_t before = address % page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its page
-    if (::madvise(reinterpret_cast<void*>(address - before), part.size() + before, populate_read) == 0) return;
+    auto* const begin = reinterpret_cast<void*>(address - before);
+    // Where random reads are expected, the system reads each page of the part alone unless it is told of all first.
+    (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
+    if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();
 }
 
@@ -122,6 +125,11 @@ void MappedFile::check_intact() const {
     const Loss loss = loss_of(*watched_);
     if (loss == Loss::shrunk) refuse_shrunken(path_);
     if (loss == Loss::changed) refuse_changed(path_);
+}
+
+bool MappedFile::is_current() const {
+    struct stat status {};
+    return size_ == 0 || (::stat(path_.c_str(), &status) == 0 && version_of(status) == version_of(opened_));
 }
 
 bool MappedFile::was_touched() {

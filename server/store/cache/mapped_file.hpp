@@ -62,6 +62,8 @@ public:
     [[nodiscard]] bool is_lost() const;
     // Throws Error when the mapping is lost. Then everything that was read from it must be discarded.
     void check_intact() const;
+    // Returns whether the file at the path is the mapped one, unchanged since it was opened.
+    [[nodiscard]] bool is_current() const;
     // Returns whether the file at the path was written to or replaced since it was opened or since the last call. Then
     // the mapping may be of other content than it should: a replaced file may have been damaged when it was mapped.
     [[nodiscard]] bool was_touched();

@@ -12,6 +12,13 @@ constexpr std::string_view digits = "0123456789abcdef";
 
 std::uint64_t checksum_number(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
+std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes) {
+    std::vector<std::uint64_t> sums;
+    for (std::size_t begin = 0; begin < bytes.size(); begin += checksum_page_bytes)
+        sums.push_back(checksum_number(bytes.subspan(begin, std::min(checksum_page_bytes, bytes.size() - begin))));
+    return sums;
+}
+
 std::string checksum(std::span<const std::byte> bytes) { return checksum_text(checksum_number(bytes)); }
 
 std::string checksum_text(std::uint64_t number) {

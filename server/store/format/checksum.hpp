@@ -5,10 +5,14 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ciel::store {
 
 [[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
+// Returns the checksum of each page of `checksum_page_bytes`; the last page may be shorter.
+inline constexpr std::size_t checksum_page_bytes = 1 << 16;
+[[nodiscard]] std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum_text(std::uint64_t number);
 [[nodiscard]] std::uint64_t checksum_number(const std::string& text); // of what `checksum` returned

@@ -13,7 +13,8 @@ struct RangesHead {
     std::uint64_t chunk_checksum = 0;
     std::array<char, 8> type{}; // of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
-    std::array<std::uint64_t, 2> reserved{}; // offsets of a histogram and of checksums by 64 KiB
+    std::uint64_t reserved = 0; // for the offset of a histogram
+    std::uint64_t page_checksums = 0;
 };
 static_assert(sizeof(RangesHead) == 72);
 
@@ -42,39 +43,47 @@ std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std
 std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                 std::uint64_t chunk_checksum) {
     RangesHead head;
-    head.blocks = ranges.empty() ? 0 : ranges[0].low.size();
-    head.scalars = ranges.size();
+    const std::vector<BlockRanges>& scalars = ranges.scalars;
+    head.blocks = scalars.empty() ? 0 : scalars[0].low.size();
+    head.scalars = scalars.size();
     head.chunk_checksum = chunk_checksum;
-    const bool floats = std::ranges::all_of(ranges, are_floats);
+    const bool floats = std::ranges::all_of(scalars, are_floats);
     head.type = floats ? floats_type : doubles_type;
     const std::uint64_t limits_bytes = head.scalars * head.blocks * (floats ? sizeof(float) : sizeof(double));
     head.low = file_head_bytes + sizeof head;
     head.high = head.low + limits_bytes;
     head.missing = head.high + limits_bytes;
+    const std::uint64_t missing_words = head.scalars * head.blocks, padding_words = missing_words % 2;
+    head.page_checksums = head.missing + (missing_words + padding_words) * sizeof(std::uint32_t);
     ByteWriter out(FileKind::ranges, dataset_id);
     out.add(head);
-    for (const BlockRanges& of : ranges) add_limits(out, of.low, floats);
-    for (const BlockRanges& of : ranges) add_limits(out, of.high, floats);
-    for (const BlockRanges& of : ranges) out.add(std::span<const std::uint32_t>(of.missing));
+    for (const BlockRanges& of : scalars) add_limits(out, of.low, floats);
+    for (const BlockRanges& of : scalars) add_limits(out, of.high, floats);
+    for (const BlockRanges& of : scalars) out.add(std::span<const std::uint32_t>(of.missing));
+    if (padding_words > 0) out.add(std::uint32_t{0});
+    out.add(std::span<const std::uint64_t>(ranges.page_checksums));
     return out.finish();
 }
 
 std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes, const std::string& dataset_id,
-                                              std::size_t scalars, std::size_t blocks, std::uint64_t chunk_checksum,
-                                              const std::filesystem::path& file) {
+                                              std::size_t scalars, std::size_t blocks, std::size_t chunk_bytes,
+                                              std::uint64_t chunk_checksum, const std::filesystem::path& file) {
     const ByteReader read(bytes, FileKind::ranges, dataset_id, file);
     const RangesHead head = read.array<RangesHead>(file_head_bytes, 1).front();
     const bool floats = head.type == floats_type;
     if (!floats && head.type != doubles_type) read.refuse_unknown("a type of numbers");
     if (head.blocks != blocks || head.scalars != scalars) read.refuse_damage("belongs to another array");
     if (head.chunk_checksum != chunk_checksum) return std::nullopt;
-    ValueRanges ranges(scalars);
+    ValueRanges ranges;
     for (std::size_t i = 0; i < scalars; ++i) {
         const std::uint64_t before = i * blocks * (floats ? sizeof(float) : sizeof(double));
-        ranges[i].low = read_limits(read, head.low + before, blocks, floats);
-        ranges[i].high = read_limits(read, head.high + before, blocks, floats);
-        ranges[i].missing = read.array<std::uint32_t>(head.missing + i * blocks * sizeof(std::uint32_t), blocks);
+        ranges.scalars.push_back(
+            {read_limits(read, head.low + before, blocks, floats),
+             read_limits(read, head.high + before, blocks, floats),
+             read.array<std::uint32_t>(head.missing + i * blocks * sizeof(std::uint32_t), blocks)});
     }
+    const std::size_t pages = (chunk_bytes + checksum_page_bytes - 1) / checksum_page_bytes;
+    if (head.page_checksums != 0) ranges.page_checksums = read.array<std::uint64_t>(head.page_checksums, pages);
     return ranges;
 }
 

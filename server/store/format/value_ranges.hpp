@@ -10,16 +10,20 @@
 
 namespace ciel::store {
 
-// One for each component, then one for the magnitude if the array has one.
-using ValueRanges = std::vector<BlockRanges>;
+struct ValueRanges {
+    std::vector<BlockRanges> scalars;          // of the magnitude if the array has one, then of each component
+    std::vector<std::uint64_t> page_checksums; // of the chunk (checksum.hpp); empty if none are stored
+};
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                               std::uint64_t chunk_checksum);
 // Returns nullopt when the chunk of values with this checksum has replaced the one whose ranges these are. Throws Error
 // that names `file` when the bytes are damaged, of another dataset, or of other numbers of blocks or scalars.
+// `chunk_bytes`: size of the chunk.
 [[nodiscard]] std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes,
                                                             const std::string& dataset_id, std::size_t scalars,
-                                                            std::size_t blocks, std::uint64_t chunk_checksum,
+                                                            std::size_t blocks, std::size_t chunk_bytes,
+                                                            std::uint64_t chunk_checksum,
                                                             const std::filesystem::path& file);
 
 } // namespace ciel::store

@@ -6,6 +6,7 @@
 #include "ciel/block_ranges.hpp"
 #include "ciel/cell_fits.hpp"
 #include "ciel/mesh.hpp"
+#include "ciel/value_source.hpp"
 
 #include <memory>
 #include <span>
@@ -32,10 +33,11 @@ public:
     // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
     // The iso-surface at 0 is a slice. The values are doubles if the positions are.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
-    // Makes such distances on the vertices of a topology. points: their positions; faces are not used. boxes: what
-    // block_boxes returned for these positions. Computes the distances in a block when the block is cut, so a plane
-    // that crosses few blocks costs little. `keep_alive` owns the positions. The topology must outlive the field.
-    // Throws Error when the topology, the points and the boxes have other numbers of vertices or blocks.
+    // Makes such distances on the vertices of a topology. points: their positions; faces are not used, and positions
+    // are loaded when they are read. boxes: what block_boxes returned for these positions. Computes the distances in a
+    // block when the block is cut, so a plane that crosses few blocks costs little. `keep_alive` owns the positions.
+    // The topology must outlive the field. Throws Error when the topology, the points and the boxes have other numbers
+    // of vertices or blocks.
     [[nodiscard]] static Field plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin,
                                      const Vec3d& normal, const BlockBoxes& boxes,
                                      std::shared_ptr<const void> keep_alive);
@@ -46,6 +48,9 @@ public:
     // Likewise, with ranges that block_ranges returned for these values. Reads no value and no block. Throws Error on
     // another number of blocks.
     Field(const Topology& topology, ValuesView values, BlockRanges ranges, std::shared_ptr<const void> keep_alive);
+    // Uses values that are read when a block is first cut. ranges: what block_ranges returned for them. Reads nothing.
+    // Throws Error on another number of values or blocks.
+    Field(const Topology& topology, std::shared_ptr<const ValueSource> source, BlockRanges ranges);
     ~Field();
     Field(const Field&);
     Field& operator=(const Field&);
@@ -53,7 +58,7 @@ public:
     Field& operator=(Field&&) noexcept;
 
     [[nodiscard]] const Mesh* mesh() const;            // null if the field was made from a Topology
-    [[nodiscard]] ValuesView values() const;           // empty for a plane on the vertices of a topology
+    [[nodiscard]] ValuesView values() const;           // empty if they are computed or read when they are needed
     [[nodiscard]] double value(Index vertex) const;    // in the topology's vertex order
     [[nodiscard]] std::array<double, 2> range() const; // [min, max] of the finite values; {0, 0} when there are none
 

@@ -1,5 +1,6 @@
 #include "extraction/surface_writer.hpp"
 
+#include "blocks/load_vertices.hpp"
 #include "extraction/edge_points.hpp"
 #include "extraction/polygon.hpp"
 #include "parallel/grain.hpp"
@@ -103,6 +104,7 @@ void Writer::number() {
 
 void Writer::write_points(Index b, const Block& block) {
     const ActiveBlock& cut = cut_[b];
+    load_vertices(mesh_.loader, b, block);
     const ValuesView values = field_.of_block(b);
     const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
     const auto write = [&, shift = mesh_.surface_shift()](const auto& all, const auto& positions) {
@@ -139,8 +141,9 @@ void Writer::write_adopted() {
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (const auto& edge : edges.subspan(begin, end - begin)) {
             const ActiveBlock& cut = cut_[edge.block];
-            const EdgePoint point =
-                edge_point(blocks_.cells(edge.block), field_.of_block(edge.block), cut.ends[edge.end], nu_);
+            const Block& block = blocks_.cells(edge.block);
+            load_vertices(mesh_.loader, edge.block, block);
+            const EdgePoint point = edge_point(block, field_.of_block(edge.block), cut.ends[edge.end], nu_);
             out_.points[edge.point] = point;
             out_.positions[edge.point] =
                 mesh_.positions.with([&](const auto& all) { return position_of(point, all, mesh_.surface_shift()); });

@@ -1,5 +1,6 @@
 #include "ciel/sweep.hpp"
 
+#include "blocks/load_vertices.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/cut_block.hpp"
 #include "extraction/edge_points.hpp"
@@ -37,6 +38,7 @@ public:
         values.with([&](const auto& all) {
             for (std::size_t i = 0; i < points_.size(); ++i) points_[i] = edge_point(block, all, scratch.ends[i], nu);
         });
+        load_vertices(mesh.loader, b, block);
         mesh.positions.with([&, shift = mesh.surface_shift()](const auto& positions) {
             for (std::size_t i = 0; i < points_.size(); ++i) positions_[i] = position_of(points_[i], positions, shift);
         });

@@ -103,6 +103,7 @@ bool Field::Data::find_geometric_extrema() const {
 void Field::Data::make_extrema() const {
     const Locked lock(extrema_mutex);
     if (extrema_made) return;
+    read_all();
     minima.clear();
     maxima.clear();
     if (!find_geometric_extrema()) find_extrema();

@@ -1,6 +1,7 @@
 #include "ciel/field.hpp"
 
 #include "blocks/blocks.hpp"
+#include "blocks/load_vertices.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/point_interpolation.hpp"
 #include "fields/cell_fits.hpp"
@@ -22,10 +23,15 @@ Field::Field(const Topology& topology, ValuesView values, BlockRanges ranges, st
     data_->values = values;
     data_->keep_alive = std::move(keep_alive);
     data_->begin(topology, std::move(ranges));
-    const BlockRanges& of_blocks = data_->of_blocks;
-    if (of_blocks.low.empty()) return;
-    const double low = *std::ranges::min_element(of_blocks.low), high = *std::ranges::max_element(of_blocks.high);
-    if (low <= high) data_->range = {low, high};
+    data_->range = data_->range_of_blocks();
+}
+
+Field::Field(const Topology& topology, std::shared_ptr<const ValueSource> source, BlockRanges ranges)
+    : data_(std::make_shared<Data>()) {
+    if (source->size() != topology.counts().vertices) fail("the values belong to another mesh");
+    data_->source = std::move(source);
+    data_->begin(topology, std::move(ranges));
+    data_->range = data_->range_of_blocks();
 }
 
 Field Field::plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal,
@@ -58,6 +64,12 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
     of_blocks = std::move(block_ranges);
 }
 
+std::array<double, 2> Field::Data::range_of_blocks() const {
+    if (of_blocks.low.empty()) return {};
+    const double low = *std::ranges::min_element(of_blocks.low), high = *std::ranges::max_element(of_blocks.high);
+    return low <= high ? std::array{low, high} : std::array<double, 2>{};
+}
+
 double Field::Data::threshold(double nu) const {
     if (std::isnan(nu)) return std::numeric_limits<double>::infinity();
     if (has_doubles()) return nu;
@@ -77,36 +89,77 @@ private:
     std::span<const Value> values_;
 };
 
-// Copies the values of a block's vertices to their places in block order. Those that are not finite become NaN.
+// Writes the values of a block's vertices to `to`.
 template <class Values, class Value>
-void copy_block(const Block& block, const Values& values, bool has_gaps, Value* all) {
-    Value *const begin = all + block.vertex_begin, *to = begin;
+void copy_block(const Block& block, const Values& values, Value* to) {
     block.ghost_vertex.for_each([&](Index vertex) { *to++ = values.at(vertex); });
     const std::size_t end = block.own_vertex_begin + (block.vertex_count - block.ghost_vertex.size());
     for (std::size_t v = block.own_vertex_begin; v < end; ++v) *to++ = values.at(v);
-    if (!has_gaps) return;
-    for (Value* each = begin; each < to; ++each)
-        if (!std::isfinite(*each)) *each = std::numeric_limits<Value>::quiet_NaN();
+}
+
+template <class Value>
+void read_block(const Block& block, const ValueSource& source, Value* to) {
+    static thread_local std::vector<Index> ghosts;
+    ghosts.clear();
+    block.ghost_vertex.for_each([&](Index vertex) { ghosts.push_back(vertex); });
+    source.read(ghosts, std::span(to, ghosts.size()));
+    source.read(block.own_vertex_begin, std::span(to + ghosts.size(), block.vertex_count - ghosts.size()));
 }
 
 } // namespace
 
+// Fills the block's places in `local`. Values that are not finite become NaN.
+template <class Value>
+void Field::Data::take_in(Index b, Value* local) const {
+    const Block& block = topology->blocks().cells(b);
+    Value* const begin = local + block.vertex_begin;
+    if (source) {
+        read_block(block, *source, begin);
+    } else if (plane) {
+        load_vertices(plane->loader(), b, block);
+        copy_block(block, plane->of<Value>(), begin);
+    } else {
+        copy_block(block, Given(std::span(static_cast<const Value*>(values.data()), values.size())), begin);
+    }
+    if (!has_gaps(b)) return;
+    for (Value* each = begin; each < begin + block.vertex_count; ++each)
+        if (!std::isfinite(*each)) *each = std::numeric_limits<Value>::quiet_NaN();
+}
+
 void Field::Data::take_in(Index b) const {
     const Locked lock(take_in_mutex[b % take_in_mutex.size()]);
     if (taken[b].load(std::memory_order_relaxed)) return;
-    const Block& block = topology->blocks().cells(b);
-    if (plane && has_doubles())
-        copy_block(block, plane->of<double>(), has_gaps(b), local_doubles.get());
-    else if (plane)
-        copy_block(block, plane->of<float>(), has_gaps(b), local_floats.get());
+    if (has_doubles())
+        take_in(b, local_doubles.get());
     else
-        values.with([&]<class Value>(std::span<const Value> all) {
-            if constexpr (std::same_as<Value, double>)
-                copy_block(block, Given(all), has_gaps(b), local_doubles.get());
-            else
-                copy_block(block, Given(all), has_gaps(b), local_floats.get());
-        });
+        take_in(b, local_floats.get());
     taken[b].store(true, std::memory_order_release);
+}
+
+double Field::Data::value_alone(Index vertex) const {
+    if (plane && plane->loader() != nullptr) plane->loader()->load(vertex, vertex + 1);
+    if (!source) return value(vertex);
+    const auto read = [&](auto alone) {
+        source->read(std::span(&vertex, 1), std::span(&alone, 1));
+        return double{alone};
+    };
+    return has_doubles() ? read(double{}) : read(float{});
+}
+
+void Field::Data::read_all() const {
+    if (plane && plane->loader() != nullptr) plane->loader()->load(0, static_cast<Index>(plane->vertex_count()));
+    if (!source) return;
+    const Locked lock(reading_all_);
+    if (all_) return;
+    const auto read = [this]<class Value>(std::shared_ptr<std::vector<Value>> all) {
+        source->read(Index{0}, std::span(*all));
+        values = *all;
+        all_ = std::move(all);
+    };
+    if (has_doubles())
+        read(std::make_shared<std::vector<double>>(source->size()));
+    else
+        read(std::make_shared<std::vector<float>>(source->size()));
 }
 
 // The vector owns the values and is kept alive by the field. data_->mesh keeps the topology alive.
@@ -145,8 +198,8 @@ Field& Field::operator=(const Field&) = default;
 Field::Field(Field&&) noexcept = default;
 Field& Field::operator=(Field&&) noexcept = default;
 
-ValuesView Field::values() const { return data_->values; }
-double Field::value(Index vertex) const { return data_->value(vertex); }
+ValuesView Field::values() const { return data_->source ? ValuesView() : data_->values; }
+double Field::value(Index vertex) const { return data_->value_alone(vertex); }
 std::array<double, 2> Field::range() const { return data_->range; }
 
 void Field::set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal) {

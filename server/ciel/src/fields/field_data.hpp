@@ -15,8 +15,9 @@ namespace ciel {
 struct Field::Data {
     std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
     const Topology* topology = nullptr;
-    ValuesView values;
-    std::optional<PlaneDistance> plane; // if set, there are no values: they are computed
+    mutable ValuesView values;                 // of all vertices; with a source, empty until read_all
+    std::shared_ptr<const ValueSource> source; // null if the values are in memory or computed
+    std::optional<PlaneDistance> plane;        // if set, there are no values: they are computed
     std::shared_ptr<const void> keep_alive;
     BlockRanges of_blocks;
     std::array<double, 2> range{};
@@ -37,8 +38,15 @@ struct Field::Data {
     std::shared_ptr<CellFits> fits; // null: none are shared
     mutable GradientCache gradients;
 
+    // Makes value() of all vertices ready. Keeps a copy of a source's values.
+    void read_all() const;
+    [[nodiscard]] double value_alone(Index vertex) const; // reads no other value; slower than value()
+    // REQUIRES: read_all was called.
     [[nodiscard]] double value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
-    [[nodiscard]] bool has_doubles() const { return plane ? plane->has_doubles() : values.has_doubles(); }
+    [[nodiscard]] bool has_doubles() const {
+        if (source) return source->has_doubles();
+        return plane ? plane->has_doubles() : values.has_doubles();
+    }
     // Returns the number with which the values are compared: a value is high if it is >= the threshold. For floats, it
     // is the smallest float >= nu, so that they compare as with nu; for doubles, nu. Infinity for NaN, which makes
     // every finite value low.
@@ -57,10 +65,16 @@ struct Field::Data {
         return std::span<const float>(local_floats.get() + slot[block], count);
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
-    void make_extrema() const;                                // sets minima and maxima at the first call
+    [[nodiscard]] std::array<double, 2> range_of_blocks() const;
+    void make_extrema() const; // sets minima and maxima at the first call
 
 private:
+    mutable Mutex reading_all_;
+    mutable std::shared_ptr<const void> all_; // owns `values` that were read from a source
+
     void take_in(Index block) const;
+    template <class Value>
+    void take_in(Index block, Value* local) const;
     [[nodiscard]] bool find_geometric_extrema() const;
     void find_extrema() const;
 };

@@ -51,7 +51,7 @@ struct AddSolved {
     GradientSum sum;
 
     [[nodiscard]] BlockSampler sampler(Index b) const {
-        return {mesh, field.topology->blocks().cells(b), field.of_block(b)};
+        return {mesh, b, field.topology->blocks().cells(b), field.of_block(b)};
     }
     template <const StandardShape& shape>
     void standard(Index b, const StandardSection& section, Index i, Index) {
@@ -216,7 +216,7 @@ void Pass::list_asked(const Block& block, Scratch& scratch) const {
 void Pass::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
     Scratch& scratch = scratch_of_this_thread();
-    const BlockSampler sampler(mesh_, block, field_.of_block(b));
+    const BlockSampler sampler(mesh_, b, block, field_.of_block(b));
     list_asked(block, scratch);
     scratch.solved.begin(block.cell_count);
     Index place = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "blocks/blocks.hpp"
+#include "blocks/load_vertices.hpp"
 #include "ciel/values_view.hpp"
 #include "fields/cell_gradient.hpp"
 
@@ -29,8 +30,11 @@ struct GradientSum {
 // Returns the sample of a local vertex of a block. `values`: by local vertex.
 class BlockSampler {
 public:
-    BlockSampler(const FaceMeshView& mesh, const Block& block, ValuesView values)
-        : mesh_(mesh), block_(block), values_(values) {}
+    // b: number of the block, whose positions are loaded.
+    BlockSampler(const FaceMeshView& mesh, Index b, const Block& block, ValuesView values)
+        : mesh_(mesh), block_(block), values_(values) {
+        load_vertices(mesh.loader, b, block);
+    }
 
     // Returns the sample of a local vertex, from numbers of known types.
     template <class Value, class Position>

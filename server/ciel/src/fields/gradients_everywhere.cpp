@@ -44,7 +44,7 @@ private:
 void Everywhere::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
     std::vector<Sample> samples, scratch;
-    BlockSampler(mesh_, block, field_.of_block(b)).all(samples);
+    BlockSampler(mesh_, b, block, field_.of_block(b)).all(samples);
     const auto sample = [&](Index v) { return samples[v]; };
     std::vector<GradientSum> sum(block.vertex_count);
     CellGradient* cell = &cell_[block.cell_begin];

@@ -50,14 +50,20 @@ std::array<double, 2> PlaneDistance::range(const BlockRanges& bounds, std::span<
     std::vector<Index> order(bounds.low.size());
     std::iota(order.begin(), order.end(), Index{0});
     std::array<double, 2> range{infinity<double>, -infinity<double>};
+    const auto load = [&](Index b) {
+        if (loader_ != nullptr && first_vertex[b] < first_vertex[b + 1])
+            loader_->load(first_vertex[b], first_vertex[b + 1]);
+    };
     std::ranges::sort(order, {}, [&](Index b) { return bounds.low[b]; });
     for (const Index b : order) {
         if (bounds.low[b] >= range[0]) break;
+        load(b);
         for (Index v = first_vertex[b]; v < first_vertex[b + 1]; ++v) range[0] = std::min(range[0], at(v));
     }
     std::ranges::sort(order, std::greater<>(), [&](Index b) { return bounds.high[b]; });
     for (const Index b : order) {
         if (bounds.high[b] <= range[1]) break;
+        load(b);
         for (Index v = first_vertex[b]; v < first_vertex[b + 1]; ++v) range[1] = std::max(range[1], at(v));
     }
     return range[0] <= range[1] ? range : std::array<double, 2>{};

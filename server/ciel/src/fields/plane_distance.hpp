@@ -10,11 +10,14 @@ namespace ciel {
 class PlaneDistance {
 public:
     PlaneDistance(const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal)
-        : positions_(points.positions), normal_(normal) {
+        : positions_(points.positions), loader_(points.loader), normal_(normal) {
         for (std::size_t i = 0; i < 3; ++i) shift_ += normal[i] * (points.origin[i] - origin[i]);
     }
 
     [[nodiscard]] bool has_doubles() const { return positions_.has_doubles(); }
+    [[nodiscard]] std::size_t vertex_count() const { return positions_.size() / 3; }
+    // Loads the positions, which at() and of() need. Null if all are in memory.
+    [[nodiscard]] const VertexLoader* loader() const { return loader_; }
     // Returns the distance of a vertex, rounded to the type.
     [[nodiscard]] double at(std::size_t vertex) const {
         return has_doubles() ? of<double>().at(vertex) : double{of<float>().at(vertex)};
@@ -45,6 +48,7 @@ public:
 
 private:
     ValuesView positions_;
+    const VertexLoader* loader_;
     Vec3d normal_;
     double shift_ = 0; // distance from the plane to the mesh's origin; double, because both origins may be large
 };

@@ -1,0 +1,52 @@
+// ValueSource and VertexLoader: numbers at vertices that lie in a file and are read when a block of cells needs them.
+// With them a surface costs what it crosses, not what the mesh has. Not in the paper, whose meshes are in memory.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace ciel {
+
+// The values of a Field, one per vertex in the topology's vertex order. Any thread may call it at any time. `read`
+// throws Error when the values cannot be read; the next call may succeed.
+class ValueSource {
+public:
+    ValueSource() = default;
+    ValueSource(const ValueSource&) = delete;
+    ValueSource& operator=(const ValueSource&) = delete;
+    virtual ~ValueSource() = default;
+
+    [[nodiscard]] virtual std::size_t size() const = 0; // number of vertices
+    [[nodiscard]] virtual bool has_doubles() const = 0;
+    // Set out[i] to the value of vertex first + i. Called for doubles if has_doubles(), else for floats.
+    virtual void read(Index first, std::span<float> out) const = 0;
+    virtual void read(Index first, std::span<double> out) const = 0;
+    // Set out[i] to the value of vertices[i], of which each exists.
+    virtual void read(std::span<const Index> vertices, std::span<float> out) const = 0;
+    virtual void read(std::span<const Index> vertices, std::span<double> out) const = 0;
+};
+
+// Makes positions in a mapped file ready before they are read (FaceMeshView::loader).
+class VertexLoader {
+public:
+    explicit VertexLoader(std::size_t blocks) : has_block_(std::make_unique<std::atomic<bool>[]>(blocks)) {}
+    VertexLoader(const VertexLoader&) = delete;
+    VertexLoader& operator=(const VertexLoader&) = delete;
+    virtual ~VertexLoader() = default;
+
+    // Makes the positions of the vertices from `begin` to `end` - 1, all of which exist, ready to be read. Throws Error
+    // when they cannot be read. Any thread may call it at any time.
+    virtual void load(Index begin, Index end) const = 0;
+    // Return and set whether the positions of all vertices of a block are ready.
+    [[nodiscard]] bool has_block(Index block) const { return has_block_[block].load(std::memory_order_acquire); }
+    void set_has_block(Index block) const { has_block_[block].store(true, std::memory_order_release); }
+
+private:
+    std::unique_ptr<std::atomic<bool>[]> has_block_;
+};
+
+} // namespace ciel

@@ -1,0 +1,46 @@
+// StoredScalar: a scalar on points at one step, read from the dataset where it is needed.
+#pragma once
+
+#include "ciel/extract.hpp"
+#include "ciel/value_source.hpp"
+#include "store/cache/paged_file.hpp"
+#include "store/dataset.hpp"
+
+namespace ciel::store {
+
+// Thread-safe. A value that is read after the file was changed is only another value.
+class StoredScalar final : public ValueSource {
+public:
+    // values: of `array`, which has the scalar.
+    StoredScalar(ArrayInfo array, ScalarName scalar, PagedValues values)
+        : array_(std::move(array)), scalar_(std::move(scalar)), values_(std::move(values)),
+          width_(static_cast<std::size_t>(array_.components)) {}
+
+    [[nodiscard]] std::size_t size() const override { return values_.values.size() / width_; }
+    [[nodiscard]] bool has_doubles() const override { return values_.values.has_doubles(); }
+    void read(Index first, std::span<float> out) const override;
+    void read(Index first, std::span<double> out) const override;
+    void read(std::span<const Index> vertices, std::span<float> out) const override;
+    void read(std::span<const Index> vertices, std::span<double> out) const override;
+
+    // Return the scalar at points of a surface, interpolated along their edges, and at all vertices, in the array's
+    // type. Throw Error when the surface is of another mesh, and when the file was truncated meanwhile.
+    [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
+    [[nodiscard]] Values all() const;
+
+private:
+    template <class T>
+    void read_from(Index first, std::span<T> out) const;
+    template <class T>
+    void read_at(std::span<const Index> vertices, std::span<T> out) const;
+    template <class T>
+    [[nodiscard]] T value_of(Index vertex) const;
+    void load(std::size_t first, std::size_t count) const;
+
+    ArrayInfo array_;
+    ScalarName scalar_;
+    PagedValues values_;
+    std::size_t width_; // numbers per vertex
+};
+
+} // namespace ciel::store

@@ -1,0 +1,157 @@
+// Values and positions are read and checked page by page: what no surface needs may be damaged.
+#include "ciel/extract.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/layout.hpp"
+#include "store/loaded.hpp"
+#include "support/store_box/box.hpp"
+
+#include <cstring>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ciel::store {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// 68,921 vertices: 5 pages of `p`, 13 pages of U and of the positions. p is the number of the vertex in the file's
+// order, which is the stored order.
+class PagedValuesTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        pattern = std::make_unique<test::Folder>();
+        test::write_box(*pattern / "box.ciel", test::box(40, 40, 40));
+    }
+    static void TearDownTestSuite() { pattern.reset(); }
+    PagedValuesTest() { fs::copy(*pattern / "box.ciel", directory, fs::copy_options::recursive); }
+
+    // Changes a byte in place. Negative: from the end.
+    static void flip(const fs::path& file, std::ptrdiff_t at) {
+        std::string bytes = test::read_file(file);
+        bytes.at(at < 0 ? bytes.size() - static_cast<std::size_t>(-at) : static_cast<std::size_t>(at)) ^= 1;
+        test::overwrite_file(file, bytes);
+    }
+    static std::size_t polygons_at(const ScalarField& field, double nu) {
+        Query query(*field.topology, field.points);
+        query.set_field(*field.field);
+        Surface surface;
+        EXPECT_TRUE(query.extract(nu, true, surface));
+        return surface.polygon_cell.size();
+    }
+    [[nodiscard]] std::shared_ptr<Dataset> open() const { return Dataset::open(directory); }
+    template <class F>
+    static std::string error_of(F&& f) {
+        try {
+            f();
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    static std::unique_ptr<test::Folder> pattern;
+    test::Folder scratch;
+    const fs::path directory = scratch / "box.ciel";
+    const fs::path p = directory / "meshes/0/arrays/p/0.0", positions = directory / "meshes/0/positions/0.0.0";
+};
+std::unique_ptr<test::Folder> PagedValuesTest::pattern;
+
+TEST_F(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
+    flip(p, -1);
+    LoadedDataset loaded(open(), 1U << 30);
+    const ScalarField field = loaded.scalar("p", 0);
+    EXPECT_GT(polygons_at(field, 2000.5), 0U);
+    for (int attempt = 0; attempt < 2; ++attempt)
+        EXPECT_THAT(error_of([&] { (void)polygons_at(field, 68000.5); }),
+                    AllOf(HasSubstr(p.string()), HasSubstr("does not match its checksum")));
+    EXPECT_GT(polygons_at(field, 2100.5), 0U) << "the others can still be used";
+    EXPECT_THAT(error_of([&] { (void)loaded.dataset()->values("p", 0); }), HasSubstr("does not match its checksum"));
+    EXPECT_THAT(error_of([&] { loaded.dataset()->verify(); }), HasSubstr(p.string()));
+    EXPECT_NO_THROW(loaded.dataset()->check_unchanged()) << "it was damaged before it was opened";
+}
+
+// The damage is half way up: a plane reads the blocks at both ends of its direction for its range.
+TEST_F(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
+    flip(positions, static_cast<std::ptrdiff_t>(fs::file_size(positions) / 2));
+    LoadedDataset loaded(open(), 1U << 30);
+    EXPECT_GT(polygons_at(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}), 0), 0U);
+    EXPECT_GT(polygons_at(loaded.scalar("p", 0), 2000.5), 0U);
+    EXPECT_THAT(error_of([&] {
+                    (void)polygons_at(loaded.plane(0, {0, 0, 20.5}, {0, 0, 1}), 0);
+                }),
+                AllOf(HasSubstr(positions.string()), HasSubstr("does not match its checksum")));
+    EXPECT_THAT(error_of([&] { (void)loaded.dataset()->points(0, 0); }), HasSubstr("does not match its checksum"));
+}
+
+// The open dataset maps the damaged file, so it has to be opened anew.
+TEST_F(PagedValuesTest, ARestoredFileIsOpenedAnew) {
+    const std::string content = test::read_file(p);
+    flip(p, -1);
+    LoadedDataset loaded(open(), 1U << 30);
+    const ScalarField field = loaded.scalar("p", 0);
+    EXPECT_THROW((void)polygons_at(field, 68000.5), Error);
+    test::overwrite_file(scratch / "aside", content);
+    fs::rename(scratch / "aside", p);
+    EXPECT_THAT(error_of([&] { (void)polygons_at(field, 68000.5); }), HasSubstr("has changed while it was open"));
+    EXPECT_FALSE(loaded.dataset()->is_intact());
+    LoadedDataset again(open(), 1U << 30);
+    EXPECT_GT(polygons_at(again.scalar("p", 0), 68000.5), 0U);
+}
+
+TEST_F(PagedValuesTest, WithoutChecksumsOfPagesAllIsCheckedAtTheFirstUse) {
+    fs::remove(layout::value_ranges(p.parent_path(), 0));
+    flip(p, -1);
+    LoadedDataset loaded(open(), 1U << 30);
+    EXPECT_THAT(error_of([&] { (void)loaded.scalar("p", 0); }), HasSubstr("does not match its checksum"));
+}
+
+template <class T>
+std::vector<T> read_all(const StoredScalar& scalar) {
+    std::vector<T> all(scalar.size());
+    scalar.read(Index{0}, std::span(all));
+    return all;
+}
+
+TEST_F(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
+    LoadedDataset loaded(open(), 1U << 30);
+    const auto dataset = loaded.dataset();
+    Surface surface;
+    const ScalarField field = loaded.scalar("p", 0);
+    Query query(*field.topology, field.points);
+    query.set_field(*field.field);
+    ASSERT_TRUE(query.extract(30000.5, false, surface));
+    for (const char* name : {"p", "U:x", "U:z", "U:magnitude"}) {
+        const ScalarName scalar = parse_scalar(*dataset, name);
+        const Values whole = one_scalar(*dataset->find(scalar.array), dataset->values(scalar.array, 0), scalar);
+        const auto stored = loaded.stored_scalar(name, 0);
+        EXPECT_THAT(read_all<float>(*stored), testing::ElementsAreArray(whole.floats())) << name;
+        std::vector<float> expected(surface.points.size()), picked(3);
+        interpolate(surface.points, whole.floats(), 1, expected);
+        EXPECT_THAT(stored->at(surface.points), testing::ElementsAreArray(expected)) << name;
+        stored->read(std::vector<Index>{68920, 0, 17}, std::span(picked));
+        EXPECT_THAT(picked, testing::ElementsAre(whole.floats()[68920], whole.floats()[0], whole.floats()[17]));
+    }
+    surface.points[0].b = 68921;
+    EXPECT_THROW((void)loaded.stored_scalar("p", 0)->at(surface.points), Error);
+    EXPECT_THROW((void)loaded.stored_scalar("cell:p", 0), Error);
+    EXPECT_THROW((void)loaded.stored_scalar("p", 1), NotWritten);
+}
+
+// As a CIEL that stored no checksums of pages wrote it: the offset at 128 is zero.
+TEST_F(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
+    const fs::path file = layout::value_ranges(p.parent_path(), 0);
+    std::string bytes = test::read_file(file);
+    std::fill_n(bytes.begin() + 128, 8, '\0');
+    const auto content = std::as_bytes(std::span(bytes)).first(bytes.size() - 8);
+    const std::uint64_t sum = checksum_number(content);
+    std::memcpy(bytes.data() + content.size(), &sum, sizeof sum);
+    test::overwrite_file(file, bytes);
+    flip(p, -1);
+    LoadedDataset loaded(open(), 1U << 30);
+    const ScalarField field = loaded.scalar("p", 0);
+    EXPECT_THAT(error_of([&] { (void)polygons_at(field, 2000.5); }), HasSubstr("does not match its checksum"));
+}
+
+} // namespace
+} // namespace ciel::store
