@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -100,6 +101,38 @@ void compare_surfaces(const KernelMesh& mesh, const std::vector<float>& values, 
     }
 }
 
+// Points on edges of left-out blocks are written apart (AdoptedEdges).
+template <class Number>
+void compare_some_blocks(const KernelMesh& mesh, const std::vector<float>& values) {
+    const std::vector<Number> stored(values.begin(), values.end());
+    const Field field(mesh.topology, stored, nullptr);
+    std::vector<Index> odd;
+    for (Index b = 1; b < mesh.topology.block_count(); b += 2) odd.push_back(b);
+    for (const double nu : walk_through(values, 3, 503)) {
+        const HiddenPositions<Number> positions(mesh);
+        Query from_memory(mesh.topology, positions.known(mesh)), from_file(mesh.topology, positions.hidden(mesh));
+        Surface expected, found;
+        for (auto [query, out] : {std::pair{&from_memory, &expected}, std::pair{&from_file, &found}}) {
+            query->set_field(field);
+            query->set_blocks(odd);
+            ASSERT_TRUE(query->extract(nu, false, *out));
+        }
+        ASSERT_EQ(bit_difference(expected, found), "") << nu;
+    }
+}
+
+template <class Number>
+void compare_sweeps(const KernelMesh& mesh, const std::vector<float>& values) {
+    const std::vector<Number> stored(values.begin(), values.end());
+    const Field field(mesh.topology, stored, nullptr);
+    const HiddenPositions<Number> positions(mesh);
+    const std::vector<double> places = walk_through(values, 4, 504);
+    std::vector<SoupSink::Out> expected, found;
+    ASSERT_TRUE(sweep(mesh.topology, positions.known(mesh), field, places, SoupSink{}, expected));
+    ASSERT_TRUE(sweep(mesh.topology, positions.hidden(mesh), field, places, SoupSink{}, found));
+    EXPECT_EQ(found, expected);
+}
+
 template <class Number>
 void compare_slices(const KernelMesh& mesh, Algorithm algorithm) {
     const HiddenPositions<Number> positions(mesh);
@@ -131,6 +164,24 @@ TEST_P(LoadedVertices, GiveTheSameSurfaces) {
             compare_surfaces<double>(mesh, values, algorithm);
         }
     }
+}
+
+TEST_P(LoadedVertices, GiveTheSameSurfacesOfSomeBlocksAndInASweep) {
+    for (const NamedField& named : all_fields()) {
+        const std::vector<float> values = mesh.stored(named.make(input));
+        compare_some_blocks<float>(mesh, values);
+        compare_some_blocks<double>(mesh, values);
+        compare_sweeps<float>(mesh, values);
+        compare_sweeps<double>(mesh, values);
+    }
+}
+
+TEST_P(LoadedVertices, GiveTheSameMinima) {
+    const std::vector<float> values = mesh.stored(bumps_field(input, 505));
+    const Field known(mesh.topology, values, nullptr);
+    const Field read(mesh.topology, std::make_shared<CountedValues<float>>(values),
+                     block_ranges(mesh.topology, values));
+    EXPECT_THAT(read.sorted_minima(), testing::ElementsAreArray(known.sorted_minima()));
 }
 
 TEST_P(LoadedVertices, GiveTheSameSlices) {

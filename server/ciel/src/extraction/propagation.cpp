@@ -31,7 +31,6 @@ void count_half_edges(const Topology& topology, std::vector<Index>& out) {
 void Propagation::begin(const Topology& topology, const Field& field) {
     topology_ = &topology;
     field_ = &field.data();
-    field_->read_all();
     arrived_ = false;
 }
 

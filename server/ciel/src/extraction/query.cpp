@@ -54,9 +54,8 @@ Query& Query::operator=(Query&&) noexcept = default;
 void Query::set_field(const Field& field) {
     if (field.data().topology != state_->topology)
         fail("the field belongs to another topology; make the field from the topology of the query");
-    state_->field = nullptr; // until all has gone well
-    state_->cutter->set_field(field);
     state_->field = &field.data();
+    state_->cutter->set_field(field);
 }
 
 bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {

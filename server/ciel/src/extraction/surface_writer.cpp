@@ -136,14 +136,14 @@ void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index e
     out_.normals[point] = unit(between);
 }
 
+// The blocks of these edges are active, so write_points has loaded their positions.
 void Writer::write_adopted() {
     const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (const auto& edge : edges.subspan(begin, end - begin)) {
             const ActiveBlock& cut = cut_[edge.block];
-            const Block& block = blocks_.cells(edge.block);
-            load_vertices(mesh_.loader, edge.block, block);
-            const EdgePoint point = edge_point(block, field_.of_block(edge.block), cut.ends[edge.end], nu_);
+            const EdgePoint point =
+                edge_point(blocks_.cells(edge.block), field_.of_block(edge.block), cut.ends[edge.end], nu_);
             out_.points[edge.point] = point;
             out_.positions[edge.point] =
                 mesh_.positions.with([&](const auto& all) { return position_of(point, all, mesh_.surface_shift()); });

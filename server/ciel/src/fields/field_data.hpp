@@ -66,7 +66,7 @@ struct Field::Data {
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
     [[nodiscard]] std::array<double, 2> range_of_blocks() const;
-    void make_extrema() const; // sets minima and maxima at the first call
+    void make_extrema() const; // sets minima and maxima at the first call, and calls read_all
 
 private:
     mutable Mutex reading_all_;
