@@ -5,6 +5,7 @@
 #include "store/format/file_head.hpp"
 #include "store/format/layout.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -58,16 +59,12 @@ BlockIndex read_index(const std::filesystem::path& mesh, const std::string& data
     return parse_block_index(bytes_of(read_text(file, layout::index_bytes)), dataset_id, file);
 }
 
-// Opens a file of records and compares its first bytes and its size with the index.
-InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes,
-                       const std::string& dataset_id) {
+// Opens a file of records and compares its size with the index.
+InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes) {
     InputFile file(layout::records(mesh, kind, number));
     if (file.size() != bytes)
         refuse_damage(file.path(),
                       "has " + std::to_string(file.size()) + " bytes where " + std::to_string(bytes) + " are declared");
-    std::array<std::byte, file_head_bytes> head;
-    file.read(0, head);
-    check_file_head(head, file_kind(kind), dataset_id, file.path());
     return file;
 }
 
@@ -79,12 +76,12 @@ RecordAccess access_to(const std::filesystem::path& directory) {
 
 StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
                            RecordAccess access)
-    : any_lost_(std::move(any_lost)), access_(access), index_(read_index(mesh, dataset_id)) {
+    : dataset_id_(dataset_id), any_lost_(std::move(any_lost)), access_(access), index_(read_index(mesh, dataset_id)) {
     for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
         verified_[kind] = std::make_unique<std::atomic<std::uint8_t>[]>(block_count());
         for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i) {
             const std::uint64_t bytes = index_.file_bytes[kind][i];
-            auto file = std::make_unique<File>(open_records(mesh, record_kinds[kind], i, bytes, dataset_id));
+            auto file = std::make_unique<File>(open_records(mesh, record_kinds[kind], i, bytes));
             if (access_ == RecordAccess::mapped) {
                 file->mapped = MappedFile(file->in.path(), bytes, any_lost_, tail_bytes);
                 file->mapped.expect_random_reads();
@@ -101,6 +98,21 @@ Topology StoredBlocks::topology(bool is_trusted) const {
     return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }
 
+// Checks the first bytes of a file before its first record is used.
+void StoredBlocks::check_head(File& file, RecordKind kind) const {
+    if (file.has_head) return;
+    const auto mapped = file.mapped.bytes();
+    std::array<std::byte, file_head_bytes> head;
+    if (mapped.size() < head.size()) {
+        file.in.read(0, head);
+    } else {
+        file.mapped.load(mapped.first(head.size()));
+        std::ranges::copy(mapped.first(head.size()), head.begin());
+    }
+    check_file_head(head, file_kind(kind), dataset_id_, file.in.path());
+    file.has_head = true;
+}
+
 // Returns whether the record has its checksum.
 bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const {
     record.resize(place.raw);
@@ -113,6 +125,7 @@ std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) cons
     const std::size_t of_kind = place_of_kind(kind);
     const RecordPlace& place = index_.places[of_kind].at(block);
     File& file = *files_[of_kind][place.file];
+    check_head(file, kind);
     std::vector<std::uint64_t> record;
     if (!read_into(place, file, record)) refuse_record(file, block);
     return record;
@@ -125,6 +138,7 @@ std::span<const std::byte> StoredBlocks::mapped(Index block, RecordKind kind) co
     const auto record = file.mapped.bytes().subspan(place.offset * record_alignment, place.raw * record_word);
     std::atomic<std::uint8_t>& verified = verified_[of_kind][block];
     if (verified != 0) return record;
+    check_head(file, kind);
     file.mapped.load(record);
     if (checksum_number(record) != place.checksum) refuse_record(file, block);
     verified = 1;

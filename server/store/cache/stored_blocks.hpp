@@ -23,8 +23,9 @@ enum class RecordAccess { mapped, read };
 // with which a topology does nothing that is not in bounds (RecordSource).
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
-    // Reads the index of the mesh and opens the files of records; reads no record. Throws Error that names the file
-    // when one is missing, damaged, of a newer format, or of a dataset with another id.
+    // Reads the index of the mesh and opens the files of records; reads nothing of them. Throws Error that names the
+    // file when one is missing or has another size, or when the index is damaged, of a newer format, or of a dataset
+    // with another id.
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
                  RecordAccess access);
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
@@ -33,7 +34,8 @@ public:
     // Returns a topology that takes a record when it is first used. is_trusted: this process has written the records,
     // so their content is not checked; they are read.
     [[nodiscard]] Topology topology(bool is_trusted = false) const;
-    // Reads a record. Throws Error that names the file when it cannot be read or does not match its checksum.
+    // Reads a record. Throws Error that names the file when it cannot be read, is of a newer format or of another
+    // dataset, or when the record does not match its checksum.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
     // Returns a record in its mapped file; likewise. Only for RecordAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
@@ -50,13 +52,16 @@ private:
         InputFile in;
         MappedFile mapped;                      // empty if records are read
         std::array<std::int64_t, 2> changed_at; // when its content was last known to be right
+        std::atomic<bool> has_head = false;     // its first bytes were found to be right
         std::atomic<bool> is_lost = false;
     };
     [[nodiscard]] bool read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const;
+    void check_head(File& file, RecordKind kind) const;
     void check_file(std::size_t kind, std::size_t number) const;
     [[noreturn]] void refuse_record(File& file, Index block) const;
     [[noreturn]] void lose(File& file) const;
 
+    std::string dataset_id_;
     AnyLost any_lost_;
     RecordAccess access_;
     BlockIndex index_;
