@@ -91,8 +91,13 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
+    // A slice that turns makes a plane for each picture, and an earlier one is hardly ever asked for again. Those that
+    // are shown live as long as their pictures.
+    static constexpr std::size_t most_planes = 4;
+
     State(std::shared_ptr<Dataset> first, std::size_t budget)
-        : dataset(std::move(first)), most_fit_bytes(budget / 4), fields(budget) {}
+        : dataset(std::move(first)), most_fit_bytes(budget / 4), fields(budget / 4 * 3),
+          planes(budget / 4, most_planes) {}
 
     struct MeshSlot {
         std::mutex making;
@@ -185,11 +190,11 @@ struct LoadedDataset::State {
     }
 
     // Returns the field cached under `key`, or makes it. `bytes`: its size with all that it keeps alive.
-    [[nodiscard]] ScalarField field(const std::shared_ptr<Dataset>& of, std::size_t step, const std::string& key,
-                                    const std::shared_ptr<const Topology>& topology, std::size_t bytes,
-                                    const std::function<Field()>& make) {
+    [[nodiscard]] static ScalarField field(Cache& cache, const std::shared_ptr<Dataset>& of, std::size_t step,
+                                           const std::string& key, const std::shared_ptr<const Topology>& topology,
+                                           std::size_t bytes, const std::function<Field()>& make) {
         const Step& at = of->steps()[step];
-        const auto kept = fields.get<KeptField>(key, [&]() -> Cache::Made {
+        const auto kept = cache.get<KeptField>(key, [&]() -> Cache::Made {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
@@ -205,7 +210,7 @@ struct LoadedDataset::State {
     std::shared_ptr<CellFits> fits; // of the mesh and the coordinate set in `fitted`
     std::array<std::size_t, 2> fitted{};
     std::shared_ptr<const Topology> fitted_topology;
-    Cache fields;
+    Cache fields, planes;
 };
 
 FaceMeshView ScalarField::mesh() const {
@@ -262,7 +267,7 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const auto source = stored_scalar(name, step);
     const auto of_mesh = topology(at.mesh);
     const std::size_t bytes = field_bytes(source->size(), source->has_doubles() ? sizeof(double) : sizeof(float));
-    return state_->field(of, step, step_key("field", name, step), of_mesh, bytes, [&] {
+    return State::field(state_->fields, of, step, step_key("field", name, step), of_mesh, bytes, [&] {
         auto ranges = of->block_ranges(parse_scalar(*of, name), step);
         if (!ranges) ranges = block_ranges(*of_mesh, source->all());
         Field made(*of_mesh, source, *std::move(ranges));
@@ -334,7 +339,8 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of_mesh = topology(at.mesh);
     const auto boxes = state_->boxes(*of, at, *of_mesh);
     const std::size_t value_bytes = of->info().meshes[at.mesh].double_positions ? sizeof(double) : sizeof(float);
-    return state_->field(of, step, key.str(), of_mesh, field_bytes(of_mesh->counts().vertices, value_bytes), [&] {
+    const std::size_t bytes = field_bytes(of_mesh->counts().vertices, value_bytes);
+    return State::field(state_->planes, of, step, key.str(), of_mesh, bytes, [&] {
         const FaceMeshView points = of->points_to_load(at.mesh, at.coordinates);
         Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);
@@ -343,7 +349,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
 }
 
 std::size_t LoadedDataset::memory_bytes() const {
-    std::size_t bytes = state_->fields.bytes();
+    std::size_t bytes = state_->fields.bytes() + state_->planes.bytes();
     const std::lock_guard lock(state_->mutex);
     if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {

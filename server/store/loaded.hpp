@@ -30,7 +30,7 @@ class NotWritten : public Error {
     using Error::Error;
 };
 
-// Thread-safe. Fields are kept in a least-recently-used cache of `field_budget_bytes`.
+// Thread-safe. Fields are kept in a least-recently-used cache of `field_budget_bytes`, and the last planes in another.
 class LoadedDataset {
 public:
     LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes);

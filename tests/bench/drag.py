@@ -1,14 +1,17 @@
 #!/usr/bin/python3
 """Measures what a user who drags a slider sees: frames per second, latency from patch to frame, time to the first picture.
 
-usage: drag.py CIEL DATASET.ciel ARRAY [--from A --to B] [--seconds S] [--size WxH] [--axis x]
+usage: drag.py CIEL DATASET.ciel ARRAY [--from A --to B] [--seconds S] [--size WxH] [--axis x] [--turn] [--play]
 Starts a server on a free port, opens the dataset, waits for the first picture, then sweeps the iso-value (or, with --axis, a
-slice) back and forth, one patch per presented frame, and prints one JSON line.
+slice) back and forth, one patch per presented frame, and prints one JSON line. With --turn a slice through the middle turns;
+with --play the time goes from step to step and the surface stays.
 """
 
 import argparse
 import asyncio
+import itertools
 import json
+import math
 import os
 import statistics
 import struct
@@ -84,13 +87,24 @@ async def sweep(options, port, process):
                 array = next(a for a in description["arrays"] if options.array.split(":")[0] == a["name"])
                 low, high = array["range"]
         color = {"array": options.array}
+        if options.turn or options.play:
+            description = await client.call("dataset.describe", dataset=name)
+        times = description["times"] if options.play else []
+        played = itertools.cycle(times)
 
         def layers(value):
             if options.axis:
-                layer = {"type": "slice", "axis": options.axis, "value": value, "color": color}
+                place = (low + high) / 2 if options.play else value
+                layer = {"type": "slice", "axis": options.axis, "value": place, "color": color}
+            elif options.turn:
+                angle = 2 * math.pi * (value - low) / (high - low)
+                middle = [sum(description["bounds"][axis : axis + 2]) / 2 for axis in (0, 2, 4)]
+                normal = [math.cos(angle), math.sin(angle), 0.3]
+                layer = {"type": "slice", "origin": middle, "normal": normal, "color": color}
             else:
-                layer = {"type": "iso", "array": options.array, "values": [value]}
-            return {"layers": {"bench": layer}}
+                iso = (low + high) / 2 if options.play else value
+                layer = {"type": "iso", "array": options.array, "values": [iso]}
+            return {"layers": {"bench": layer}, **({"time": next(played)} if options.play else {})}
 
         others = {key: None for key in state["scene"].get("layers", {})}
         await client.call("scene.patch", session=state["session"], patch={"layers": others})
@@ -99,6 +113,7 @@ async def sweep(options, port, process):
             await client.ack(view, fields((await client.frames.get())[1])["frame"])
 
         cpu_before, started, rows, step = process_cpu(process.pid), time.monotonic(), [], 0
+        own_before = memory(process.pid, "RssAnon")
         while time.monotonic() - started < options.seconds:
             step += 1
             share = 0.02 + 0.96 * abs((step / 200) % 2 - 1)
@@ -117,10 +132,11 @@ async def sweep(options, port, process):
         median = {key: round(statistics.median(row[key] for row in rows), 2)
                   for key in ("latency", "extract", "draw", "encode", "triangles", "bytes")}
         slowest = sorted(row["latency"] for row in rows)[int(0.95 * len(rows))]
-        print(json.dumps({"dataset": name, "what": options.axis or options.array, "size": options.size,
+        print(json.dumps({"dataset": name, "what": "turn" if options.turn else "play" if options.play else options.axis or options.array, "size": options.size,
                           "first_picture_s": round(first_picture, 2), "frames": len(rows), "frames_per_s": round(len(rows) / elapsed, 1),
                           "latency_p95_ms": round(slowest, 1), "cpu_s_per_frame": round(cpu / len(rows), 4),
-                          "peak_memory_mb": round(peak_memory(process.pid) / 1e6), "median": median}))
+                          "peak_memory_mb": round(memory(process.pid, "VmHWM") / 1e6),
+                          "own_memory_mb": [round(own_before / 1e6), round(memory(process.pid, "RssAnon") / 1e6)], "median": median}))
 
 
 def process_cpu(pid):
@@ -129,10 +145,10 @@ def process_cpu(pid):
     return (int(ticks[11]) + int(ticks[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def peak_memory(pid):
-    """Peak resident memory in bytes, including pages of mapped files."""
+def memory(pid, of):
+    """Bytes of the process: VmHWM is the peak of all resident pages, those of mapped files too; RssAnon is what it holds of its own."""
     with open(f"/proc/{pid}/status", encoding="ascii") as status:
-        return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
+        return 1024 * int(next(line for line in status if line.startswith(of)).split()[1])
 
 
 def main():
@@ -145,6 +161,8 @@ def main():
     parser.add_argument("--seconds", type=float, default=10)
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--axis", choices=["x", "y", "z"])
+    parser.add_argument("--turn", action="store_true")
+    parser.add_argument("--play", action="store_true")
     parser.add_argument("--serve", nargs=argparse.REMAINDER, default=[], help="further options of ciel serve")
     options = parser.parse_args()
     process = subprocess.Popen([options.ciel, "serve", options.dataset, "--port", "0", *options.serve],

@@ -31,7 +31,7 @@ void Cache::account(const std::string& key, const Slot& made) {
         found->second.bytes = made.made.bytes;
         bytes_ += made.made.bytes;
     }
-    while (bytes_ > budget_ && ages_.size() > 1) {
+    while ((bytes_ > budget_ || ages_.size() > most_) && ages_.size() > 1) {
         const auto oldest = entries_.find(ages_.back());
         bytes_ -= oldest->second.bytes;
         entries_.erase(oldest);

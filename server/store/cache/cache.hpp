@@ -1,8 +1,9 @@
-// Cache: keeps values up to a budget in bytes and drops the least recently used ones. Thread-safe.
+// Cache: keeps values up to a budget in bytes and a number, and drops the least recently used ones. Thread-safe.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -18,7 +19,8 @@ public:
         std::size_t bytes = 0;
     };
 
-    explicit Cache(std::size_t budget_bytes) : budget_(budget_bytes) {}
+    explicit Cache(std::size_t budget_bytes, std::size_t most_values = std::numeric_limits<std::size_t>::max())
+        : budget_(budget_bytes), most_(most_values) {}
 
     // Returns the value kept under `key`, or the result of `make`. If several threads ask for a key, one calls `make`
     // and the others wait; threads that ask for other keys do not wait. A value lives as long as a caller holds it,
@@ -45,7 +47,7 @@ private:
     void account(const std::string& key, const Slot& slot);
 
     mutable std::mutex mutex_;
-    std::size_t budget_, bytes_ = 0;
+    std::size_t budget_, most_, bytes_ = 0;
     std::list<std::string> ages_; // keys, the most recently used first
     std::unordered_map<std::string, Entry> entries_;
 };

@@ -14,6 +14,7 @@
 #include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <thread>
 
 namespace ciel::store {
@@ -46,6 +47,19 @@ TEST(CacheTest, WhatIsInUseOutlivesTheCacheAndABigOneStands) {
     (void)cache.get<int>("other", [] { return number(8, 1); });
     EXPECT_EQ(cache.bytes(), 1U);
     EXPECT_EQ(*big, 7);
+}
+
+TEST(CacheTest, KeepsNoMoreThanItsNumber) {
+    Cache cache(1000, 2);
+    for (const char* key : {"a", "b", "a", "c"}) (void)cache.get<int>(key, [] { return number(0, 1); });
+    EXPECT_EQ(cache.bytes(), 2U);
+    int made = 0;
+    const auto again = [&](const char* key) { (void)cache.get<int>(key, [&] { return ++made, number(0, 1); }); };
+    again("a");
+    again("c");
+    EXPECT_EQ(made, 0);
+    again("b");
+    EXPECT_EQ(made, 1);
 }
 
 TEST(CacheTest, AFailureIsNotKept) {
@@ -125,6 +139,18 @@ TEST_F(LoadedTest, PlanesAreDistances) {
     EXPECT_THAT(plane.field->range(), ElementsAre(-1, 1));
     EXPECT_EQ(plane.field, loaded.plane(1, {1, 0, 0}, {1, 0, 0}).field) << "the same mesh at another time";
     EXPECT_NE(plane.field, loaded.plane(0, {1, 0, 0}, {0, 1, 0}).field);
+}
+
+TEST_F(LoadedTest, ATurningSliceKeepsFewPlanes) {
+    LoadedDataset loaded(Dataset::open(directory), 1U << 30);
+    const auto turned = [&](int degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        return loaded.plane(0, {1, 1, 1}, {std::cos(angle), std::sin(angle), 0}).field;
+    };
+    std::vector<std::weak_ptr<const Field>> all;
+    for (int degrees = 0; degrees < 90; ++degrees) all.push_back(turned(degrees));
+    EXPECT_LE(std::ranges::count_if(all, [](const auto& each) { return !each.expired(); }), 4);
+    EXPECT_EQ(turned(88), all[88].lock());
 }
 
 // Fields share the least squares of polyhedra, but only at the positions for which they were made.

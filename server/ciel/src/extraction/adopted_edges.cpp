@@ -37,7 +37,7 @@ void AdoptedEdges::find(const Topology::Blocks& blocks, Cutter& cutter) {
     edges_.clear();
     numbered_ = 0;
     const std::span<const Index> active = cutter.active();
-    const std::span<ActiveBlock> cut = cutter.cut();
+    BlockCuts& cut = cutter.cut();
     for (const Index b : active) cut[b].adopted.clear();
     if (cutter.has_all()) return;
     if (found_.size() < active.size()) found_.resize(active.size());

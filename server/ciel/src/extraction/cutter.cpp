@@ -16,12 +16,7 @@ void Cutter::set_blocks(std::optional<std::span<const Index>> blocks) {
 }
 
 std::size_t Cutter::memory_bytes() const {
-    std::size_t sum = cut_.capacity() * sizeof(ActiveBlock) + active_.capacity() * sizeof(Index) + has_.capacity();
-    for (const ActiveBlock& cut : cut_)
-        sum += sizeof(std::uint64_t) * (cut.signature.capacity() + cut.active.capacity()) +
-               sizeof(Index) * (cut.rank.capacity() + 2 * cut.ends.capacity() + cut.adopted.capacity() +
-                                cut.polygon_cell.capacity() + cut.polygon_end.capacity() + cut.polygon_edge.capacity());
-    return sum;
+    return cut_.memory_bytes() + active_.capacity() * sizeof(Index) + has_.capacity();
 }
 
 } // namespace ciel

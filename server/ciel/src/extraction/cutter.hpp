@@ -1,6 +1,7 @@
 // The algorithms behind Query (paper, algorithms 1 and 2): each finds the blocks that a surface crosses and cuts them.
 #pragma once
 
+#include "blocks/block_cuts.hpp"
 #include "ciel/extract.hpp"
 #include "extraction/cut_block.hpp"
 
@@ -17,7 +18,7 @@ public:
     virtual void set_field(const Field& field) = 0;
     void set_decider(Decider decider) {
         decider_ = decider;
-        for (ActiveBlock& cut : cut_) cut.known = false;
+        cut_.forget();
     }
     // Limits the next updates to some blocks; nullopt: to none of fewer than all. Throws Error if a block does not
     // exist.
@@ -28,13 +29,13 @@ public:
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // blocks at the surface, ascending
-    [[nodiscard]] std::span<ActiveBlock> cut() { return cut_; }             // cuts, indexed by block
+    [[nodiscard]] BlockCuts& cut() { return cut_; }                         // of the active blocks
     [[nodiscard]] virtual std::size_t memory_bytes() const;
 
 protected:
     const Topology& topology_;
     Decider decider_ = Decider::isolate_high;
-    std::vector<ActiveBlock> cut_;
+    BlockCuts cut_;
     std::vector<Index> active_;
 
 private:

@@ -14,20 +14,21 @@ public:
     void set_field(const Field& field) override { field_ = &field.data(); }
     bool update(double nu, const StopToken& stop) override {
         const double threshold = field_->threshold(nu);
-        parallel_for(cut_.size(), 2, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t b = begin; b < end && !stop.stop_requested(); ++b) {
-                if (!has(static_cast<Index>(b))) continue;
-                const ValuesView values = field_->of_block(static_cast<Index>(b));
-                CutScratch& scratch = scratch_of_this_thread();
-                (void)classify(values, threshold, scratch, cut_[b]);
-                cut_block(topology_.blocks().cells(b),
-                          {values, field_->has_gaps(static_cast<Index>(b)), threshold, nu, decider_, {}, true}, scratch,
-                          cut_[b]);
-            }
-        });
         active_.clear();
         for (Index b = 0; b < cut_.size(); ++b)
-            if (has(b) && !cut_[b].ends.empty()) active_.push_back(b);
+            if (has(b)) active_.push_back(b);
+        cut_.keep(active_);
+        parallel_for(active_.size(), 2, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) {
+                const Index b = active_[i];
+                const ValuesView values = field_->of_block(b);
+                CutScratch& scratch = scratch_of_this_thread();
+                (void)classify(values, threshold, scratch, cut_[b]);
+                cut_block(topology_.blocks().cells(b), {values, field_->has_gaps(b), threshold, nu, decider_, {}, true},
+                          scratch, cut_[b]);
+            }
+        });
+        std::erase_if(active_, [this](Index b) { return cut_[b].ends.empty(); });
         return !stop.stop_requested();
     }
 

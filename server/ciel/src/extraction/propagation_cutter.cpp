@@ -17,7 +17,7 @@ public:
     void set_field(const Field& field) override {
         field_ = &field.data();
         propagation_.begin(topology_, field);
-        forget_cuts();
+        cut_.forget();
     }
     bool update(double nu, const StopToken& stop) override;
     [[nodiscard]] std::size_t memory_bytes() const override {
@@ -25,9 +25,6 @@ public:
     }
 
 private:
-    void forget_cuts() {
-        for (ActiveBlock& cut : cut_) cut.known = false;
-    }
     void update_block(Index b, double nu);
 
     const Field::Data* field_ = nullptr;
@@ -50,11 +47,12 @@ void PropagationCutter::update_block(Index b, double nu) {
 bool PropagationCutter::update(double nu, const StopToken& stop) {
     active_.clear();
     if (!propagation_.reach(nu, stop)) {
-        forget_cuts();
+        cut_.forget();
         return false;
     }
     propagation_.list_blocks(active_);
     std::erase_if(active_, [this](Index b) { return !has(b); });
+    cut_.keep(active_);
     parallel_for(active_.size(), 2, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], nu);
     });

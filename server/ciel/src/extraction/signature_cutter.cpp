@@ -25,6 +25,7 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
     active_.clear();
     for (Index b = 0; b < cut_.size(); ++b)
         if (has(b) && field_->crosses(b, threshold)) active_.push_back(b);
+    cut_.keep(active_);
     parallel_for(active_.size(), fair_grain(active_.size(), 2), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) update_block(active_[i], threshold, nu);
     });

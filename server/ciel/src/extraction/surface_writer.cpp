@@ -70,7 +70,7 @@ private:
     const Field::Data& field_;
     Cutter& cutter_;
     std::span<const Index> active_;
-    std::span<ActiveBlock> cut_;
+    BlockCuts& cut_;
     double nu_;
     std::optional<Normals> normals_;
     SurfaceScratch& scratch_;

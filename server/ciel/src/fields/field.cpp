@@ -56,9 +56,9 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
     // Untouched pages take no memory. After the last block, a changed record may name any local vertex of 16 bits.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
-        local_doubles = std::make_unique_for_overwrite<double[]>(room);
+        local_doubles = SparseArray<double>(room);
     else
-        local_floats = std::make_unique_for_overwrite<float[]>(room);
+        local_floats = SparseArray<float>(room);
     taken = std::make_unique<std::atomic<bool>[]>(all.count());
     ranges.resize(all.count());
     of_blocks = std::move(block_ranges);

@@ -7,6 +7,7 @@
 #include "fields/cell_ranges.hpp"
 #include "fields/gradient.hpp"
 #include "fields/plane_distance.hpp"
+#include "fields/sparse_array.hpp"
 
 #include <optional>
 
@@ -24,8 +25,8 @@ struct Field::Data {
 
     // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
     // After those of any block, local_ids more can be read, whose values mean nothing. One of them is null.
-    std::unique_ptr<float[]> local_floats;
-    std::unique_ptr<double[]> local_doubles;
+    SparseArray<float> local_floats;
+    SparseArray<double> local_doubles;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: its part of `local` is filled
     mutable std::array<Mutex, 16> take_in_mutex;
     std::shared_ptr<const GeometricVertices> where_extrema; // vertices that may be extrema; null means all
@@ -61,7 +62,7 @@ struct Field::Data {
         if (!taken[block].load(std::memory_order_acquire)) take_in(block);
         const std::vector<Index>& slot = topology->blocks().numbers.slot;
         const std::size_t count = slot[block + 1] - slot[block];
-        if (local_doubles != nullptr) return std::span<const double>(local_doubles.get() + slot[block], count);
+        if (local_doubles.get() != nullptr) return std::span<const double>(local_doubles.get() + slot[block], count);
         return std::span<const float>(local_floats.get() + slot[block], count);
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else

@@ -78,7 +78,7 @@ public:
         : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), state_(state), busy_(busy),
           gradient_(gradient) {}
 
-    void run(std::span<const Index> active, std::span<const ActiveBlock> cut) {
+    void run(std::span<const Index> active, const BlockCuts& cut) {
         for_each(active, [&](Index b) { want(b, cut[b]); });
         std::vector<Index> busy;
         for (Index b = 0; b < busy_.size(); ++b)
@@ -338,23 +338,23 @@ void Pass::settle(Index b) {
 } // namespace
 
 void GradientCache::make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
-                            std::span<const ActiveBlock> cut) {
+                            const BlockCuts& cut) {
     if (blocks.empty()) return;
     const Locked lock(mutex_);
     const Topology::Blocks& all = field.topology->blocks();
-    state_.resize(all.slot_count());
+    if (state_.size() == 0) state_ = SparseArray<std::uint8_t>(all.slot_count());
     vertex_.resize(all.count());
     busy_.assign(vertex_.size(), 0);
     if (!settled_)
-        for (std::uint8_t& state : state_) state &= known;
+        for (std::uint8_t& state : state_.all()) state &= known;
     settled_ = false;
-    Pass(mesh, field, state_, busy_, vertex_).run(blocks, cut);
+    Pass(mesh, field, state_.all(), busy_, vertex_).run(blocks, cut);
     settled_ = true;
 }
 
 void GradientCache::forget() {
     const Locked lock(mutex_);
-    state_.clear();
+    state_ = {};
     vertex_.clear();
     settled_ = true;
 }
@@ -364,7 +364,7 @@ std::size_t GradientCache::memory_bytes() const {
     std::size_t made = 0;
     for (const auto& block : vertex_) made += block != nullptr ? 1 : 0;
     const std::size_t mean_slots = state_.size() / std::max<std::size_t>(1, vertex_.size());
-    return state_.capacity() + made * mean_slots * sizeof(Vec3f);
+    return made * mean_slots + made * mean_slots * sizeof(Vec3f);
 }
 
 } // namespace ciel

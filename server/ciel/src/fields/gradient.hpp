@@ -5,20 +5,21 @@
 // not depend on the block size.
 #pragma once
 
-#include "blocks/active_block.hpp"
+#include "blocks/block_cuts.hpp"
 #include "ciel/field.hpp"
 #include "ciel/threads.hpp"
 #include "fields/cell_gradient.hpp"
+#include "fields/sparse_array.hpp"
 
 namespace ciel {
 
 // Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the active edges that `blocks` own. `cut` is indexed by block. May throw
+    // Makes the gradients at both ends of the active edges that `blocks` own. `cut`: has these blocks. May throw
     // std::bad_alloc; the next call then makes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
-                 std::span<const ActiveBlock> cut);
+                 const BlockCuts& cut);
     // Returns the gradients by local vertex; only requested entries are set. Valid until forget or the end of the
     // cache.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
@@ -28,7 +29,7 @@ public:
 
 private:
     mutable Mutex mutex_;
-    std::vector<std::uint8_t> state_;              // by slot (Block::vertex_begin): State flags (gradient.cpp)
+    SparseArray<std::uint8_t> state_;              // by slot (Block::vertex_begin): State flags (gradient.cpp)
     std::vector<std::uint8_t> busy_;               // by block: has cells to solve in the current call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block: gradients by local vertex, or null
     bool settled_ = true;                          // the last make_at completed: no State is `wanted`

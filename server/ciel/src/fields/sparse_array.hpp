@@ -1,0 +1,49 @@
+// SparseArray: an array as long as the mesh of which only the parts that are used take memory, if it is large. Not in
+// the paper.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace ciel {
+
+// Returns memory of zeros. If it is large, its pages take memory when they are first touched; those of a heap may have
+// been touched for something else. Throws std::bad_alloc.
+[[nodiscard]] void* reserve_pages(std::size_t bytes);
+void release_pages(void* begin, std::size_t bytes); // of reserve_pages(bytes)
+
+// Elements are zero at the begin. Not thread-safe, but different elements may be used at the same time.
+template <class T>
+requires std::is_trivially_copyable_v<T>
+class SparseArray {
+public:
+    SparseArray() = default;
+    explicit SparseArray(std::size_t size)
+        : begin_(static_cast<T*>(reserve_pages(size * sizeof(T))), Release{size * sizeof(T)}), size_(size) {}
+    SparseArray(SparseArray&& other) noexcept : begin_(std::move(other.begin_)), size_(std::exchange(other.size_, 0)) {}
+    SparseArray& operator=(SparseArray&& other) noexcept {
+        begin_ = std::move(other.begin_);
+        size_ = std::exchange(other.size_, 0);
+        return *this;
+    }
+    SparseArray(const SparseArray&) = delete;
+    SparseArray& operator=(const SparseArray&) = delete;
+    ~SparseArray() = default;
+
+    [[nodiscard]] T* get() const { return begin_.get(); } // null if it was made without a size
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::span<T> all() const { return {begin_.get(), size_}; }
+
+private:
+    struct Release {
+        std::size_t bytes = 0;
+        void operator()(T* begin) const { release_pages(begin, bytes); }
+    };
+    std::unique_ptr<T[], Release> begin_{nullptr, Release{}};
+    std::size_t size_ = 0;
+};
+
+} // namespace ciel
