@@ -37,6 +37,7 @@ struct ServeOptions {
     std::vector<fs::path> data;
     fs::path import_folder = default_import_folder(), token_file;
     std::string gl = "auto", log_level = "info", log_format = "text";
+    std::string file_access = "auto";
     ExtractionOptions extraction;
     unsigned render_workers = 1, threads = 0;
     int still_samples = frames::default_still_samples;
@@ -132,6 +133,9 @@ int serve(ServeOptions& options) {
         if (each.problem.empty()) server_options.data.push_back(each.path);
     server_options.backend = render::backend_named(options.gl);
     server_options.extraction = options.extraction.chosen();
+    if (options.file_access != "auto")
+        server_options.file_access =
+            options.file_access == "copied" ? store::FileAccess::read : store::FileAccess::mapped;
     server_options.render_workers = options.render_workers;
     server_options.still_samples = options.still_samples;
     server_options.limits = options.limits;
@@ -181,6 +185,12 @@ void add_serve(CLI::App& app, Run& run) {
         "address or range (172.30.0.0/16) of a proxy in front of the server, whose X-Forwarded-For header is trusted");
     command->add_option("--gl", options->gl, "OpenGL back end")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
+        ->capture_default_str();
+    command
+        ->add_option("--file-access", options->file_access,
+                     "how records and values are read: mapped, so that all processes share the memory, or copied by "
+                     "each process; auto: copied if they are on another machine (NFS, Lustre and others)")
+        ->check(CLI::IsMember({"auto", "mapped", "copied"}))
         ->capture_default_str();
     options->extraction.add_to(*command);
     command->add_option("--workers", options->render_workers, "frames drawn at the same time")

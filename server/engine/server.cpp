@@ -55,8 +55,8 @@ struct Server::State {
     std::jthread housekeeping; // the last member: its thread uses the others
 
     explicit State(ServerOptions chosen)
-        : options(std::move(chosen)),
-          catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes),
+        : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes,
+                                              options.limits.dataset_memory_bytes, options.file_access),
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] { release_unused(Clock::now()); }),

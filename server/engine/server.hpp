@@ -25,6 +25,7 @@ namespace ciel::engine {
 
 struct ServerOptions {
     std::vector<std::filesystem::path> data;
+    std::optional<store::FileAccess> file_access; // nullopt: as the file system of each dataset demands
     render::Backend backend = render::Backend::automatic;
     Extraction extraction;
     unsigned render_workers = 1;

@@ -65,6 +65,7 @@ struct Known {
 struct Catalog::State {
     std::vector<fs::path> roots;
     std::size_t field_budget = 0, most_bytes = 0;
+    std::optional<FileAccess> access;
     mutable std::mutex mutex;
     std::map<std::string, Known> known; // by name
 
@@ -120,7 +121,8 @@ struct Catalog::State {
     void poll(const std::function<void(const std::string&)>& on_change);
 };
 
-Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, std::size_t most_bytes)
+Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, std::size_t most_bytes,
+                 std::optional<FileAccess> access)
     : state_(std::make_unique<State>()) {
     for (fs::path& path : paths) {
         path = fs::absolute(path).lexically_normal();
@@ -131,6 +133,7 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, st
     }
     state_->roots = std::move(paths);
     state_->field_budget = field_budget_bytes;
+    state_->access = access;
     state_->most_bytes = most_bytes;
     state_->scan();
 }
@@ -185,7 +188,8 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
     std::string problem;
     std::exception_ptr failure;
     try {
-        loaded = std::make_shared<LoadedDataset>(Dataset::open(directory), state_->field_budget);
+        auto dataset = Dataset::open(directory, LackingRanges::computed, state_->access);
+        loaded = std::make_shared<LoadedDataset>(std::move(dataset), state_->field_budget);
     } catch (const std::exception& error) {
         problem = sentence_for_clients(error);
         failure = std::current_exception();

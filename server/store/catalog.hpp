@@ -21,9 +21,10 @@ class Catalog {
 public:
     // Each path is a NAME.ciel directory, or a folder that every list() searches for such directories. Throws Error for
     // a path that does not exist or is a file. Datasets of the same name get numbers. field_budget_bytes: size of each
-    // dataset's cache of fields. most_bytes: memory of all datasets above which unused ones are dropped.
+    // dataset's cache of fields. most_bytes: memory of all datasets above which unused ones are dropped. access: as for
+    // Dataset::open.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
-                     std::size_t most_bytes = std::size_t{8} << 30);
+                     std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt);
     ~Catalog();
 
     // Lists a dataset that could not be imported, with the reason `problem`, until another dataset is put into

@@ -81,15 +81,17 @@ private:
 
 class MappedDataset final : public Dataset {
 public:
-    MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, const MappedDataset* before)
-        : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)) {
+    MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, FileAccess access,
+                  const MappedDataset* before)
+        : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)),
+          access_(access) {
         if (before != nullptr) {
             any_lost_ = before->any_lost_;
             chunks_ = before->chunks_;
             meshes_ = before->meshes_;
         }
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
-            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_));
+            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_, access_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
             positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
@@ -118,7 +120,7 @@ public:
         if (now.info.id != info_.id || steps < steps_->size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
         if (steps == steps_->size()) return nullptr;
-        return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, this);
+        return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, access_, this);
     }
 
     void check_intact() const override {
@@ -197,6 +199,8 @@ public:
         std::vector<BlockRanges>& axes = ranges->scalars;
         return BlockBoxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
     }
+
+    std::size_t memory_bytes() const override { return chunks_->memory_bytes(); }
 
     Values values(const std::string& array, std::size_t step) const override {
         return loaded(values_to_load(array, step));
@@ -406,13 +410,16 @@ private:
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
     AnyLost any_lost_ = none_lost();                             // shared with all refreshes, like the mapped files
-    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_);
+    FileAccess access_;
+    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_, access_);
 };
 
 } // namespace
 
-std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, LackingRanges lacking) {
-    return std::make_shared<MappedDataset>(directory, read_documents(directory), lacking, nullptr);
+std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, LackingRanges lacking,
+                                       std::optional<FileAccess> access) {
+    return std::make_shared<MappedDataset>(directory, read_documents(directory), lacking,
+                                           access ? *access : access_to(directory), nullptr);
 }
 
 std::uint64_t items_of(const MeshInfo& mesh, Association association) {

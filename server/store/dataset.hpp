@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
+#include "store/files/local_files.hpp"
 #include "store/format/steps.hpp"
 #include "store/format/values.hpp"
 
@@ -42,8 +43,10 @@ public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
     // `directory` is not a dataset. Arrays, records and the arrays of a step in the table of steps are read and
     // verified at their first use, not here.
+    // `access`: to records, values and positions; nullopt: as the file system demands. The lists of faces are mapped.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
-                                                       LackingRanges lacking = LackingRanges::computed);
+                                                       LackingRanges lacking = LackingRanges::computed,
+                                                       std::optional<FileAccess> access = std::nullopt);
     virtual ~Dataset() = default;
 
     [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
@@ -64,6 +67,8 @@ public:
     // Like check_intact, but first looks for topology files that were truncated or rewritten and not yet found. Makes a
     // stat call per file.
     virtual void check_unchanged() const = 0;
+
+    [[nodiscard]] virtual std::size_t memory_bytes() const = 0; // of copied values and positions (FileAccess::read)
 
     // Returns the mesh, whose faces are checked at the first call. Throws Error that names the file when they are
     // damaged.

@@ -349,7 +349,7 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
 }
 
 std::size_t LoadedDataset::memory_bytes() const {
-    std::size_t bytes = state_->fields.bytes() + state_->planes.bytes();
+    std::size_t bytes = state_->fields.bytes() + state_->planes.bytes() + state_->current()->memory_bytes();
     const std::lock_guard lock(state_->mutex);
     if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {

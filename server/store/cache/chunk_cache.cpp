@@ -10,9 +10,9 @@ std::shared_ptr<const PagedFile> ChunkCache::get(const std::filesystem::path& fi
     const std::lock_guard lock(of_file.mutex);
     std::shared_ptr<const PagedFile> mapped = of_file.mapped.lock();
     if (mapped == nullptr) {
-        MappedFile again(file, bytes, any_lost_);
+        MappedFile again(file, bytes, any_lost_, 0, access_);
         again.expect_random_reads();
-        if (of_file.version != again.version()) {
+        if (of_file.version != again.version() || access_ == FileAccess::read) {
             of_file.pages = std::make_shared<PageStates>(bytes, checks());
             of_file.version = again.version();
         }
@@ -47,14 +47,20 @@ void ChunkCache::keep(Entry& entry, const std::shared_ptr<const PagedFile>& file
 }
 
 void ChunkCache::check_sizes() const {
-    for_each([](const MappedFile& file) { file.check_size(); });
+    for_each([](const PagedFile& paged) { paged.file().check_size(); });
 }
 
 void ChunkCache::check_intact() const {
-    for_each([](const MappedFile& file) { file.check_intact(); });
+    for_each([](const PagedFile& paged) { paged.file().check_intact(); });
 }
 
-void ChunkCache::for_each(const std::function<void(const MappedFile&)>& visit) const {
+std::size_t ChunkCache::memory_bytes() const {
+    std::size_t bytes = 0;
+    for_each([&](const PagedFile& paged) { bytes += paged.memory_bytes(); });
+    return bytes;
+}
+
+void ChunkCache::for_each(const std::function<void(const PagedFile&)>& visit) const {
     std::vector<Entry*> all;
     {
         const std::lock_guard lock(mutex_);
@@ -62,7 +68,7 @@ void ChunkCache::for_each(const std::function<void(const MappedFile&)>& visit) c
     }
     for (Entry* entry : all) {
         const std::lock_guard lock(entry->mutex);
-        if (const auto mapped = entry->mapped.lock()) visit(mapped->file());
+        if (const auto mapped = entry->mapped.lock()) visit(*mapped);
     }
 }
 

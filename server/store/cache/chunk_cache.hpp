@@ -20,15 +20,16 @@ class ChunkCache {
 public:
     static constexpr std::size_t most_kept = 64;
 
-    explicit ChunkCache(AnyLost any_lost) : any_lost_(std::move(any_lost)) {}
+    ChunkCache(AnyLost any_lost, FileAccess access) : any_lost_(std::move(any_lost)), access_(access) {}
     // Returns `file`, mapped; checks no page. `checks`: called when the file is mapped for the first time or has
     // changed. If it throws, the next call tries again. A file that has been let go and has not changed since is mapped
     // again, and its pages that were checked are not checked again. Throws Error when the file was truncated or
-    // rewritten since it was mapped.
+    // rewritten since it was mapped. With FileAccess::read, a file that was let go is read and checked again.
     [[nodiscard]] std::shared_ptr<const PagedFile> get(const std::filesystem::path& file, std::size_t bytes,
                                                        const std::function<PageChecks()>& checks);
     void check_sizes() const;
     void check_intact() const;
+    [[nodiscard]] std::size_t memory_bytes() const; // of copied pages (FileAccess::read)
 
 private:
     struct Entry {
@@ -41,9 +42,10 @@ private:
 
     [[nodiscard]] Entry& entry(const std::filesystem::path& file);
     void keep(Entry& entry, const std::shared_ptr<const PagedFile>& file);
-    void for_each(const std::function<void(const MappedFile&)>& visit) const;
+    void for_each(const std::function<void(const PagedFile&)>& visit) const;
 
     AnyLost any_lost_;
+    FileAccess access_;
     mutable std::mutex mutex_; // guards the members below
     std::unordered_map<std::string, std::unique_ptr<Entry>> entries_;
     Kept kept_; // used last first

@@ -1,7 +1,6 @@
 #include "store/cache/mapped_file.hpp"
 
 #include "store/cache/watched_mappings.hpp"
-#include "store/files/files.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -44,19 +43,24 @@ FileVersion version_of(const struct stat& status) {
 
 } // namespace
 
-MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost, std::size_t tail)
+MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost, std::size_t tail,
+                       FileAccess access)
     : path_(std::move(file)), any_lost_(std::move(any_lost)) {
     if (bytes == 0) return; // Zarr writes no chunk for an empty array
-    const Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (in.get() < 0) refuse_absent(path_);
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
     seen_ = opened_;
     // First zeros for all, then the file over their begin.
     mapped_ = bytes + tail;
-    void* data = ::mmap(nullptr, mapped_, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    const bool is_read = access == FileAccess::read;
+    const int protection = is_read ? PROT_READ | PROT_WRITE : PROT_READ;
+    void* data = ::mmap(nullptr, mapped_, protection, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (data == MAP_FAILED) refuse_errno(path_, "cannot be mapped");
-    if (::mmap(data, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, in.get(), 0) == MAP_FAILED) {
+    if (is_read) {
+        in_ = std::move(in);
+    } else if (::mmap(data, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, in.get(), 0) == MAP_FAILED) {
         const int failed = errno;
         ::munmap(data, mapped_);
         errno = failed;
@@ -75,7 +79,7 @@ MappedFile::~MappedFile() {
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
-      mapped_(std::exchange(other.mapped_, 0)), opened_(other.opened_), seen_(other.seen_),
+      mapped_(std::exchange(other.mapped_, 0)), in_(std::move(other.in_)), opened_(other.opened_), seen_(other.seen_),
       any_lost_(std::move(other.any_lost_)), watched_(std::exchange(other.watched_, nullptr)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
@@ -83,6 +87,7 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(mapped_, other.mapped_);
+    std::swap(in_, other.in_);
     std::swap(opened_, other.opened_);
     std::swap(seen_, other.seen_);
     std::swap(any_lost_, other.any_lost_);
@@ -96,7 +101,23 @@ void MappedFile::expect_random_reads() const {
     if (size_ != 0) (void)::madvise(data_, size_, MADV_RANDOM);
 }
 
+void MappedFile::copy(std::span<const std::byte> part) const {
+    const auto offset = static_cast<std::size_t>(part.data() - static_cast<const std::byte*>(data_));
+    auto* const to = static_cast<std::byte*>(data_) + offset;
+    for (std::size_t filled = 0; filled < part.size();) {
+        const ssize_t got = ::pread(in_.get(), to + filled, part.size() - filled, static_cast<off_t>(offset + filled));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_errno(path_, "cannot be read");
+        if (got == 0) {
+            note_change(*watched_);
+            refuse_shrunken(path_);
+        }
+        filled += static_cast<std::size_t>(got);
+    }
+}
+
 void MappedFile::load(std::span<const std::byte> part) const {
+    if (access() == FileAccess::read) return copy(part);
     constexpr int populate_read = 22; // MADV_POPULATE_READ, since Linux 5.14; others answer EINVAL, and pages are read
                                       // when they are touched
     static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));

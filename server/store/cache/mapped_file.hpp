@@ -6,6 +6,9 @@
 // check_intact throws as soon as the change has been noticed (watched_mappings.hpp).
 #pragma once
 
+#include "store/files/files.hpp"
+#include "store/files/local_files.hpp"
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -35,8 +38,10 @@ class MappedFile {
 public:
     MappedFile() = default;
     // Throws Error when `file` is missing, not a regular file, or not `bytes` long. If `bytes` is 0, opens no file.
-    // `tail`: number of bytes behind the file that can be read, too; they are 0.
-    MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost(), std::size_t tail = 0);
+    // `tail`: number of bytes behind the file that can be read, too; they are 0. FileAccess::read: there are zeros in
+    // place of the file, until `load` copies parts of it.
+    MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost(), std::size_t tail = 0,
+               FileAccess access = FileAccess::mapped);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
@@ -54,8 +59,9 @@ public:
     // Expect that parts are read here and there, so that a part is not read with what lies behind it.
     void expect_random_reads() const;
     // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the
-    // mapping is lost then.
+    // mapping is lost then. With FileAccess::read, the same part must not be loaded or used on two threads at once.
     void load(std::span<const std::byte> part) const;
+    [[nodiscard]] FileAccess access() const { return in_.get() < 0 ? FileAccess::mapped : FileAccess::read; }
 
     // Throws Error when the mapping is lost, or when the file at the path is shorter than the mapping.
     void check_size() const;
@@ -71,11 +77,14 @@ public:
     [[noreturn]] void refuse() const;
 
 private:
+    void copy(std::span<const std::byte> part) const;
+
     std::filesystem::path path_;
     void* data_ = nullptr;
     std::size_t size_ = 0, mapped_ = 0; // mapped_: with the tail
-    struct stat opened_ {
-    }, seen_{}; // status of the file when it was opened; at the last was_touched
+    Descriptor in_;                     // of FileAccess::read
+    struct stat opened_ {};             // status of the file when it was opened
+    struct stat seen_ {};               // at the last was_touched
     AnyLost any_lost_;
     WatchedMapping* watched_ = nullptr;
 };

@@ -79,7 +79,8 @@ void check_group(const Group& group, const MappedFile& file, std::uint64_t limit
 
 } // namespace
 
-MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost)
+MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost,
+                       FileAccess access)
     : directory_(std::move(directory)), any_lost_(std::move(any_lost)) {
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
@@ -98,7 +99,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
     std::error_code error;
     if (std::filesystem::exists(layout::block_index(directory_).parent_path(), error))
-        blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, any_lost_);
+        blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, any_lost_, access);
 }
 
 void MappedMesh::check_sizes(std::uint64_t faces) const {

@@ -18,7 +18,8 @@ public:
     MappedMesh& operator=(const MappedMesh&) = delete;
     // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Reads no array. Throws
     // Error that names the file when one is missing, has a wrong size, or is not of this dataset.
-    MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost);
+    // `access`: to the records.
+    MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }

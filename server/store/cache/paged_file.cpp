@@ -20,11 +20,20 @@ void PagedFile::load_all() const {
     });
 }
 
+std::size_t PagedFile::memory_bytes() const {
+    return file_.access() == FileAccess::read ? pages_->checked_count() * pages_->checks().page_bytes : 0;
+}
+
 void PagedFile::check(std::size_t page) const {
     const PageChecks& checks = pages_->checks();
     const auto all = file_.bytes();
     const std::size_t begin = page * checks.page_bytes;
     const auto part = all.subspan(begin, std::min(checks.page_bytes, all.size() - begin));
+    std::unique_lock<std::mutex> copying;
+    if (file_.access() == FileAccess::read) {
+        copying = std::unique_lock(copying_[page % copying_.size()]);
+        if (pages_->is_checked(page)) return;
+    }
     file_.load(part);
     if (!checks.checksums.empty() && checksum_number(part) != checks.checksums[page]) {
         file_.check_intact();

@@ -6,6 +6,7 @@
 #include "store/cache/mapped_file.hpp"
 
 #include <functional>
+#include <mutex>
 #include <vector>
 
 namespace ciel::store {
@@ -27,6 +28,7 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] bool is_checked(std::size_t page) const { return checked_[page].load(std::memory_order_acquire); }
     [[nodiscard]] bool are_all_checked() const { return left_.load(std::memory_order_acquire) == 0; }
+    [[nodiscard]] std::size_t checked_count() const { return count_ - left_; }
     void set_checked(std::size_t page) {
         if (!checked_[page].exchange(true, std::memory_order_acq_rel)) left_.fetch_sub(1, std::memory_order_acq_rel);
     }
@@ -38,7 +40,8 @@ private:
     std::atomic<std::size_t> left_;
 };
 
-// Thread-safe. Pages may change after their check, as all mapped files may (MappedFile).
+// Thread-safe. Pages may change after their check, as all mapped files may (MappedFile). With FileAccess::read, they
+// are copied before their check and do not change.
 class PagedFile {
 public:
     PagedFile(MappedFile file, std::shared_ptr<PageStates> pages) : file_(std::move(file)), pages_(std::move(pages)) {}
@@ -55,12 +58,14 @@ public:
             if (!pages_->is_checked(page)) check(page);
     }
     void load_all() const;
+    [[nodiscard]] std::size_t memory_bytes() const; // of copied pages
 
 private:
     void check(std::size_t page) const;
 
     MappedFile file_;
     std::shared_ptr<PageStates> pages_;
+    mutable std::array<std::mutex, 16> copying_; // by page, modulo; a page is copied once
 };
 
 // The numbers in a PagedFile. Load the pages of those that are read.

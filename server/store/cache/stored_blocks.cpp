@@ -1,6 +1,5 @@
 #include "store/cache/stored_blocks.hpp"
 
-#include "store/files/local_files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/file_head.hpp"
 #include "store/format/layout.hpp"
@@ -70,19 +69,15 @@ InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::
 
 } // namespace
 
-RecordAccess access_to(const std::filesystem::path& directory) {
-    return is_on_this_machine(directory) ? RecordAccess::mapped : RecordAccess::read;
-}
-
 StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
-                           RecordAccess access)
+                           FileAccess access)
     : dataset_id_(dataset_id), any_lost_(std::move(any_lost)), access_(access), index_(read_index(mesh, dataset_id)) {
     for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
         verified_[kind] = std::make_unique<std::atomic<std::uint8_t>[]>(block_count());
         for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i) {
             const std::uint64_t bytes = index_.file_bytes[kind][i];
             auto file = std::make_unique<File>(open_records(mesh, record_kinds[kind], i, bytes));
-            if (access_ == RecordAccess::mapped) {
+            if (access_ == FileAccess::mapped) {
                 file->mapped = MappedFile(file->in.path(), bytes, any_lost_, tail_bytes);
                 file->mapped.expect_random_reads();
             }
@@ -93,7 +88,7 @@ StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string&
 
 Topology StoredBlocks::topology(bool is_trusted) const {
     const auto tables = std::as_bytes(std::span(index_.tables));
-    if (access_ == RecordAccess::mapped && !is_trusted)
+    if (access_ == FileAccess::mapped && !is_trusted)
         return {tables, std::make_unique<MappedSource>(shared_from_this())};
     return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }

@@ -5,6 +5,7 @@
 #include "ciel/topology.hpp"
 #include "store/cache/mapped_file.hpp"
 #include "store/files/files.hpp"
+#include "store/files/local_files.hpp"
 #include "store/format/block_index.hpp"
 
 #include <atomic>
@@ -12,11 +13,6 @@
 #include <mutex>
 
 namespace ciel::store {
-
-// mapped: a topology uses the record in the mapped file, which all processes share. read: it uses a copy of its own.
-// Files on other machines are read, because a page of theirs can be lost at any time.
-enum class RecordAccess { mapped, read };
-[[nodiscard]] RecordAccess access_to(const std::filesystem::path& directory);
 
 // Thread-safe. Topologies that are made from it keep it alive. A file that is truncated or rewritten in place is lost:
 // check_intact throws. Its records that were read before stay as they are; mapped ones show zeros or the new content,
@@ -26,8 +22,7 @@ public:
     // Reads the index of the mesh and opens the files of records; reads nothing of them. Throws Error that names the
     // file when one is missing or has another size, or when the index is damaged, of a newer format, or of a dataset
     // with another id.
-    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
-                 RecordAccess access);
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
@@ -37,7 +32,7 @@ public:
     // Reads a record. Throws Error that names the file when it cannot be read, is of a newer format or of another
     // dataset, or when the record does not match its checksum.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
-    // Returns a record in its mapped file; likewise. Only for RecordAccess::mapped.
+    // Returns a record in its mapped file; likewise. Only for FileAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
     // Throws Error when a file was changed in place or replaced, and a record of the open file does not have its
@@ -63,7 +58,7 @@ private:
 
     std::string dataset_id_;
     AnyLost any_lost_;
-    RecordAccess access_;
+    FileAccess access_;
     BlockIndex index_;
     std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by kind, by number
     mutable std::mutex checking_;                             // guards changed_at of all files

@@ -70,7 +70,7 @@ std::size_t touched_bytes(const fs::path& part) {
     return sum;
 }
 
-class BlocksBy : public testing::TestWithParam<RecordAccess> {
+class BlocksBy : public testing::TestWithParam<FileAccess> {
 protected:
     const test::Folder scratch;
     [[nodiscard]] std::shared_ptr<const StoredBlocks> open() const {
@@ -91,8 +91,8 @@ TEST_P(BlocksBy, AreReadAsTheyWereWritten) {
     for (Index b = 0; b < built.block_count(); ++b)
         for (const RecordKind kind : record_kinds) all += built.record(b, kind).size();
     const std::size_t mapped = touched_bytes(scratch / "blocks");
-    EXPECT_EQ(found.memory_bytes() - before, GetParam() == RecordAccess::read ? all : 0);
-    EXPECT_EQ(mapped >= all, GetParam() == RecordAccess::mapped) << mapped;
+    EXPECT_EQ(found.memory_bytes() - before, GetParam() == FileAccess::read ? all : 0);
+    EXPECT_EQ(mapped >= all, GetParam() == FileAccess::mapped) << mapped;
 }
 
 TEST_P(BlocksBy, AFlippedBitIsFoundAtTheFirstUse) {
@@ -127,15 +127,15 @@ TEST_P(BlocksBy, AFileThatShrinksIsLost) {
     EXPECT_THROW(blocks->check_intact(), FileError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Access, BlocksBy, testing::Values(RecordAccess::mapped, RecordAccess::read),
-                         [](const auto& test) { return test.param == RecordAccess::mapped ? "mapped" : "read"; });
+INSTANTIATE_TEST_SUITE_P(Access, BlocksBy, testing::Values(FileAccess::mapped, FileAccess::read),
+                         [](const auto& test) { return test.param == FileAccess::mapped ? "mapped" : "read"; });
 
 // A changed record may lead there (RecordSource).
 TEST(Blocks, CanBeReadBeyondTheirEnd) {
     const test::Folder scratch;
     const Topology built = cells_of_all_kinds();
     write_blocks(scratch.path(), built, id, bounds);
-    const auto blocks = std::make_shared<const StoredBlocks>(scratch.path(), id, none_lost(), RecordAccess::mapped);
+    const auto blocks = std::make_shared<const StoredBlocks>(scratch.path(), id, none_lost(), FileAccess::mapped);
     for (const RecordKind kind : record_kinds) {
         const auto last = blocks->mapped(blocks->block_count() - 1, kind);
         for (std::size_t i = 0; i < std::size_t{1} << 20U; i += 512)
@@ -145,7 +145,7 @@ TEST(Blocks, CanBeReadBeyondTheirEnd) {
 
 TEST(Blocks, OfAFolderHereAreMapped) {
     const test::Folder scratch;
-    EXPECT_EQ(access_to(scratch.path()), RecordAccess::mapped);
+    EXPECT_EQ(access_to(scratch.path()), FileAccess::mapped);
 }
 
 TEST(Blocks, FillFileAfterFile) {

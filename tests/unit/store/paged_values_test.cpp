@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 // 68,921 vertices: 5 pages of `p`, 13 pages of U and of the positions. p is the number of the vertex in the file's
 // order, which is the stored order.
-class PagedValuesTest : public testing::Test {
+class PagedValuesTest : public testing::TestWithParam<FileAccess> {
 protected:
     static void SetUpTestSuite() {
         pattern = std::make_unique<test::Folder>();
@@ -39,7 +39,9 @@ protected:
         EXPECT_TRUE(query.extract(nu, true, surface));
         return surface.polygon_cell.size();
     }
-    [[nodiscard]] std::shared_ptr<Dataset> open() const { return Dataset::open(directory); }
+    [[nodiscard]] std::shared_ptr<Dataset> open() const {
+        return Dataset::open(directory, LackingRanges::computed, GetParam());
+    }
     template <class F>
     static std::string error_of(F&& f) {
         try {
@@ -57,7 +59,7 @@ protected:
 };
 std::unique_ptr<test::Folder> PagedValuesTest::pattern;
 
-TEST_F(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
+TEST_P(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
     const ScalarField field = loaded.scalar("p", 0);
@@ -72,7 +74,7 @@ TEST_F(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
 }
 
 // The damage is half way up: a plane reads the blocks at both ends of its direction for its range.
-TEST_F(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
+TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
     flip(positions, static_cast<std::ptrdiff_t>(fs::file_size(positions) / 2));
     LoadedDataset loaded(open(), 1U << 30);
     EXPECT_GT(polygons_at(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}), 0), 0U);
@@ -85,7 +87,7 @@ TEST_F(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
 }
 
 // The open dataset maps the damaged file, so it has to be opened anew.
-TEST_F(PagedValuesTest, ARestoredFileIsOpenedAnew) {
+TEST_P(PagedValuesTest, ARestoredFileIsOpenedAnew) {
     const std::string content = test::read_file(p);
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
@@ -99,7 +101,7 @@ TEST_F(PagedValuesTest, ARestoredFileIsOpenedAnew) {
     EXPECT_GT(polygons_at(again.scalar("p", 0), 68000.5), 0U);
 }
 
-TEST_F(PagedValuesTest, WithoutChecksumsOfPagesAllIsCheckedAtTheFirstUse) {
+TEST_P(PagedValuesTest, WithoutChecksumsOfPagesAllIsCheckedAtTheFirstUse) {
     fs::remove(layout::value_ranges(p.parent_path(), 0));
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
@@ -113,7 +115,7 @@ std::vector<T> read_all(const StoredScalar& scalar) {
     return all;
 }
 
-TEST_F(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
+TEST_P(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
     LoadedDataset loaded(open(), 1U << 30);
     const auto dataset = loaded.dataset();
     Surface surface;
@@ -138,8 +140,37 @@ TEST_F(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
     EXPECT_THROW((void)loaded.stored_scalar("p", 1), NotWritten);
 }
 
+// Copied pages are the process's own memory, and a truncated file does not take away what was read.
+TEST_P(PagedValuesTest, OnlyCopiedPagesCountAsMemory) {
+    const auto dataset = open();
+    const auto values = dataset->values("p", 0);
+    (void)dataset->points(0, 0);
+    const std::size_t bytes = dataset->memory_bytes();
+    if (GetParam() == FileAccess::mapped) {
+        EXPECT_EQ(bytes, 0U);
+        return;
+    }
+    EXPECT_GE(bytes, fs::file_size(p) + fs::file_size(positions));
+    EXPECT_LE(bytes, fs::file_size(p) + fs::file_size(positions) + 2 * checksum_page_bytes);
+    fs::resize_file(p, 0);
+    EXPECT_EQ(values[68920], 68920);
+}
+
+TEST_P(PagedValuesTest, AFileThatIsTruncatedMeanwhileIsNamed) {
+    LoadedDataset loaded(open(), 1U << 30);
+    const ScalarField field = loaded.scalar("p", 0);
+    EXPECT_GT(polygons_at(field, 2000.5), 0U);
+    fs::resize_file(p, fs::file_size(p) / 2);
+    const std::string error = error_of([&] {
+        (void)polygons_at(field, 68000.5);
+        loaded.dataset()->check_intact();
+    });
+    EXPECT_THAT(error, AllOf(HasSubstr(p.string()), HasSubstr("while it was open; restore it")));
+    EXPECT_FALSE(loaded.dataset()->is_intact());
+}
+
 // As a CIEL that stored no checksums of pages wrote it: the offset at 128 is zero.
-TEST_F(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
+TEST_P(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
     const fs::path file = layout::value_ranges(p.parent_path(), 0);
     std::string bytes = test::read_file(file);
     std::fill_n(bytes.begin() + 128, 8, '\0');
@@ -152,6 +183,9 @@ TEST_F(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
     const ScalarField field = loaded.scalar("p", 0);
     EXPECT_THAT(error_of([&] { (void)polygons_at(field, 2000.5); }), HasSubstr("does not match its checksum"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Access, PagedValuesTest, testing::Values(FileAccess::mapped, FileAccess::read),
+                         [](const auto& row) { return row.param == FileAccess::mapped ? "mapped" : "read"; });
 
 } // namespace
 } // namespace ciel::store
