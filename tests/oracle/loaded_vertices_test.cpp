@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <mutex>
+#include <utility>
 
 namespace ciel::test {
 namespace {
@@ -47,21 +48,23 @@ private:
     mutable std::atomic<std::size_t> count_ = 0;
 };
 
-// Positions are NaN until they are loaded. Several threads may load the same ones.
+// Positions are NaN until they are loaded.
 template <class Number>
 class HiddenPositions final : public VertexLoader {
 public:
     HiddenPositions(const KernelMesh& mesh)
         : VertexLoader(mesh.topology.block_count()), true_(mesh.mesh().positions.begin(), mesh.mesh().positions.end()),
-          shown_(true_.size(), std::numeric_limits<Number>::quiet_NaN()) {}
+          shown_(true_.size(), std::numeric_limits<Number>::quiet_NaN()), has_vertex_(true_.size() / 3) {}
 
     void load(Index begin, Index end) const override {
-        for (std::size_t i = 3 * std::size_t{begin}; i < 3 * std::size_t{end}; ++i)
-            std::atomic_ref(shown_.at(i)).store(true_.at(i), std::memory_order_relaxed);
+        const std::lock_guard lock(mutex_); // positions that another thread may be reading are not written again
+        for (std::size_t v = begin; v < end; ++v) {
+            if (std::exchange(has_vertex_.at(v), 1) != 0) continue;
+            std::copy_n(true_.begin() + static_cast<std::ptrdiff_t>(3 * v), 3,
+                        shown_.begin() + static_cast<std::ptrdiff_t>(3 * v));
+        }
     }
-    [[nodiscard]] std::size_t count() const {
-        return static_cast<std::size_t>(std::ranges::count_if(shown_, [](Number x) { return !std::isnan(x); })) / 3;
-    }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(std::ranges::count(has_vertex_, 1)); }
     [[nodiscard]] FaceMeshView hidden(const KernelMesh& mesh) const { return with(mesh, shown_, this); }
     [[nodiscard]] FaceMeshView known(const KernelMesh& mesh) const { return with(mesh, true_, nullptr); }
 
@@ -74,7 +77,9 @@ private:
     }
 
     std::vector<Number> true_;
+    mutable std::mutex mutex_;
     mutable std::vector<Number> shown_;
+    mutable std::vector<std::uint8_t> has_vertex_;
 };
 
 template <class Number>

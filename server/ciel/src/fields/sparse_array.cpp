@@ -1,35 +1,34 @@
 #include "fields/sparse_array.hpp"
 
 #include <cstdlib>
+#include <cstring>
 #include <new>
-#ifndef __EMSCRIPTEN__
+#ifndef __wasm__
 #include <sys/mman.h>
 #endif
 
 namespace ciel {
+
+#ifdef __wasm__ // without pages and exceptions
+
+void* reserve_pages(std::size_t bytes) { return std::memset(::operator new(bytes), 0, bytes); }
+void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
+
+#else
 
 namespace {
 
 // Below, memory that the heap has at hand costs less than new pages, and holds little.
 constexpr std::size_t large = std::size_t{16} << 20;
 
-void* zeros_of_heap(std::size_t bytes) {
-    void* const begin = std::calloc(bytes > 0 ? bytes : 1, 1);
-    if (begin == nullptr) throw std::bad_alloc();
-    return begin;
-}
-
 } // namespace
 
-#ifdef __EMSCRIPTEN__ // WebAssembly has no pages
-
-void* reserve_pages(std::size_t bytes) { return zeros_of_heap(bytes); }
-void release_pages(void* begin, std::size_t) { std::free(begin); }
-
-#else
-
 void* reserve_pages(std::size_t bytes) {
-    if (bytes < large) return zeros_of_heap(bytes);
+    if (bytes < large) {
+        void* const begin = std::calloc(bytes > 0 ? bytes : 1, 1);
+        if (begin == nullptr) throw std::bad_alloc();
+        return begin;
+    }
     void* const begin =
         ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (begin == MAP_FAILED) throw std::bad_alloc();
