@@ -59,8 +59,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->double_positions = dataset->info().meshes[step.mesh].double_positions;
     // The aspect is arbitrary: it does not affect the default camera's direction.
     const annotations::Camera camera = camera_of(*geometry, scene, 1);
-    geometry->origin =
-        drawing_origin(dataset->points_to_load(step.mesh, step.coordinates).surface_origin, origin_, camera);
+    geometry->origin = drawing_origin(store::middle_of(dataset->info().meshes[step.mesh]), origin_, camera);
     if (geometry->origin != origin_) {
         forget_all();
         origin_ = geometry->origin;

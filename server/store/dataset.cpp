@@ -145,7 +145,7 @@ public:
     FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const override {
         if (!at(mesh)->has_blocks()) return points(mesh, coordinates);
         const PagedValues paged = paged_positions(mesh, coordinates);
-        const auto loader = std::make_shared<const PositionsLoader>(paged, at(mesh)->block_count());
+        const auto loader = loader_of(paged, mesh, coordinates);
         FaceMeshView view = of_dataset(at(mesh)->view_points(paged.values), mesh, loader);
         view.loader = loader.get();
         return view;
@@ -220,11 +220,19 @@ public:
 
 private:
     FaceMeshView of_dataset(FaceMeshView view, std::size_t mesh, std::shared_ptr<const void> keep_alive) const {
-        const std::array<double, 6>& bounds = info_.meshes[mesh].bounds;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            view.surface_origin[axis] = bounds[2 * axis] / 2 + bounds[2 * axis + 1] / 2;
+        view.surface_origin = middle_of(info_.meshes[mesh]);
         view.keep_alive = std::move(keep_alive);
         return view;
+    }
+
+    // Fields on the same positions share the loader, which knows the blocks that are loaded.
+    std::shared_ptr<const PositionsLoader> loader_of(const PagedValues& positions, std::size_t mesh,
+                                                     std::size_t coordinates) const {
+        const std::lock_guard lock(loaders_mutex_);
+        std::weak_ptr<const PositionsLoader>& known = loaders_[{mesh, coordinates}];
+        auto loader = known.lock();
+        if (!loader) known = loader = std::make_shared<const PositionsLoader>(positions, at(mesh)->block_count());
+        return loader;
     }
 
     PagedValues paged_values(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
@@ -410,6 +418,8 @@ private:
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
     AnyLost any_lost_ = none_lost();                             // shared with all refreshes, like the mapped files
+    mutable std::mutex loaders_mutex_;
+    mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_; // mesh, set
     FileAccess access_;
     std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_, access_);
 };
@@ -432,6 +442,13 @@ std::uint64_t items_of(const MeshInfo& mesh, Association association) {
         return mesh.boundary_faces;
     }
     return 0;
+}
+
+Vec3d middle_of(const MeshInfo& mesh) {
+    Vec3d middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        middle[axis] = mesh.bounds[2 * axis] / 2 + mesh.bounds[2 * axis + 1] / 2;
+    return middle;
 }
 
 bool Dataset::is_intact() const {

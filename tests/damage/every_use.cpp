@@ -9,7 +9,7 @@
 namespace ciel::test {
 namespace {
 
-Vec3d middle_of(const store::MeshInfo& mesh) {
+Vec3d place_inside(const store::MeshInfo& mesh) {
     Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         middle[axis] = 0.3 * mesh.bounds[2 * axis] + 0.7 * mesh.bounds[2 * axis + 1];
@@ -18,7 +18,7 @@ Vec3d middle_of(const store::MeshInfo& mesh) {
 
 json layers_of(const store::Dataset& dataset, const std::string& cells) {
     const store::MeshInfo& mesh = dataset.info().meshes[0];
-    const Vec3d middle = middle_of(mesh);
+    const Vec3d middle = place_inside(mesh);
     const auto& range = dataset.steps()[0].arrays.at("p").range;
     const double low = range[0], value = 0.6 * range[0] + 0.4 * range[1];
     std::string patch;
@@ -76,7 +76,7 @@ void EveryUse::show_layers() {
     attempt("default scene", [&] { (void)geometry::default_scene(*loaded, name_); });
     attempt("probe", [&] {
         const CellLocator locator(dataset_->mesh(0, 0));
-        (void)probe::probe(*dataset_, 0, locator, middle_of(dataset_->info().meshes[0]));
+        (void)probe::probe(*dataset_, 0, locator, place_inside(dataset_->info().meshes[0]));
     });
 }
 
@@ -93,7 +93,7 @@ void EveryUse::ask_methods() {
     ask("dataset.histogram", {{"dataset", name_}, {"array", "p"}, {"bins", 16}});
     const json surface{{"dataset", name_}, {"layers", {{"a", {{"type", "surface"}, {"color", {{"array", "p"}}}}}}}};
     ask("surface.export", {{"scene", surface}, {"layer", "a"}, {"format", "vtp"}});
-    ask("probe.point", {{"scene", surface}, {"position", middle_of(dataset_->info().meshes[0])}});
+    ask("probe.point", {{"scene", surface}, {"position", place_inside(dataset_->info().meshes[0])}});
     ask("session.open", {{"scene", surface}});
 }
 

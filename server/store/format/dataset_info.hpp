@@ -45,6 +45,7 @@ struct ArrayInfo {
 
 struct MeshInfo;
 [[nodiscard]] std::uint64_t items_of(const MeshInfo& mesh, Association association);
+[[nodiscard]] Vec3d middle_of(const MeshInfo& mesh);        // of its bounds
 [[nodiscard]] std::string to_text(Association association); // "point", "cell", "boundary_face"
 [[nodiscard]] std::string to_text(Origin origin);           // "original", "interpolated", "derived"; "unknown"
 

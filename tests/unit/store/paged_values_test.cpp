@@ -169,6 +169,15 @@ TEST_P(PagedValuesTest, AFileThatIsTruncatedMeanwhileIsNamed) {
     EXPECT_FALSE(loaded.dataset()->is_intact());
 }
 
+TEST_P(PagedValuesTest, FieldsOnTheSamePositionsShareTheirLoader) {
+    LoadedDataset loaded(open(), 1U << 30);
+    const ScalarField first = loaded.scalar("p", 0);
+    const VertexLoader* const loader = first.points.loader;
+    ASSERT_NE(loader, nullptr);
+    EXPECT_EQ(loaded.scalar("p", 2).points.loader, loader);
+    EXPECT_EQ(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}).points.loader, loader);
+}
+
 // As a CIEL that stored no checksums of pages wrote it: the offset at 128 is zero.
 TEST_P(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
     const fs::path file = layout::value_ranges(p.parent_path(), 0);
