@@ -1,4 +1,5 @@
-// StoredScalar: a scalar on points at one step, read from the dataset where it is needed.
+// StoredScalar: a scalar at one step, read from the dataset where it is needed. Has one number per vertex, or per cell
+// or boundary face if its array is on these.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -23,7 +24,7 @@ public:
     void read(std::span<const Index> vertices, std::span<float> out) const override;
     void read(std::span<const Index> vertices, std::span<double> out) const override;
 
-    // Return the scalar at points of a surface, interpolated along their edges, and at all vertices, in the array's
+    // Return the scalar at points of a surface, interpolated along their edges, and all its numbers, in the array's
     // type. Throw Error when the surface is of another mesh, and when the file was truncated meanwhile.
     [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
     [[nodiscard]] Values all() const;

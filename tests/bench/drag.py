@@ -78,8 +78,8 @@ async def sweep(options, port, process):
         await client.ack(view, fields(message)["frame"])
 
         low, high = options.low, options.high
+        description = await client.call("dataset.describe", dataset=name)
         if low is None:
-            description = await client.call("dataset.describe", dataset=name)
             if options.axis:
                 bounds = description["bounds"]
                 low, high = bounds[2 * "xyz".index(options.axis)], bounds[2 * "xyz".index(options.axis) + 1]
@@ -87,10 +87,7 @@ async def sweep(options, port, process):
                 array = next(a for a in description["arrays"] if options.array.split(":")[0] == a["name"])
                 low, high = array["range"]
         color = {"array": options.array}
-        if options.turn or options.play:
-            description = await client.call("dataset.describe", dataset=name)
-        times = description["times"] if options.play else []
-        played = itertools.cycle(times)
+        played = itertools.cycle(description["times"])
 
         def layers(value):
             if options.axis:

@@ -1,5 +1,5 @@
-// PagedFile: a mapped file of numbers whose pages are compared with their checksums when they are first read, so that a
-// page that nobody reads costs nothing.
+// PagedFile: a file of numbers whose pages are compared with their checksums when they are first read. An unread page
+// costs nothing.
 #pragma once
 
 #include "ciel/values_view.hpp"

@@ -31,8 +31,8 @@ struct FaceMeshView {
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
     std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if somebody else does
-    // Null if all positions can be read. If not, extraction, slices and gradients load those that they use; all other
-    // functions need load_all.
+    // Null if all positions can be read. If not, extraction, slices and gradients load those that they use. All other
+    // functions need loader->load of all vertices before.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
@@ -41,10 +41,6 @@ struct FaceMeshView {
     // Returns what is added to a stored position to make it relative to surface_origin.
     [[nodiscard]] Vec3d surface_shift() const {
         return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
-    }
-    // Makes all positions ready to be read. Throws Error when they cannot be read.
-    void load_all() const {
-        if (loader != nullptr) loader->load(0, vertex_count());
     }
     [[nodiscard]] Ids loop(Index face) const {
         const std::uint64_t begin = face_offset[face], end = face_offset[std::size_t{face} + 1];

@@ -364,7 +364,7 @@ std::size_t GradientCache::memory_bytes() const {
     std::size_t made = 0;
     for (const auto& block : vertex_) made += block != nullptr ? 1 : 0;
     const std::size_t mean_slots = state_.size() / std::max<std::size_t>(1, vertex_.size());
-    return made * mean_slots + made * mean_slots * sizeof(Vec3f);
+    return made * mean_slots * (sizeof(std::uint8_t) + sizeof(Vec3f));
 }
 
 } // namespace ciel
