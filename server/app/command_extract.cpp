@@ -5,7 +5,6 @@
 #include "geometry/sound_shape.hpp"
 #include "geometry/surface_values.hpp"
 #include "store/files/files.hpp"
-#include "store/statistics.hpp"
 #include "wire/files/joined_surface.hpp"
 #include "wire/files/surface_files.hpp"
 
@@ -53,7 +52,8 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
         const store::Values values =
             is_of_cells(loaded, scalar)
-                ? geometry::flat_values(surface, surface.polygon_cell, loaded.cell_values(scalar, step))
+                ? geometry::flat_values(
+                      surface, loaded.stored_scalar(scalar, step, store::Association::cell)->of(surface.polygon_cell))
                 : loaded.stored_scalar(scalar, step)->at(surface.points);
         all.push_back(wire::NamedValues::copy_of(name.magnitude ? name.array + ":magnitude" : scalar, values));
     }
@@ -61,11 +61,10 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
 }
 
 std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, std::size_t step) {
-    const auto values = loaded.scalar_values(scalar, step);
-    const store::ArrayStep found = store::statistics(values, {});
-    if (found.invalid == values.size()) return scalar + " has no finite value";
+    const store::Histogram all = loaded.histogram(scalar, step, 1);
+    if (all.counts[0] == 0) return scalar + " has no finite value";
     std::ostringstream text;
-    text << scalar << " lies between " << found.range[0] << " and " << found.range[1];
+    text << scalar << " lies between " << all.range[0] << " and " << all.range[1];
     return text.str();
 }
 

@@ -46,11 +46,12 @@ double origin_of(const store::Values& values) {
 store::Values Painted::flat_scalars(store::LoadedDataset& loaded) const {
     const Surface& surface = flat->surface;
     const auto dataset = loaded.dataset();
-    if (association_of(*dataset, array) == store::Association::cell)
-        return flat_values(surface, surface.polygon_cell, loaded.cell_values(array, step));
+    const store::Association association = association_of(*dataset, array);
+    const auto values = loaded.stored_scalar(array, step, association);
+    if (association == store::Association::cell) return flat_values(surface, values->of(surface.polygon_cell));
     const store::Step& at = dataset->steps()[step];
-    return flat_values(surface, boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face),
-                       loaded.face_values(array, step));
+    return flat_values(surface,
+                       values->of(boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face)));
 }
 
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,

@@ -16,7 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double default_aspect = 1.4; // a laptop's canvas beside its panels, with room to spare
-constexpr std::size_t sample_size = 100'000;
 
 struct Candidate {
     std::string scalar;
@@ -78,19 +77,36 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-double sensible_value(ValuesView values) {
+// Returns about 100,000 of the finite values, in runs that are spread over the array, so that few pages are read.
+std::vector<double> sample_of(const store::StoredScalar& values) {
+    constexpr std::size_t runs = 256, run = 400;
+    const std::size_t stride = std::max(values.size() / runs, run);
+    std::vector<Index> items;
+    for (std::size_t first = 0; first < values.size(); first += stride)
+        for (std::size_t i = first; i < std::min(first + run, values.size()); ++i)
+            items.push_back(static_cast<Index>(i));
     std::vector<double> sample;
-    const std::size_t stride = values.size() / sample_size + 1;
-    for (std::size_t i = 0; i < values.size(); i += stride)
-        if (std::isfinite(values[i])) sample.push_back(values[i]);
+    for (const double value : values.of(items))
+        if (std::isfinite(value)) sample.push_back(value);
+    return sample;
+}
+
+// Returns the middle of the range in which 90 % of the values lie, or of the whole range if they are equal.
+double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, std::size_t step) {
+    constexpr double few_bins = 8.0 / store::stored_bins;
+    const store::Histogram histogram = loaded.histogram(scalar, step, store::stored_bins);
+    const double low = histogram.quantile(0.05), high = histogram.quantile(0.95);
+    if (high / 2 - low / 2 > few_bins * (histogram.range[1] / 2 - histogram.range[0] / 2)) return low / 2 + high / 2;
+
+    std::vector<double> sample = sample_of(*loaded.stored_scalar(scalar, step)); // outliers have made the bins too wide
     if (sample.empty()) return 0;
     const auto at = [&](double share) {
         const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
         std::nth_element(sample.begin(), place, sample.end());
         return *place;
     };
-    if (at(0.05) < at(0.95)) return (at(0.05) + at(0.95)) / 2;
-    return (at(0) + at(1)) / 2;
+    if (at(0.05) < at(0.95)) return at(0.05) / 2 + at(0.95) / 2;
+    return at(0) / 2 + at(1) / 2;
 }
 
 // `thin`: the camera looks straight along this axis, as on a drawing of the plane.
@@ -241,7 +257,7 @@ void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>
     layers["iso"] = {{"type", "iso"},
                      {"order", 2},
                      {"array", scalar},
-                     {"values", {sensible_value(loaded.scalar_values(scalar, step_index))}},
+                     {"values", {sensible_value(loaded, scalar, step_index)}},
                      {"color", std::move(color)}};
 }
 

@@ -43,8 +43,16 @@ Boundary& LayerUpdate::boundary(const scene::Layer& layer, const std::string& ke
 
 std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshold) const {
     const std::string array = store::parse_scalar(*dataset, threshold.array).array;
-    if (dataset->find(array)->association == store::Association::cell)
-        return cells_in_range(loaded->cell_values(threshold.array, out.step), threshold.range);
+    if (dataset->find(array)->association == store::Association::cell) {
+        std::vector<std::uint8_t> in_range;
+        const auto values = loaded->stored_scalar(threshold.array, out.step, store::Association::cell);
+        in_range.reserve(values->size());
+        values->for_pieces([&](ValuesView piece) {
+            const auto of_piece = cells_in_range(piece, threshold.range);
+            in_range.insert(in_range.end(), of_piece.begin(), of_piece.end());
+        });
+        return in_range;
+    }
     auto kept =
         cells_in_range(dataset->mesh(step().mesh, step().coordinates), loaded->scalar_values(threshold.array, out.step),
                        threshold.range, threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);

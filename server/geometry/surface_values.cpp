@@ -1,7 +1,6 @@
 #include "geometry/surface_values.hpp"
 
 #include "geometry/cut.hpp"
-#include "store/no_value.hpp"
 
 #include <numeric>
 
@@ -34,15 +33,12 @@ std::shared_ptr<const Shape> separated(const Shape& shape) {
     return triangles_shape(std::move(apart));
 }
 
-store::Values flat_values(const Surface& separated, std::span<const Index> items, ValuesView values) {
-    return values.with([&]<class T>(std::span<const T> all) {
-        std::vector<T> flat(separated.positions.size(), store::no_value);
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            if (items[i] == none) continue;
-            if (items[i] >= all.size()) throw Error("the surface belongs to another mesh than the values");
+store::Values flat_values(const Surface& separated, ValuesView of_polygons) {
+    return of_polygons.with([&]<class T>(std::span<const T> all) {
+        std::vector<T> flat(separated.positions.size());
+        for (std::size_t i = 0; i < all.size(); ++i)
             for (Index corner = separated.polygon_offset[i]; corner < separated.polygon_offset[i + 1]; ++corner)
-                flat[separated.polygon_vertex[corner]] = all[items[i]];
-        }
+                flat[separated.polygon_vertex[corner]] = all[i];
         return store::Values(std::move(flat));
     });
 }

@@ -1,52 +1,6 @@
 #include "methods/cell_extremes.hpp"
 
-#include <cmath>
-
 namespace ciel::methods {
-namespace {
-
-std::array<double, 2> finite_range(ValuesView values) {
-    std::array<double, 2> range{INFINITY, -INFINITY};
-    for (const double value : values)
-        if (std::isfinite(value)) range = {std::min(range[0], value), std::max(range[1], value)};
-    if (range[0] > range[1]) return {0, 0};
-    return range;
-}
-
-// Counts values into the bins of result.range. A bin is [low, high); the last one includes its upper end.
-void count(protocol::DatasetHistogramResult& result, ValuesView values) {
-    const auto [low, high] = result.range;
-    const auto bins = static_cast<double>(result.counts.size());
-    const double scale = std::isfinite(high - low) ? 1 : 0.5; // the width of the widest ranges overflows a double
-    const double width = high * scale - low * scale;
-    for (const double value : values) {
-        if (!std::isfinite(value))
-            ++result.invalid;
-        else if (value < low)
-            ++result.below;
-        else if (value > high)
-            ++result.above;
-        else {
-            const double place = width > 0 ? (value * scale - low * scale) / width * bins : 0;
-            ++result.counts[static_cast<std::size_t>(std::min(place, bins - 1))];
-        }
-    }
-}
-
-store::Values values_of(store::LoadedDataset& loaded, store::Association association, const std::string& scalar,
-                        std::size_t step) {
-    switch (association) {
-    case store::Association::point:
-        break;
-    case store::Association::cell:
-        return loaded.cell_values(scalar, step);
-    case store::Association::boundary_face:
-        return loaded.face_values(scalar, step);
-    }
-    return loaded.scalar_values(scalar, step);
-}
-
-} // namespace
 
 protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
     const std::size_t limit = context.server.limits().histogram_bins;
@@ -65,11 +19,14 @@ protocol::DatasetHistogramResult dataset_histogram(Context& context, const proto
         }
     }();
     const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
-    const auto values = values_of(*loaded, dataset->find(name.array)->association, params.array, step);
+    const store::Histogram histogram =
+        loaded->histogram(params.array, step, static_cast<std::size_t>(params.bins), params.range);
     protocol::DatasetHistogramResult result;
-    result.range = params.range ? *params.range : finite_range(values);
-    result.counts.assign(static_cast<std::size_t>(params.bins), 0);
-    count(result, values);
+    result.range = histogram.range;
+    result.counts.assign(histogram.counts.begin(), histogram.counts.end());
+    result.below = static_cast<std::int64_t>(histogram.below);
+    result.above = static_cast<std::int64_t>(histogram.above);
+    result.invalid = static_cast<std::int64_t>(histogram.invalid);
     result.cells = answer_of(store::cell_extremes(*dataset, params.array, step));
     return result;
 }

@@ -162,7 +162,7 @@ public:
             for (const auto& [name, array] : (*steps_)[step].arrays)
                 if (!array.lazy || is_written(marked(step), name)) {
                     (void)values(name, step);
-                    (void)block_ranges(scalars_of(*find(name)).front(), step);
+                    (void)value_ranges(name, step);
                 }
     }
 
@@ -179,22 +179,22 @@ public:
     std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
 
     std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
-        const MarkedStep at = marked(step);
-        const auto entry = at.arrays.find(scalar.array);
-        if (entry == at.arrays.end()) return std::nullopt;
-        const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
-        check_chunk(at.mesh, scalar.array, entry->second.chunk);
-        auto ranges = stored_ranges(layouts_[at.mesh].at(scalar.array), entry->second.chunk, entry->second.checksum,
-                                    scalars.size(), *meshes_[at.mesh]);
+        if (find(scalar.array)->association != Association::point) return std::nullopt;
+        auto ranges = value_ranges(scalar.array, step);
         if (!ranges) return std::nullopt;
-        const auto place = static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
-        return std::move(ranges->scalars[place]);
+        return std::move(ranges->scalars[place_of(scalar)]);
+    }
+
+    std::optional<Histogram> histogram(const ScalarName& scalar, std::size_t step) const override {
+        auto ranges = value_ranges(scalar.array, step);
+        if (!ranges || ranges->histograms.empty()) return std::nullopt;
+        return std::move(ranges->histograms[place_of(scalar)]);
     }
 
     std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const override {
         const auto& sums = coordinate_checksums_.at(mesh);
         if (coordinates >= sums.size()) return std::nullopt;
-        auto ranges = stored_ranges(positions_[mesh], coordinates, sums[coordinates], 3, *meshes_[mesh]);
+        auto ranges = position_ranges(mesh, coordinates, sums[coordinates]);
         if (!ranges) return std::nullopt;
         std::vector<BlockRanges>& axes = ranges->scalars;
         return BlockBoxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
@@ -237,22 +237,19 @@ private:
 
     PagedValues paged_values(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
         const ArrayLayout& shape = layouts_[mesh].at(array);
-        const auto checks = [&] {
-            const std::size_t scalars = scalars_of(*find(array)).size();
-            return page_checks(shape, entry.chunk, entry.checksum, scalars, *meshes_[mesh]);
-        };
+        const auto checks = [&] { return page_checks(shape, entry.checksum, stored_ranges(mesh, array, entry)); };
         return view_of(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, checks), shape.doubles);
     }
 
     PagedValues paged_positions(std::size_t mesh, std::size_t coordinates) const {
-        const MappedMesh& of = *at(mesh);
+        (void)at(mesh); // throws for an unknown mesh
         const ArrayLayout& shape = positions_[mesh];
         if (coordinates >= shape.chunks) refuse(shape.directory, "has no coordinates " + std::to_string(coordinates));
         const fs::path file = shape.chunk(coordinates);
         const auto checks = [&] {
             const auto& sums = coordinate_checksums_[mesh];
             const std::string sum = coordinates < sums.size() ? sums[coordinates] : std::string();
-            PageChecks made = page_checks(shape, coordinates, sum, 3, of);
+            PageChecks made = page_checks(shape, sum, position_ranges(mesh, coordinates, sum));
             made.numbers = [file, doubles = shape.doubles](auto page) { refuse_infinite(page, doubles, file); };
             return made;
         };
@@ -263,9 +260,7 @@ private:
     }
 
     // A chunk whose pages have no checksums is one page. `sum`: of the chunk, empty if it is not known.
-    PageChecks page_checks(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum, std::size_t scalars,
-                           const MappedMesh& mesh) const {
-        auto ranges = stored_ranges(array, chunk, sum, scalars, mesh);
+    static PageChecks page_checks(const ArrayLayout& array, const std::string& sum, std::optional<ValueRanges> ranges) {
         if (ranges && !ranges->page_checksums.empty()) return {checksum_page_bytes, std::move(ranges->page_checksums)};
         PageChecks whole;
         whole.page_bytes = std::max<std::size_t>(array.chunk_bytes, 1);
@@ -273,15 +268,39 @@ private:
         return whole;
     }
 
-    // Returns the ranges of a chunk with this checksum, which is empty if it is not known.
-    std::optional<ValueRanges> stored_ranges(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum,
-                                             std::size_t scalars, const MappedMesh& mesh) const {
-        if (sum.empty() || !mesh.has_blocks()) return std::nullopt;
+    std::size_t place_of(const ScalarName& scalar) const {
+        const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
+        return static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
+    }
+
+    // Returns what is stored beside an array's values at a step; nullopt if nothing is.
+    std::optional<ValueRanges> value_ranges(const std::string& array, std::size_t step) const {
+        const MarkedStep at = marked(step);
+        const auto entry = at.arrays.find(array);
+        if (entry == at.arrays.end()) return std::nullopt;
+        check_chunk(at.mesh, array, entry->second.chunk);
+        return stored_ranges(at.mesh, array, entry->second);
+    }
+    std::optional<ValueRanges> stored_ranges(std::size_t mesh, const std::string& array,
+                                             const MarkedArray& entry) const {
+        if (!meshes_[mesh]->has_blocks()) return std::nullopt;
+        const ArrayInfo& info = *find(array);
+        const std::size_t blocks = info.association == Association::point ? meshes_[mesh]->block_count() : 0;
+        return ranges_in(layouts_[mesh].at(array), entry.chunk, entry.checksum, scalars_of(info).size(), blocks);
+    }
+    std::optional<ValueRanges> position_ranges(std::size_t mesh, std::size_t coordinates,
+                                               const std::string& sum) const {
+        if (!meshes_[mesh]->has_blocks()) return std::nullopt;
+        return ranges_in(positions_[mesh], coordinates, sum, 3, meshes_[mesh]->block_count());
+    }
+    // `sum`: of the chunk, empty if it is not known.
+    std::optional<ValueRanges> ranges_in(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum,
+                                         std::size_t scalars, std::size_t blocks) const {
         const auto file = layout::value_ranges(array.directory, chunk);
         std::error_code error;
-        if (!fs::exists(file, error)) return std::nullopt;
-        return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), info_.id, scalars,
-                                  mesh.block_count(), array.chunk_bytes, checksum_number(sum), file);
+        if (sum.empty() || !fs::exists(file, error)) return std::nullopt;
+        return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), info_.id, scalars, blocks,
+                                  array.chunk_bytes, checksum_number(sum), file);
     }
 
     const std::shared_ptr<MappedMesh>& at(std::size_t mesh) const {

@@ -3,6 +3,7 @@
 
 #include "ciel/block_ranges.hpp"
 #include "store/files/local_files.hpp"
+#include "store/format/histogram.hpp"
 #include "store/format/steps.hpp"
 #include "store/format/values.hpp"
 
@@ -96,8 +97,12 @@ public:
     [[nodiscard]] virtual PagedValues values_to_load(const std::string& array, std::size_t step) const = 0;
 
     // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
-    // was appended with plain Zarr. Throws Error when they are damaged.
+    // was appended with plain Zarr, and for other scalars. Throws Error when they are damaged.
     [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;
+
+    // Returns the histogram of any scalar, with stored_bins, over the range of its finite values; nullopt when none is
+    // stored. Throws Error when it is damaged.
+    [[nodiscard]] virtual std::optional<Histogram> histogram(const ScalarName& scalar, std::size_t step) const = 0;
 
     // Returns the boxes around the vertices of each block; nullopt as for block_ranges.
     [[nodiscard]] virtual std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const = 0;

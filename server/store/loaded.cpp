@@ -134,19 +134,6 @@ struct LoadedDataset::State {
         return values;
     }
 
-    [[nodiscard]] Values plain_values(const std::string& name, std::size_t step, Association wanted) {
-        const auto of = current();
-        (void)step_of(*of, step);
-        const ScalarName scalar = parse_scalar(*of, name);
-        const StoredScalar stored(*of->find(scalar.array), scalar, written(*of, scalar.array, step, wanted));
-        const auto made = fields.get<Values>(step_key("values", name, step), [&]() -> Cache::Made {
-            const auto copied = std::make_shared<Values>(stored.all());
-            return {copied, copied->size_bytes()};
-        });
-        of->check_intact();
-        return *made;
-    }
-
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
         if (step >= dataset.steps().size())
             throw Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) +
@@ -252,12 +239,13 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     return slot->topology = std::move(made);
 }
 
-std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::string& name, std::size_t step) {
+std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::string& name, std::size_t step,
+                                                                 Association items) {
     const auto of = state_->current();
     (void)State::step_of(*of, step);
     ScalarName scalar = parse_scalar(*of, name);
     const ArrayInfo& array = *of->find(scalar.array);
-    PagedValues values = State::written(*of, scalar.array, step, Association::point);
+    PagedValues values = State::written(*of, scalar.array, step, items);
     return std::make_shared<const StoredScalar>(array, std::move(scalar), std::move(values));
 }
 
@@ -277,15 +265,26 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
 }
 
 Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
-    return state_->plain_values(name, step, Association::point);
+    const auto of = state_->current();
+    const auto stored = stored_scalar(name, step);
+    const auto made = state_->fields.get<Values>(step_key("values", name, step), [&]() -> Cache::Made {
+        const auto copied = std::make_shared<Values>(stored->all());
+        return {copied, copied->size_bytes()};
+    });
+    of->check_intact();
+    return *made;
 }
 
-Values LoadedDataset::cell_values(const std::string& name, std::size_t step) {
-    return state_->plain_values(name, step, Association::cell);
-}
-
-Values LoadedDataset::face_values(const std::string& name, std::size_t step) {
-    return state_->plain_values(name, step, Association::boundary_face);
+Histogram LoadedDataset::histogram(const std::string& name, std::size_t step, std::size_t bins,
+                                   std::optional<std::array<double, 2>> range) {
+    const auto of = state_->current();
+    (void)State::step_of(*of, step);
+    const ScalarName scalar = parse_scalar(*of, name);
+    const auto values = stored_scalar(name, step, of->find(scalar.array)->association);
+    if (!range)
+        if (const auto stored = of->histogram(scalar, step))
+            if (auto fewer = stored->with_bins(bins)) return *std::move(fewer);
+    return values->histogram(bins, range);
 }
 
 std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& name, std::size_t step) {

@@ -43,15 +43,15 @@ public:
     // Returns the field of a scalar on points. Throws NotWritten when its array was not written at the step, Error when
     // the scalar does not exist or is not on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Returns a scalar on points, which is read where it is needed. Throws like scalar().
-    [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step);
-    // Returns all its values in the dataset's type, one per vertex. Kept in the cache. Throws like scalar().
+    // Returns a scalar, which is read where it is needed. Throws like scalar(), and Error when it is not on `items`.
+    [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,
+                                                                    Association items = Association::point);
+    // Returns all values of a scalar on points in the dataset's type. Kept in the cache. Throws like scalar().
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
-    // cell_values returns one value per cell of a scalar on cells; face_values returns one value per boundary face of a
-    // scalar on boundary faces. Both throw NotWritten when its array was not written at the step, and Error for any
-    // other scalar.
-    [[nodiscard]] Values cell_values(const std::string& name, std::size_t step);
-    [[nodiscard]] Values face_values(const std::string& name, std::size_t step);
+    // Returns the histogram of any scalar. `range`: nullopt: of its finite values. Throws like scalar(). Reads one
+    // small file if no range is given and `bins` is a power of two of at most stored_bins; else all values of the step.
+    [[nodiscard]] Histogram histogram(const std::string& name, std::size_t step, std::size_t bins,
+                                      std::optional<std::array<double, 2>> range = std::nullopt);
     // Returns the cells whose values of the scalar's array are sound at the step, in all components; null if all cells
     // are. A value is not sound if it is a NaN or infinite result of the solver. For a point array that was
     // interpolated from cells, the values on cells count. For an array on patches, those on cells and those on its

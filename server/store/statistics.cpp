@@ -1,5 +1,6 @@
 #include "store/statistics.hpp"
 
+#include "store/format/checksum.hpp"
 #include "store/no_value.hpp"
 
 #include <algorithm>
@@ -73,6 +74,18 @@ ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
 
 ArrayStep statistics(ValuesView values, const ArrayInfo& array) {
     return values.with([&](auto all) { return statistics_of(all, array); });
+}
+
+ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topology& topology) {
+    ValueRanges ranges;
+    for (const ScalarName& name : scalars_of(array)) {
+        const Values scalar = one_scalar(array, values, name);
+        const bool on_points = array.association == Association::point;
+        ranges.scalars.push_back(on_points ? block_ranges(topology, scalar) : BlockRanges{});
+        ranges.histograms.push_back(histogram_of(scalar, stored_bins));
+    }
+    ranges.page_checksums = page_checksums(values.bytes());
+    return ranges;
 }
 
 } // namespace ciel::store

@@ -1,11 +1,16 @@
-// Computes the ranges of an array at one step, and the cells at their ends.
+// Computes what is stored about the values of an array at one step.
 #pragma once
 
 #include "store/dataset.hpp"
+#include "store/format/value_ranges.hpp"
 
 namespace ciel::store {
 
-// Leaves the places of the extremes zero; cell_places.hpp computes them.
+// Returns the ranges, and the cells at their ends. Leaves the places of the extremes zero; cell_places.hpp computes
+// them.
 [[nodiscard]] ArrayStep statistics(ValuesView values, const ArrayInfo& array);
+
+// Returns what is stored beside the values. `topology`: of the mesh on which the array is.
+[[nodiscard]] ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topology& topology);
 
 } // namespace ciel::store

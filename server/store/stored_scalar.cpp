@@ -2,8 +2,15 @@
 
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
+#include "store/no_value.hpp"
 
 namespace ciel::store {
+
+namespace {
+
+[[noreturn]] void refuse_other_mesh() { throw Error("the surface belongs to another mesh than the values"); }
+
+} // namespace
 
 void StoredScalar::load(std::size_t first, std::size_t count) const {
     const std::size_t bytes = width_ * (has_doubles() ? sizeof(double) : sizeof(float));
@@ -43,7 +50,7 @@ Values StoredScalar::at(std::span<const EdgePoint> points) const {
         parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto& [a, b, t] = points[i];
-                if (a >= size() || b >= size()) throw Error("the surface belongs to another mesh than the values");
+                if (a >= size() || b >= size()) refuse_other_mesh();
                 out[i] = lerp(value_of<T>(a), value_of<T>(b), t);
             }
         });
@@ -51,6 +58,41 @@ Values StoredScalar::at(std::span<const EdgePoint> points) const {
         return Values(std::move(out));
     };
     return has_doubles() ? in(std::vector<double>(points.size())) : in(std::vector<float>(points.size()));
+}
+
+Values StoredScalar::of(std::span<const Index> items) const {
+    const auto in = [&]<class T>(std::vector<T> out) {
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (items[i] == none) continue;
+            if (items[i] >= size()) refuse_other_mesh();
+            read_at(items.subspan(i, 1), std::span(out).subspan(i, 1));
+        }
+        values_.file->file().check_intact();
+        return Values(std::move(out));
+    };
+    return has_doubles() ? in(std::vector<double>(items.size(), no_value))
+                         : in(std::vector<float>(items.size(), no_value));
+}
+
+void StoredScalar::for_pieces(const std::function<void(ValuesView)>& f) const {
+    const auto in = [&]<class T>(std::vector<T> piece) {
+        for (std::size_t first = 0; first < size(); first += piece.size()) {
+            const auto part = std::span(piece).first(std::min(piece.size(), size() - first));
+            read_from(static_cast<Index>(first), part);
+            f(part);
+        }
+    };
+    constexpr std::size_t numbers = 16384;
+    has_doubles() ? in(std::vector<double>(numbers)) : in(std::vector<float>(numbers));
+    values_.file->file().check_intact();
+}
+
+Histogram StoredScalar::histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const {
+    FiniteRange finite;
+    if (!range) for_pieces([&](ValuesView piece) { finite.add(piece); });
+    Histogram histogram(range ? *range : finite.get(), bins);
+    for_pieces([&](ValuesView piece) { histogram.add(piece); });
+    return histogram;
 }
 
 Values StoredScalar::all() const {

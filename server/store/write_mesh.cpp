@@ -57,8 +57,8 @@ void check_group(const NamedGroup& group, std::size_t limit) {
 void write_boxes(const fs::path& directory, const Topology& topology, const std::string& dataset_id,
                  std::size_t coordinates, ValuesView positions) {
     BlockBoxes boxes = block_boxes(topology, positions);
-    const ValueRanges ranges{{std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])},
-                             page_checksums(positions.bytes())};
+    const ValueRanges ranges{
+        {std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])}, {}, page_checksums(positions.bytes())};
     const fs::path file = layout::value_ranges(directory / "positions", coordinates);
     make_directory(file.parent_path());
     write_file(file, to_bytes(ranges, dataset_id, checksum_number(positions.bytes())));

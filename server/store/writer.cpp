@@ -188,7 +188,7 @@ struct Writer::State {
         under_way->chunks.push_back(layout::chunk(path, row, array.components > 1 ? 3 : 2));
         const auto bytes = values.bytes();
         put(under_way->chunks.back(), bytes);
-        if (array.association == Association::point) put_ranges(array, values, path, row);
+        put_ranges(array, values, path, row);
         under_way->arrays.push_back(array);
         step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
     }
@@ -196,14 +196,10 @@ struct Writer::State {
     void put_ranges(const ArrayInfo& array, ValuesView values, const fs::path& path, std::uint64_t row) {
         const auto topology = topology_of(under_way->step.mesh);
         if (!topology) return;
-        ValueRanges ranges;
-        for (const ScalarName& scalar : scalars_of(array))
-            ranges.scalars.push_back(block_ranges(*topology, one_scalar(array, values, scalar)));
-        ranges.page_checksums = page_checksums(values.bytes());
         const fs::path file = layout::value_ranges(path, row);
         make_directory(file.parent_path());
         under_way->chunks.push_back(file);
-        put(file, to_bytes(ranges, info.id, checksum_number(values.bytes())));
+        put(file, to_bytes(value_ranges(values, array, *topology), info.id, checksum_number(values.bytes())));
     }
 
     // Returns the topology of a mesh of the dataset; null if the mesh was stored without blocks.

@@ -3,6 +3,7 @@
 #include "store/format/byte_arrays.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ciel::store {
 namespace {
@@ -13,10 +14,17 @@ struct RangesHead {
     std::uint64_t chunk_checksum = 0;
     std::array<char, 8> type{}; // of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
-    std::uint64_t reserved = 0; // for the offset of a histogram
+    std::uint64_t histograms = 0;
     std::uint64_t page_checksums = 0;
 };
 static_assert(sizeof(RangesHead) == 72);
+
+struct StoredHistogram {
+    std::array<double, 2> range{};
+    std::uint64_t invalid = 0;
+    std::array<std::uint64_t, stored_bins> counts{};
+};
+static_assert(sizeof(StoredHistogram) == 2072);
 
 constexpr std::array<char, 8> floats_type{'<', 'f', '4'}, doubles_type{'<', 'f', '8'};
 
@@ -30,6 +38,29 @@ void add_limits(ByteWriter& out, const std::vector<double>& limits, bool floats)
         out.add(std::span<const float>(std::vector<float>(limits.begin(), limits.end())));
     else
         out.add(std::span(limits));
+}
+
+std::vector<StoredHistogram> to_stored(const std::vector<Histogram>& histograms) {
+    std::vector<StoredHistogram> stored;
+    for (const Histogram& histogram : histograms) {
+        StoredHistogram& row = stored.emplace_back();
+        row.range = histogram.range;
+        row.invalid = histogram.invalid;
+        std::ranges::copy(histogram.counts, row.counts.begin());
+    }
+    return stored;
+}
+
+std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t begin, std::size_t count) {
+    std::vector<Histogram> histograms;
+    for (const StoredHistogram& row : read.array<StoredHistogram>(begin, count)) {
+        if (!std::isfinite(row.range[0]) || !std::isfinite(row.range[1]) || row.range[0] > row.range[1])
+            read.refuse_damage("has a histogram without a range");
+        Histogram& histogram = histograms.emplace_back(row.range, stored_bins);
+        histogram.invalid = row.invalid;
+        std::ranges::copy(row.counts, histogram.counts.begin());
+    }
+    return histograms;
 }
 
 std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
@@ -54,13 +85,17 @@ std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& da
     head.high = head.low + limits_bytes;
     head.missing = head.high + limits_bytes;
     const std::uint64_t missing_words = head.scalars * head.blocks, padding_words = missing_words % 2;
-    head.page_checksums = head.missing + (missing_words + padding_words) * sizeof(std::uint32_t);
+    const std::vector<StoredHistogram> histograms = to_stored(ranges.histograms);
+    const std::uint64_t after_missing = head.missing + (missing_words + padding_words) * sizeof(std::uint32_t);
+    if (!histograms.empty()) head.histograms = after_missing;
+    head.page_checksums = after_missing + histograms.size() * sizeof(StoredHistogram);
     ByteWriter out(FileKind::ranges, dataset_id);
     out.add(head);
     for (const BlockRanges& of : scalars) add_limits(out, of.low, floats);
     for (const BlockRanges& of : scalars) add_limits(out, of.high, floats);
     for (const BlockRanges& of : scalars) out.add(std::span<const std::uint32_t>(of.missing));
     if (padding_words > 0) out.add(std::uint32_t{0});
+    out.add(std::span<const StoredHistogram>(histograms));
     out.add(std::span<const std::uint64_t>(ranges.page_checksums));
     return out.finish();
 }
@@ -82,6 +117,7 @@ std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes, 
              read_limits(read, head.high + before, blocks, floats),
              read.array<std::uint32_t>(head.missing + i * blocks * sizeof(std::uint32_t), blocks)});
     }
+    if (head.histograms != 0) ranges.histograms = read_histograms(read, head.histograms, scalars);
     const std::size_t pages = (chunk_bytes + checksum_page_bytes - 1) / checksum_page_bytes;
     if (head.page_checksums != 0) ranges.page_checksums = read.array<std::uint64_t>(head.page_checksums, pages);
     return ranges;

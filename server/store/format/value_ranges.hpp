@@ -1,8 +1,9 @@
-// [min, max] of an array at one step, in each block of the mesh. With them an iso-surface opens the blocks that it
-// crosses, and no other. Bytes: store/README.md, "Ranges".
+// What is stored beside the values of an array at one step: [min, max] in each block of the mesh, histograms, checksums
+// of pages. With them an iso-surface opens the blocks that it crosses, and no other. Bytes: store/README.md, "Ranges".
 #pragma once
 
 #include "ciel/block_ranges.hpp"
+#include "store/format/histogram.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -11,7 +12,9 @@
 namespace ciel::store {
 
 struct ValueRanges {
-    std::vector<BlockRanges> scalars;          // of the magnitude if the array has one, then of each component
+    // Of the magnitude if the array has one, then of each component:
+    std::vector<BlockRanges> scalars;          // of no blocks if the array is not on points
+    std::vector<Histogram> histograms;         // with stored_bins; empty if none are stored
     std::vector<std::uint64_t> page_checksums; // of the chunk (checksum.hpp); empty if none are stored
 };
 

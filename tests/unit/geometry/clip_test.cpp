@@ -158,7 +158,7 @@ TEST_F(cells, a_threshold_by_an_array_of_the_cells_asks_no_vertices) {
     EXPECT_NEAR(enclosed(*show({{"s", layer}})), 216 - 8, 1e-3);
     layer["threshold"]["range"] = {7, 9};
     const auto some = show({{"s", layer}});
-    const auto values = loaded->cell_values("cell:q", 0);
+    const auto values = loaded->stored_scalar("cell:q", 0, store::Association::cell)->all();
     std::set<double> kept;
     for (const Index cell : some->drawables.at(0).shape->surface.polygon_cell) kept.insert(values[cell]);
     EXPECT_THAT(kept, testing::ElementsAre(7, 8, 9));

@@ -32,7 +32,7 @@ protected:
     }
     // That each triangle has at its three corners what its polygon's cell has.
     void expect_flat(const Drawable& drawable) const {
-        const auto of_cells = loaded->cell_values("cell:q", 0);
+        const auto of_cells = loaded->stored_scalar("cell:q", 0, store::Association::cell)->all();
         const Surface& surface = drawable.shape->surface;
         ASSERT_TRUE(drawable.scalars);
         ASSERT_EQ(drawable.scalars->size(), surface.positions.size());
@@ -77,7 +77,7 @@ TEST_F(flat_values, are_on_caps_and_on_what_a_threshold_keeps) {
     ASSERT_EQ(shown->drawables.size(), 2U) << "the boundary and the cap";
     for (const Drawable& drawable : shown->drawables) expect_flat(drawable);
     const auto cut = clipped(*shown, shown->drawables[0]);
-    const auto of_cells = loaded->cell_values("cell:q", 0);
+    const auto of_cells = loaded->stored_scalar("cell:q", 0, store::Association::cell)->all();
     ASSERT_FALSE(cut.surface.polygon_cell.empty());
     for (std::size_t i = 0; i < cut.surface.polygon_cell.size(); ++i)
         for (Index k = cut.surface.polygon_offset[i]; k < cut.surface.polygon_offset[i + 1]; ++k)

@@ -103,5 +103,23 @@ TEST_F(ColdFilesTest, ASurfaceReadsWhatItCrosses) {
         EXPECT_EQ(cached_in(unused), 0U) << unused;
 }
 
+TEST_F(ColdFilesTest, AHistogramReadsNoValue) {
+    LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
+    for (const char* scalar : {"p", "U:magnitude", "U:y", "cell:p"})
+        EXPECT_EQ(loaded.histogram(scalar, 0, 128).counts.size(), 128U) << scalar;
+    EXPECT_EQ(cached_in(""), 0U);
+    (void)loaded.histogram("p", 0, 128, std::array{0.0, 9.0});
+    EXPECT_GT(cached_in("arrays/p/0.0"), 0U) << "only the array's own range is stored";
+}
+
+TEST_F(ColdFilesTest, ValuesOfSomeCellsReadTheirPages) {
+    LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
+    const auto values = loaded.stored_scalar("cell:p", 0, Association::cell);
+    const std::vector<Index> cells{7, 8, 15};
+    (void)values->of(cells);
+    EXPECT_GT(cached_in("arrays/cell"), 0U);
+    EXPECT_LT(cached_in("arrays/cell"), size_of("arrays/cell") / 4);
+}
+
 } // namespace
 } // namespace ciel::store

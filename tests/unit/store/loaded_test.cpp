@@ -106,8 +106,9 @@ TEST_F(LoadedTest, ScalarsComponentsAndMagnitudes) {
         EXPECT_FLOAT_EQ(magnitude[i], std::hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
     }
     EXPECT_THAT(numbers(loaded.scalar("U:magnitude", 2)), ElementsAreArray(magnitude));
-    EXPECT_EQ(loaded.cell_values("cell:p", 0).size(), loaded.dataset()->values("cell:p", 0).size());
-    EXPECT_THROW((void)loaded.cell_values("p", 0), Error);
+    EXPECT_EQ(loaded.stored_scalar("cell:p", 0, Association::cell)->size(),
+              loaded.dataset()->values("cell:p", 0).size());
+    EXPECT_THROW((void)loaded.stored_scalar("p", 0, Association::cell), Error);
     EXPECT_THROW((void)loaded.scalar_values("cell:p", 0), Error);
     EXPECT_THAT(loaded.scalar("U:magnitude", 2).field->range(), ElementsAre(magnitude[0], magnitude[26]));
 }

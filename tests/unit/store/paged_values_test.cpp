@@ -3,6 +3,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
 #include "store/loaded.hpp"
+#include "store/no_value.hpp"
 #include "support/store_box/box.hpp"
 
 #include <cstring>
@@ -138,6 +139,34 @@ TEST_P(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
     EXPECT_THROW((void)loaded.stored_scalar("p", 0)->at(surface.points), Error);
     EXPECT_THROW((void)loaded.stored_scalar("cell:p", 0), Error);
     EXPECT_THROW((void)loaded.stored_scalar("p", 1), NotWritten);
+}
+
+TEST_P(PagedValuesTest, NumbersOfSomeCellsAreThoseOfTheWholeArray) {
+    LoadedDataset loaded(open(), 1U << 30);
+    const Values whole = loaded.dataset()->values("cell:p", 0);
+    const auto stored = loaded.stored_scalar("cell:p", 0, Association::cell);
+    EXPECT_EQ(stored->size(), whole.size());
+    const std::vector<Index> some{63999, 0, none, 17, 17};
+    const Values found = stored->of(some);
+    ASSERT_EQ(found.size(), some.size());
+    EXPECT_THAT(found, testing::ElementsAre(whole[63999], whole[0], testing::Truly(is_no_value), whole[17], whole[17]));
+    EXPECT_THAT(error_of([&] { (void)stored->of(std::vector<Index>{64000}); }), HasSubstr("another mesh"));
+    std::vector<double> pieces;
+    stored->for_pieces([&](ValuesView piece) { pieces.insert(pieces.end(), piece.begin(), piece.end()); });
+    EXPECT_THAT(pieces, testing::ElementsAreArray(whole.begin(), whole.end()));
+}
+
+TEST_P(PagedValuesTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
+    const fs::path cells = directory / "meshes/0/arrays/cell%3Ap/0.0";
+    ASSERT_TRUE(fs::exists(cells));
+    flip(cells, -1);
+    LoadedDataset loaded(open(), 1U << 30);
+    const auto stored = loaded.stored_scalar("cell:p", 0, Association::cell);
+    EXPECT_EQ(stored->of(std::vector<Index>{5})[0], 5);
+    EXPECT_THAT(error_of([&] { (void)stored->of(std::vector<Index>{63999}); }),
+                AllOf(HasSubstr(cells.string()), HasSubstr("does not match its checksum")));
+    EXPECT_EQ(loaded.histogram("cell:p", 0, 64).counts[0], 1000U) << "it reads no value";
+    EXPECT_THAT(error_of([&] { (void)loaded.histogram("cell:p", 0, 100); }), HasSubstr(cells.string()));
 }
 
 // Copied pages are the process's own memory, and a truncated file does not take away what was read.
