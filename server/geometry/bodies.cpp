@@ -1,6 +1,7 @@
 #include "geometry/bodies.hpp"
 
 #include "ciel/mesh_faces.hpp"
+#include "store/group_faces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,8 @@ std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& 
     std::vector<Patch> patches;
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
-        const FacesSize size = size_of_faces(dataset.mesh(step.mesh, step.coordinates), group.ids);
+        const store::GroupFaces faces = store::faces_of(group, dataset, step);
+        const FacesSize size = size_of_faces(faces.mesh, faces.ids);
         patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
     }
     return patches;

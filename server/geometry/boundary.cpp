@@ -7,17 +7,40 @@
 #include <array>
 
 namespace ciel::geometry {
+namespace {
 
-Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
-                         const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
-    auto mesh = dataset.mesh(step.mesh, step.coordinates);
-    mesh.surface_origin = origin;
-    if (groups.empty()) return face_surface(mesh, boundary_faces(mesh, kept));
+std::vector<Index> ids_in(const std::vector<std::string>& groups, const store::Dataset& dataset,
+                          const store::Step& step) {
     std::vector<Index> ids;
     for (const store::Group& group : dataset.groups(step.mesh))
         if (group.of == store::Group::Of::faces && std::ranges::find(groups, group.name) != groups.end())
             ids.insert(ids.end(), group.ids.begin(), group.ids.end());
-    return face_surface(mesh, faces_by_id(mesh, std::move(ids), kept));
+    return ids;
+}
+
+} // namespace
+
+Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
+                         const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
+    std::vector<Index> ids = ids_in(groups, dataset, step);
+    if (kept.empty()) {
+        BoundaryFaces boundary = dataset.boundary(step.mesh, step.coordinates);
+        boundary.mesh.surface_origin = origin;
+        if (groups.empty()) return surface_of(boundary, boundary_faces(boundary.mesh));
+        std::vector<Index> numbers = boundary_numbers(boundary, ids);
+        if (std::ranges::find(numbers, none) == numbers.end())
+            return surface_of(boundary, faces_by_id(boundary.mesh, std::move(numbers)));
+    }
+    // What a threshold keeps, and groups that have faces inside the mesh:
+    auto mesh = dataset.mesh(step.mesh, step.coordinates);
+    mesh.surface_origin = origin;
+    return face_surface(mesh, groups.empty() ? boundary_faces(mesh, kept) : faces_by_id(mesh, std::move(ids), kept));
+}
+
+Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces) {
+    Surface surface = face_surface(boundary.mesh, faces);
+    for (Index& face : surface.polygon_face) face = boundary.face[face];
+    return surface;
 }
 
 std::shared_ptr<const Shape> triangles_shape(Surface&& surface) {

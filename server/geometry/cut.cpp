@@ -51,7 +51,7 @@ store::Values Painted::flat_scalars(store::LoadedDataset& loaded) const {
     if (association == store::Association::cell) return flat_values(surface, values->of(surface.polygon_cell));
     const store::Step& at = dataset->steps()[step];
     return flat_values(surface,
-                       values->of(boundary_numbers(dataset->mesh(at.mesh, at.coordinates), surface.polygon_face)));
+                       values->of(boundary_numbers(dataset->boundary(at.mesh, at.coordinates), surface.polygon_face)));
 }
 
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,

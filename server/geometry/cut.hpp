@@ -1,6 +1,7 @@
 // The kept state behind one drawable: an iso-value or slice, or a boundary surface.
 #pragma once
 
+#include "ciel/threshold_surface.hpp"
 #include "geometry/shape_pool.hpp"
 
 #include <optional>
@@ -106,6 +107,8 @@ struct Boundary {
 // the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
 [[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
+// Returns faces of a boundary, by number, as polygons. Their polygon_face is the id in the whole mesh.
+[[nodiscard]] Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
 // The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);

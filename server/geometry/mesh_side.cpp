@@ -2,6 +2,7 @@
 
 #include "ciel/mesh_faces.hpp"
 #include "ciel/vector_operators.hpp"
+#include "geometry/cut.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,8 @@ std::optional<double> side_at(double nu, const store::ScalarField& distances) {
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
-    const auto mesh = distances.mesh();
-    return face_surface(mesh, boundary_faces_at(mesh, *distances.field, nu, rounding(distances)));
+    const BoundaryFaces boundary = distances.boundary();
+    return surface_of(boundary, boundary_faces_at(boundary.mesh, *distances.field, nu, rounding(distances)));
 }
 
 } // namespace ciel::geometry

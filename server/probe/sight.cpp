@@ -6,6 +6,7 @@
 #include "geometry/clip.hpp"
 #include "geometry/cutter.hpp"
 #include "geometry/viewpoint.hpp"
+#include "store/group_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,15 +124,17 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     const scene::SurfaceLayer* layer = surface_layer(scene, drawable.layer);
     if (layer == nullptr) return {};
     const store::Step& step = dataset.steps()[geometry.step];
-    const auto mesh = dataset.mesh(step.mesh, step.coordinates);
     std::array<Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) {
         const EdgePoint& point = drawable.shape->surface.points[crossing.corners[i]];
         if (point.a != point.b) return {}; // of a cap
         vertices[i] = point.a;
     }
-    for (const store::Group& group : dataset.groups(step.mesh))
-        if (shows(*layer, group) && face_with_vertices(mesh, group.ids, vertices) != none) return group.name;
+    for (const store::Group& group : dataset.groups(step.mesh)) {
+        if (!shows(*layer, group)) continue;
+        const store::GroupFaces faces = store::faces_of(group, dataset, step);
+        if (face_with_vertices(faces.mesh, faces.ids, vertices) != none) return group.name;
+    }
     return {};
 }
 

@@ -2,82 +2,21 @@
 
 #include "store/cache/chunk_cache.hpp"
 #include "store/cache/mapped_mesh.hpp"
+#include "store/cache/paged_array.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/documents.hpp"
 #include "store/format/layout.hpp"
 #include "store/format/step_table.hpp"
-#include "store/format/value_ranges.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 
 namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Location and shape of one array on one mesh. Each chunk is one step, or one coordinate set of the positions.
-struct ArrayLayout {
-    fs::path directory;
-    std::uint64_t chunks = 0;
-    std::size_t rank = 0, chunk_bytes = 0;
-    bool doubles = false;
-
-    [[nodiscard]] fs::path chunk(std::uint64_t index) const { return layout::chunk(directory, index, rank); }
-};
-
-ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int components) {
-    const auto document = directory / layout::array_document;
-    const ZarrArray array = parse_zarr_array(read_text(document, layout::document_bytes), document);
-    std::vector<std::uint64_t> of_step{items};
-    if (components > 1) of_step.push_back(static_cast<std::uint64_t>(components));
-    const auto is_step = [&](const std::vector<std::uint64_t>& extents) {
-        return std::equal(extents.begin() + 1, extents.end(), of_step.begin(), of_step.end());
-    };
-    const bool is_real = array.type == ElementType::f4 || array.type == ElementType::f8;
-    if (!is_real || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
-        refuse(document, "does not hold one chunk of float32 or float64 per step, of " + std::to_string(items) + " x " +
-                             std::to_string(components) + " values");
-    return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
-}
-
-PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles) {
-    const MappedFile& file = chunk->file();
-    return {doubles ? ValuesView(file.as<double>()) : ValuesView(file.as<float>()), std::move(chunk)};
-}
-
-Values loaded(PagedValues paged) {
-    if (paged.file) paged.file->load_all();
-    return {paged.values, std::move(paged.file)};
-}
-
-void refuse_infinite(std::span<const std::byte> page, bool doubles, const fs::path& file) {
-    const auto check = [&]<class T>(const T* begin) {
-        if (!std::all_of(begin, begin + page.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
-            refuse(file, "holds a coordinate that is not finite");
-    };
-    if (doubles)
-        check(reinterpret_cast<const double*>(page.data()));
-    else
-        check(reinterpret_cast<const float*>(page.data()));
-}
-
-// Keeps the positions mapped.
-class PositionsLoader final : public VertexLoader {
-public:
-    PositionsLoader(PagedValues positions, std::size_t blocks)
-        : VertexLoader(blocks), file_(std::move(positions.file)),
-          vertex_bytes_(3 * (positions.values.has_doubles() ? sizeof(double) : sizeof(float))) {}
-
-    void load(Index begin, Index end) const override { file_->load(begin * vertex_bytes_, end * vertex_bytes_); }
-
-private:
-    std::shared_ptr<const PagedFile> file_;
-    std::size_t vertex_bytes_;
-};
 
 class MappedDataset final : public Dataset {
 public:
@@ -149,6 +88,11 @@ public:
         FaceMeshView view = of_dataset(at(mesh)->view_points(paged.values), mesh, loader);
         view.loader = loader.get();
         return view;
+    }
+    BoundaryFaces boundary(std::size_t mesh, std::size_t coordinates) const override {
+        BoundaryFaces boundary = at(mesh)->boundary(points_to_load(mesh, coordinates));
+        check_intact();
+        return boundary;
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -259,15 +203,6 @@ private:
         return loaded(paged_positions(mesh, coordinates));
     }
 
-    // A chunk whose pages have no checksums is one page. `sum`: of the chunk, empty if it is not known.
-    static PageChecks page_checks(const ArrayLayout& array, const std::string& sum, std::optional<ValueRanges> ranges) {
-        if (ranges && !ranges->page_checksums.empty()) return {checksum_page_bytes, std::move(ranges->page_checksums)};
-        PageChecks whole;
-        whole.page_bytes = std::max<std::size_t>(array.chunk_bytes, 1);
-        if (!sum.empty()) whole.checksums = {checksum_number(sum)};
-        return whole;
-    }
-
     std::size_t place_of(const ScalarName& scalar) const {
         const std::vector<ScalarName> scalars = scalars_of(*find(scalar.array));
         return static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
@@ -286,23 +221,14 @@ private:
         if (!meshes_[mesh]->has_blocks()) return std::nullopt;
         const ArrayInfo& info = *find(array);
         const std::size_t blocks = info.association == Association::point ? meshes_[mesh]->block_count() : 0;
-        return ranges_in(layouts_[mesh].at(array), entry.chunk, entry.checksum, scalars_of(info).size(), blocks);
+        return read_ranges(layouts_[mesh].at(array), entry.chunk, entry.checksum, scalars_of(info).size(), blocks,
+                           info_.id);
     }
     std::optional<ValueRanges> position_ranges(std::size_t mesh, std::size_t coordinates,
                                                const std::string& sum) const {
         if (!meshes_[mesh]->has_blocks()) return std::nullopt;
-        return ranges_in(positions_[mesh], coordinates, sum, 3, meshes_[mesh]->block_count());
+        return read_ranges(positions_[mesh], coordinates, sum, 3, meshes_[mesh]->block_count(), info_.id);
     }
-    // `sum`: of the chunk, empty if it is not known.
-    std::optional<ValueRanges> ranges_in(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum,
-                                         std::size_t scalars, std::size_t blocks) const {
-        const auto file = layout::value_ranges(array.directory, chunk);
-        std::error_code error;
-        if (sum.empty() || !fs::exists(file, error)) return std::nullopt;
-        return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), info_.id, scalars, blocks,
-                                  array.chunk_bytes, checksum_number(sum), file);
-    }
-
     const std::shared_ptr<MappedMesh>& at(std::size_t mesh) const {
         if (mesh >= meshes_.size()) refuse(directory_, "has no mesh " + std::to_string(mesh));
         return meshes_[mesh];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
+#include "ciel/boundary_faces.hpp"
 #include "store/files/local_files.hpp"
 #include "store/format/histogram.hpp"
 #include "store/format/steps.hpp"
@@ -79,6 +80,9 @@ public:
     // Likewise, but reads nothing: positions are read and checked when the view's loader loads them. If the mesh was
     // stored without blocks, all are read here.
     [[nodiscard]] virtual FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Returns the boundary faces, which are checked at the first call, with positions to load. Reads no other faces,
+    // unless a CIEL that stored no lists of boundary faces wrote the mesh. Throws Error like mesh().
+    [[nodiscard]] virtual BoundaryFaces boundary(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
     // open. If the mesh was stored without blocks, the topology is built here.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;

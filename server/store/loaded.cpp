@@ -62,16 +62,11 @@ void leave_out_cells(const ArrayInfo& array, ValuesView values, std::vector<std:
         if (went_wrong_at(values, width, cell)) kept[cell] = 0;
 }
 
-void leave_out_owners(const FaceMeshView& mesh, const ArrayInfo& array, ValuesView values,
+void leave_out_owners(const FaceMeshView& boundary, const ArrayInfo& array, ValuesView values,
                       std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
-    std::size_t number = 0; // of the face among the boundary faces
-    for (Index face = 0; face < mesh.face_count(); ++face)
-        if (mesh.neighbour[face] == none) {
-            // The mapped file has changed: it has more boundary faces than when the dataset was opened.
-            if ((number + 1) * width > values.size()) mesh.neighbour.refuse();
-            if (went_wrong_at(values, width, number++)) kept[mesh.owner[face]] = 0;
-        }
+    for (Index number = 0; number < boundary.face_count(); ++number)
+        if (went_wrong_at(values, width, number)) kept[boundary.owner[number]] = 0;
 }
 
 std::string step_key(const char* kind, const std::string& name, std::size_t step) {
@@ -207,6 +202,13 @@ FaceMeshView ScalarField::mesh() const {
     return mesh;
 }
 
+BoundaryFaces ScalarField::boundary() const {
+    const Step& at = dataset->steps()[step];
+    BoundaryFaces boundary = dataset->boundary(at.mesh, at.coordinates);
+    boundary.mesh.surface_origin = points.surface_origin;
+    return boundary;
+}
+
 LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
     : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes)) {}
 
@@ -295,11 +297,12 @@ std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& 
     const ArrayInfo* faces = array.association == Association::boundary_face ? &array : nullptr;
     if (!any_went_wrong(at, cells) && !any_went_wrong(at, faces)) return nullptr;
     auto sound = state_->fields.get<SoundCells>(step_key("sound", array.name, step), [&]() -> Cache::Made {
-        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
         auto made = std::make_shared<SoundCells>();
-        made->kept.assign(mesh.cell_count(), 1);
+        made->kept.assign(of->info().meshes[at.mesh].cells, 1);
         if (any_went_wrong(at, cells)) leave_out_cells(*cells, of->values(cells->name, step), made->kept);
-        if (any_went_wrong(at, faces)) leave_out_owners(mesh, *faces, of->values(faces->name, step), made->kept);
+        if (any_went_wrong(at, faces))
+            leave_out_owners(of->boundary(at.mesh, at.coordinates).mesh, *faces, of->values(faces->name, step),
+                             made->kept);
         made->left_out = static_cast<std::size_t>(std::ranges::count(made->kept, 0));
         return {made, made->kept.size()};
     });

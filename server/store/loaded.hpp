@@ -17,6 +17,8 @@ struct ScalarField {
     // Returns the mesh with its faces and the surface_origin of `points`. The faces are read and checked at the first
     // call for the mesh.
     [[nodiscard]] FaceMeshView mesh() const;
+    // Returns the boundary faces, likewise, with positions to load.
+    [[nodiscard]] BoundaryFaces boundary() const;
 };
 
 // The cells whose values of an array are not NaN or infinite results of the solver. Pictures leave out the other cells.

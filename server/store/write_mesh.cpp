@@ -108,6 +108,12 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
     write("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write("original_cell", ElementType::u4, std::as_bytes(original_cell));
+    const BoundaryFaceLists boundary = boundary_face_lists(mesh.view());
+    write_group(directory / layout::boundary_group);
+    write("boundary/face_offset", ElementType::u8, std::as_bytes(std::span(boundary.face_offset)));
+    write("boundary/face_vertex", ElementType::u4, std::as_bytes(std::span(boundary.face_vertex)));
+    write("boundary/owner", ElementType::u4, std::as_bytes(std::span(boundary.owner)));
+    write("boundary/face", ElementType::u4, std::as_bytes(std::span(boundary.face)));
     if (!solver.vertex.empty()) write("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
     if (!solver.cell.empty()) write("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
     for (std::size_t i = 0; i < groups.size(); ++i) {

@@ -16,7 +16,7 @@ namespace {
 ElementType type_of(const std::string& name) {
     if (name == "cell_types") return ElementType::u1;
     if (std::ranges::find(layout::optional_arrays, name) != std::end(layout::optional_arrays)) return ElementType::i8;
-    return name == "face_offset" ? ElementType::u8 : ElementType::u4;
+    return name.ends_with("face_offset") ? ElementType::u8 : ElementType::u4;
 }
 
 bool is_cell_type(std::uint8_t type) {
@@ -70,10 +70,14 @@ void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std:
     if (wrong) refuse_damage(neighbour.path(), "names a cell that does not exist or comes before its face's owner");
 }
 
-void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
-    const auto ids = group.ids.unchecked();
+void check_ascending(const MappedFile& file) {
+    const auto ids = file.as<Index>();
     if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
         refuse_damage(file.path(), "is not sorted or holds an id twice");
+}
+
+void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
+    check_ascending(file);
     check_below(file, limit, group.of == Group::Of::faces ? "faces" : "cells");
 }
 
@@ -87,9 +91,11 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
     for (const char* name : layout::optional_arrays)
         if (attributes_.checksums.contains(name)) map(name, type_of(name));
+    for (const char* name : layout::boundary_arrays)
+        if (attributes_.checksums.contains(layout::boundary_arrays[0])) map(name, type_of(name));
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
-    for (const char* group : {"faces", "groups"}) verified_[group];
+    for (const char* group : {"faces", "groups", layout::boundary_group}) verified_[group];
     vertex_count_ = array("original_vertex").as<Index>().size();
     const std::uint64_t faces = array("owner").as<Index>().size();
     if (vertex_count_ == 0 || cell_count() == 0 || faces == 0) refuse_damage(directory_, "is an empty mesh");
@@ -120,6 +126,19 @@ void MappedMesh::check_sizes(std::uint64_t faces) const {
     expect("face_offset", faces + 1);
     expect("solver_vertex", vertex_count_);
     expect("solver_cell", cell_count());
+    if (!has_boundary()) return;
+    const std::uint64_t boundary = array("boundary/face").as<Index>().size();
+    check_boundary_count(boundary);
+    expect("boundary/face_offset", boundary + 1);
+    expect("boundary/owner", boundary);
+}
+
+// The number in the attributes is the size of arrays on boundary faces.
+void MappedMesh::check_boundary_count(std::uint64_t count) const {
+    if (count != attributes_.info.boundary_faces)
+        refuse_damage(directory_ / layout::attributes_document,
+                      "counts " + std::to_string(attributes_.info.boundary_faces) + " boundary faces, but there are " +
+                          std::to_string(count));
 }
 
 void MappedMesh::map(const std::string& name, ElementType type) {
@@ -156,15 +175,6 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
     return checksum(file.bytes()) == attributes_.checksums.at(name);
 }
 
-// Checks the number of boundary faces in the attributes, because it is the size of arrays on boundary faces.
-void MappedMesh::verify_boundary() const {
-    const auto count = static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none));
-    if (count != attributes_.info.boundary_faces)
-        refuse_damage(directory_ / layout::attributes_document,
-                      "counts " + std::to_string(attributes_.info.boundary_faces) + " boundary faces, but there are " +
-                          std::to_string(count));
-}
-
 void MappedMesh::verify_faces() const {
     verify_checksums({"cell_types", "face_offset", "face_vertex", "owner", "neighbour"});
     const std::vector<std::function<void()>> checks{
@@ -173,7 +183,7 @@ void MappedMesh::verify_faces() const {
         [&] { check_owners(array("owner"), cell_count()); },
         [&] {
             check_neighbours(array("owner"), array("neighbour"), cell_count());
-            verify_boundary();
+            check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none)));
         },
         [&] {
             if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
@@ -182,6 +192,34 @@ void MappedMesh::verify_faces() const {
     parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) checks[i]();
     });
+}
+
+bool MappedMesh::has_boundary() const { return arrays_.contains(layout::boundary_arrays[0]); }
+
+void MappedMesh::verify_boundary() const {
+    verify_checksums({std::begin(layout::boundary_arrays), std::end(layout::boundary_arrays)});
+    const MappedFile& vertices = array("boundary/face_vertex");
+    check_below(vertices, vertex_count_, "vertices");
+    check_offsets(array("boundary/face_offset"), vertices.as<Index>().size());
+    check_owners(array("boundary/owner"), cell_count());
+    check_ascending(array("boundary/face"));
+    check_below(array("boundary/face"), attributes_.info.faces, "faces");
+}
+
+// Compares the boundary with the list of all faces.
+void MappedMesh::compare_boundary() const {
+    verify_boundary();
+    FaceMeshView all = view({});
+    all.face_vertex = {array("face_vertex").as<Index>(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
+    const BoundaryFaceLists expected = boundary_face_lists(all);
+    const auto compare = [&](const char* name, const auto& wanted) {
+        if (!std::ranges::equal(array(name).as<std::ranges::range_value_t<decltype(wanted)>>(), wanted))
+            refuse_damage(array(name).path(), "differs from the faces of the mesh");
+    };
+    compare("boundary/face_offset", expected.face_offset);
+    compare("boundary/face_vertex", expected.face_vertex);
+    compare("boundary/owner", expected.owner);
+    compare("boundary/face", expected.face);
 }
 
 void MappedMesh::verify_groups() const {
@@ -200,6 +238,7 @@ const std::vector<Group>& MappedMesh::groups() const {
 
 void MappedMesh::verify() const {
     verified_.at("faces").once([this] { verify_faces(); });
+    if (has_boundary()) compare_boundary();
     (void)groups();
     (void)original_vertex();
     (void)original_cell();
@@ -221,6 +260,31 @@ FaceMeshView MappedMesh::view(ValuesView positions) const {
     return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
                           array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),
                           {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
+}
+
+BoundaryFaces MappedMesh::boundary(FaceMeshView points) const {
+    verified_.at(layout::boundary_group).once([&] {
+        if (has_boundary())
+            verify_boundary();
+        else
+            boundary_ = boundary_face_lists(view(points.positions));
+        no_neighbour_.assign(attributes_.info.boundary_faces, none);
+    });
+    const auto cells = static_cast<Index>(cell_count()), faces = static_cast<Index>(attributes_.info.faces);
+    const auto set = [&](std::span<const std::uint64_t> offset, std::span<const Index> vertex,
+                         std::span<const Index> owner, std::span<const Index> face, const auto& keeper_of) {
+        points.face_offset = {offset, vertex.size() + 1, keeper_of("boundary/face_offset")};
+        points.face_vertex = {vertex, points.vertex_count(), keeper_of("boundary/face_vertex")};
+        points.owner = {owner, cells, keeper_of("boundary/owner")};
+        points.neighbour = {no_neighbour_, cells};
+        return BoundaryFaces{points, {face, faces, keeper_of("boundary/face")}};
+    };
+    if (!has_boundary())
+        return set(boundary_.face_offset, boundary_.face_vertex, boundary_.owner, boundary_.face,
+                   [](const char*) -> const ArrayKeeper* { return nullptr; });
+    return set(array("boundary/face_offset").as<std::uint64_t>(), array("boundary/face_vertex").as<Index>(),
+               array("boundary/owner").as<Index>(), array("boundary/face").as<Index>(),
+               [this](const char* name) { return keeper(name); });
 }
 
 // Throws Error that names the array whose checksum no longer matches. A contradiction between two arrays is found in

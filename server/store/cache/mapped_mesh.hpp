@@ -1,6 +1,7 @@
 // MappedMesh: the arrays of one mesh, mapped, and its blocks. All refreshes of a dataset share it.
 #pragma once
 
+#include "ciel/boundary_faces.hpp"
 #include "store/cache/mapped_file.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/attributes.hpp"
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
     // Returns the mesh with these positions, which are offsets from its origin.
     [[nodiscard]] FaceMeshView view(ValuesView positions) const;
+    // Returns the boundary faces, with the points that are given.
+    [[nodiscard]] BoundaryFaces boundary(FaceMeshView points) const;
     // Returns the mesh without its faces. Reads no array.
     [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
     // A CIEL that stored no blocks may have written the mesh.
@@ -77,7 +80,10 @@ private:
     [[nodiscard]] bool has_its_checksum(const std::string& name, const MappedFile& file) const;
     void verify_faces() const;
     void verify_groups() const;
+    void check_boundary_count(std::uint64_t count) const;
     void verify_boundary() const;
+    void compare_boundary() const;
+    [[nodiscard]] bool has_boundary() const;
 
     std::filesystem::path directory_;
     AnyLost any_lost_;
@@ -88,6 +94,9 @@ private:
     std::map<std::string, Keeper> keepers_;    // with the keys of arrays_
     std::vector<Group> groups_;
     std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
+    // Made at the first use of the boundary:
+    mutable BoundaryFaceLists boundary_;      // if the mesh was stored without it
+    mutable std::vector<Index> no_neighbour_; // `none` for each boundary face
 
     // Runs a check until it has passed once. Thread-safe.
     class Verified {
@@ -105,7 +114,7 @@ private:
         std::mutex checking_;
         std::atomic<bool> done_ = false;
     };
-    mutable std::map<std::string, Verified> verified_; // by name of an array of ids; "faces"; "groups"
+    mutable std::map<std::string, Verified> verified_; // by name of an array of ids; "faces"; "groups"; "boundary"
 };
 
 } // namespace ciel::store

@@ -50,4 +50,9 @@ inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     
 // Arrays of solver ids, which a mesh has only if its source has them. Each is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
 
+// The boundary faces of a mesh, which a CIEL that stored none may have written. Each is one chunk.
+inline constexpr const char* boundary_group = "boundary";
+inline constexpr const char* boundary_arrays[] = {"boundary/face_offset", "boundary/face_vertex", "boundary/owner",
+                                                  "boundary/face"};
+
 } // namespace ciel::store::layout

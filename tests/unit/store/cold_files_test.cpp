@@ -1,6 +1,7 @@
 // What opening and a surface read from the disk, as the system's page cache tells: opening reads no record and no
 // array, and a surface reads what it crosses.
 #include "ciel/extract.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "store/loaded.hpp"
 #include "support/store_box/box.hpp"
 
@@ -100,6 +101,18 @@ TEST_F(ColdFilesTest, ASurfaceReadsWhatItCrosses) {
     EXPECT_LE(cached_in("arrays/U/0.0"), 3U << 16U);
     EXPECT_LE(cached_in("positions"), 3U << 16U);
     for (const char* unused : {"blocks/around", "blocks/mates", "face_vertex", "owner", "arrays/p/2.0", "arrays/cell"})
+        EXPECT_EQ(cached_in(unused), 0U) << unused;
+}
+
+TEST_F(ColdFilesTest, TheBoundaryReadsNoOtherFace) {
+    const auto dataset = Dataset::open(directory);
+    const BoundaryFaces boundary = dataset->boundary(0, 0);
+    const std::vector<CellFace> some{{0, boundary.mesh.owner[0]}, {1, boundary.mesh.owner[1]}};
+    EXPECT_EQ(face_surface(boundary.mesh, some).polygon_face.size(), 2U);
+    EXPECT_GT(cached_in("boundary/face_vertex"), 0U);
+    EXPECT_LE(cached_in("positions"), 2U << 16U);
+    for (const char* unused : {"meshes/0/face_offset", "meshes/0/face_vertex", "meshes/0/owner", "meshes/0/neighbour",
+                               "blocks", "arrays", "cell_types"})
         EXPECT_EQ(cached_in(unused), 0U) << unused;
 }
 

@@ -72,6 +72,19 @@ Damage poke(const char* name, std::size_t index, T value) {
     };
 }
 
+// Gives a topology array of 32-bit ids another length, with a checksum that is right.
+Damage resize_array(const char* name, std::size_t entries) {
+    return [=](const fs::path& d) {
+        const fs::path mesh = d / "meshes/0";
+        edit((std::string("meshes/0/") + name + "/.zarray").c_str(),
+             [&](json& j) { j["shape"] = j["chunks"] = {entries}; })(d);
+        std::string content = test::read_file(mesh / name / "0");
+        content.resize(entries * sizeof(std::uint32_t));
+        test::overwrite_file(mesh / name / "0", content);
+        edit("meshes/0/.zattrs", [&](json& j) { j["ciel"]["checksums"][name] = checksum(bytes_of(content)); })(d);
+    };
+}
+
 Damage poke_position(float value) {
     return [=](const fs::path& d) {
         const fs::path chunk = d / "meshes/0/positions/0.0.0";
@@ -256,6 +269,18 @@ const std::vector<Malformed> table{
     {"offsets not from zero", poke<std::uint64_t>("face_offset", 0, 4), "face_offset/0", "does not span"},
     {"offsets backwards", poke<std::uint64_t>("face_offset", 2, 1000000), "face_offset/0", "three corners"},
     {"face of two corners", poke<std::uint64_t>("face_offset", 1, 2), "face_offset/0", "three corners"},
+    {"boundary array missing", remove("meshes/0/boundary/owner"), "boundary/owner", "is missing"},
+    {"boundary of other sizes", resize_array("boundary/owner", 23), "boundary/owner/0", "23 entries where 24"},
+    {"boundary vertex out of range", poke<std::uint32_t>("boundary/face_vertex", 3, 27), "boundary/face_vertex/0",
+     "holds index 27"},
+    {"boundary owner out of range", poke<std::uint32_t>("boundary/owner", 23, 8), "boundary/owner/0", "holds index 8"},
+    {"boundary owners not sorted", poke<std::uint32_t>("boundary/owner", 0, 7), "boundary/owner/0", "not sorted"},
+    {"boundary offsets backwards", poke<std::uint64_t>("boundary/face_offset", 2, 1000000), "boundary/face_offset/0",
+     "three corners"},
+    {"boundary faces not sorted", poke<std::uint32_t>("boundary/face", 1, 0), "boundary/face/0", "not sorted"},
+    {"boundary face out of range", poke<std::uint32_t>("boundary/face", 23, 36), "boundary/face/0", "holds index 36"},
+    {"boundary of other faces", poke<std::uint32_t>("boundary/face_vertex", 3, 26), "boundary/face_vertex/0",
+     "differs from the faces"},
     {"unknown cell type", poke<std::uint8_t>("cell_types", 2, 11), "cell_types/0", "cell type"},
     {"group out of range", poke<std::uint32_t>("groups/1", 0, 8), "groups/1/0", "holds index 8"},
     {"coordinate not finite", poke_position(std::numeric_limits<float>::infinity()), "positions/0.0.0", "not finite"},

@@ -31,8 +31,9 @@ struct FaceMeshView {
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
     std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if somebody else does
-    // Null if all positions can be read. If not, extraction, slices and gradients load those that they use. All other
-    // functions need loader->load of all vertices before.
+    // Null if all positions can be read. If not, extraction, slices, gradients and what takes faces (face_surface,
+    // boundary_faces_at, size_of_faces) load those that they use. All other functions need loader->load of all vertices
+    // before.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
@@ -41,6 +42,11 @@ struct FaceMeshView {
     // Returns what is added to a stored position to make it relative to surface_origin.
     [[nodiscard]] Vec3d surface_shift() const {
         return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
+    }
+    // Makes the positions of these vertices ready to be read. Throws Error when they cannot be read.
+    void load(std::span<const Index> vertices) const {
+        if (loader == nullptr) return;
+        for (const Index vertex : vertices) loader->load(vertex, vertex + 1);
     }
     [[nodiscard]] Ids loop(Index face) const {
         const std::uint64_t begin = face_offset[face], end = face_offset[std::size_t{face} + 1];

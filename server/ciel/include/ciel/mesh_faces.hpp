@@ -21,7 +21,8 @@ namespace ciel {
                                                       double tolerance);
 
 // Returns the first of the faces `ids` that has all of these vertices, or `none`.
-[[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, const Ids& ids, std::span<const Index> vertices);
+[[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, std::span<const Index> ids,
+                                       std::span<const Index> vertices);
 
 // Returns the vertices of all kept cells in ascending order, as points without polygons.
 [[nodiscard]] Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
@@ -30,6 +31,6 @@ struct FacesSize {
     Vec3d low{}, high{}; // corners of the bounding box, in the mesh's coordinates; infinite if there are no faces
     double area = 0;     // sum of the faces' areas; a bent face counts with the length of its area vector
 };
-[[nodiscard]] FacesSize size_of_faces(const FaceMeshView& mesh, const Ids& ids);
+[[nodiscard]] FacesSize size_of_faces(const FaceMeshView& mesh, std::span<const Index> ids);
 
 } // namespace ciel

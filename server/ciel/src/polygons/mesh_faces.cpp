@@ -28,15 +28,18 @@ std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> i
 
 std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level, double tolerance) {
     std::vector<CellFace> faces;
-    for (Index face = 0; face < mesh.face_count(); ++face)
-        if (mesh.neighbour[face] == none && std::ranges::all_of(mesh.loop(face), [&](Index vertex) {
-                return std::abs(field.value(vertex) - level) <= tolerance;
-            }))
+    std::vector<Index> loop;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        if (mesh.neighbour[face] != none) continue;
+        read_loop(mesh, face, loop);
+        mesh.load(loop);
+        if (std::ranges::all_of(loop, [&](Index vertex) { return std::abs(field.value(vertex) - level) <= tolerance; }))
             faces.push_back({face, mesh.owner[face]});
+    }
     return faces;
 }
 
-Index face_with_vertices(const FaceMeshView& mesh, const Ids& ids, std::span<const Index> vertices) {
+Index face_with_vertices(const FaceMeshView& mesh, std::span<const Index> ids, std::span<const Index> vertices) {
     const auto has_all = [&](Index face) {
         const Ids loop = mesh.loop(face);
         return std::ranges::all_of(
@@ -62,12 +65,13 @@ Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t
     return out;
 }
 
-FacesSize size_of_faces(const FaceMeshView& mesh, const Ids& ids) {
+FacesSize size_of_faces(const FaceMeshView& mesh, std::span<const Index> ids) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     FacesSize size{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, 0};
     std::vector<Index> loop;
     for (const Index face : ids) {
         read_loop(mesh, face, loop);
+        mesh.load(loop);
         for (const Index vertex : loop) {
             const Vec3d at = mesh.origin + position(mesh, vertex);
             for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 #include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/polygon.hpp"
+#include "fields/sparse_array.hpp"
 
 #include <algorithm>
 
@@ -72,20 +73,22 @@ std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const 
 
 Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) {
     Surface surface;
-    std::vector<Index> local(mesh.vertex_count(), none);
+    SparseArray<Index> used(mesh.vertex_count()); // the number of points when the vertex was added
     const auto add = [&](Index vertex) {
-        if (local[vertex] == none) {
-            local[vertex] = static_cast<Index>(surface.positions.size());
+        Index& point = used.get()[vertex];
+        if (point == 0) {
             surface.positions.push_back(surface_position(mesh, vertex));
             surface.points.push_back({vertex, vertex, 0});
+            point = static_cast<Index>(surface.points.size());
         }
-        surface.polygon_vertex.push_back(local[vertex]);
+        surface.polygon_vertex.push_back(point - 1);
     };
     std::vector<Index> loop;
     for (const auto& [face, cell] : faces) {
         const Ids stored = mesh.loop(face);
         loop.assign(stored.begin(), stored.end());
         if (!is_polygon(loop)) continue;
+        mesh.load(loop);
         if (cell == mesh.owner[face])
             std::for_each(loop.begin(), loop.end(), add);
         else

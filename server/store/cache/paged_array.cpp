@@ -1,0 +1,67 @@
+#include "store/cache/paged_array.hpp"
+
+#include "store/files/files.hpp"
+#include "store/format/checksum.hpp"
+#include "store/format/zarr_array.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ciel::store {
+
+namespace fs = std::filesystem;
+
+ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int components) {
+    const auto document = directory / layout::array_document;
+    const ZarrArray array = parse_zarr_array(read_text(document, layout::document_bytes), document);
+    std::vector<std::uint64_t> of_step{items};
+    if (components > 1) of_step.push_back(static_cast<std::uint64_t>(components));
+    const auto is_step = [&](const std::vector<std::uint64_t>& extents) {
+        return std::equal(extents.begin() + 1, extents.end(), of_step.begin(), of_step.end());
+    };
+    const bool is_real = array.type == ElementType::f4 || array.type == ElementType::f8;
+    if (!is_real || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
+        refuse(document, "does not hold one chunk of float32 or float64 per step, of " + std::to_string(items) + " x " +
+                             std::to_string(components) + " values");
+    return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
+}
+
+std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t chunk, const std::string& sum,
+                                       std::size_t scalars, std::size_t blocks, const std::string& dataset_id) {
+    const auto file = layout::value_ranges(array.directory, chunk);
+    std::error_code error;
+    if (sum.empty() || !fs::exists(file, error)) return std::nullopt;
+    return parse_value_ranges(bytes_of(read_text(file, layout::ranges_bytes)), dataset_id, scalars, blocks,
+                              array.chunk_bytes, checksum_number(sum), file);
+}
+
+PageChecks page_checks(const ArrayLayout& array, const std::string& sum, std::optional<ValueRanges> ranges) {
+    if (ranges && !ranges->page_checksums.empty()) return {checksum_page_bytes, std::move(ranges->page_checksums)};
+    PageChecks whole;
+    whole.page_bytes = std::max<std::size_t>(array.chunk_bytes, 1);
+    if (!sum.empty()) whole.checksums = {checksum_number(sum)};
+    return whole;
+}
+
+void refuse_infinite(std::span<const std::byte> page, bool doubles, const fs::path& file) {
+    const auto check = [&]<class T>(const T* begin) {
+        if (!std::all_of(begin, begin + page.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
+            refuse(file, "holds a coordinate that is not finite");
+    };
+    if (doubles)
+        check(reinterpret_cast<const double*>(page.data()));
+    else
+        check(reinterpret_cast<const float*>(page.data()));
+}
+
+PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles) {
+    const MappedFile& file = chunk->file();
+    return {doubles ? ValuesView(file.as<double>()) : ValuesView(file.as<float>()), std::move(chunk)};
+}
+
+Values loaded(PagedValues paged) {
+    if (paged.file) paged.file->load_all();
+    return {paged.values, std::move(paged.file)};
+}
+
+} // namespace ciel::store
