@@ -6,7 +6,6 @@
 #include "limits/machine_memory.hpp"
 #include "limits/memory_reserve.hpp"
 #include "logging/log.hpp"
-#include "probe/locators.hpp"
 #include "protocol/json.hpp"
 #include "sessions/notify.hpp"
 #include "store/files/files.hpp"
@@ -42,7 +41,6 @@ struct Server::State {
     FrameWorkers workers, picture_workers;
     Services services;
     Sessions sessions;
-    probe::Locators locators;
     Uploads uploads;
     SlowCalls slow_calls;
     std::stop_source calls; // a stop request cancels the slow calls in progress
@@ -93,9 +91,7 @@ struct Server::State {
         limits::keep_memory_in_reserve();
     }
 
-    void release_unused(Clock::time_point unused_since) {
-        if (catalog.give_back(unused_since) > 0) locators.forget();
-    }
+    void release_unused(Clock::time_point unused_since) { (void)catalog.give_back(unused_since); }
 
     [[nodiscard]] std::uint64_t dataset_bytes() const {
         std::uint64_t bytes = 0;
@@ -143,7 +139,6 @@ struct Server::State {
             text = sessions::notification_text(note);
         }
         connections.send_all(text);
-        locators.forget_lost();
         sessions.dataset_changed(dataset);
     }
 };
@@ -158,7 +153,6 @@ Sessions& Server::sessions() { return state_->sessions; }
 FrameWorkers& Server::frame_workers() { return state_->workers; }
 FrameWorkers& Server::picture_workers() { return state_->picture_workers; }
 Metrics& Server::counters() { return state_->metrics; }
-probe::Locators& Server::locators() { return state_->locators; }
 SlowCalls& Server::slow_calls() { return state_->slow_calls; }
 Uploads& Server::uploads() { return state_->uploads; }
 limits::Memory& Server::memory() { return state_->memory; }

@@ -17,9 +17,6 @@
 namespace ciel::limits {
 class Memory; // limits/memory.hpp
 }
-namespace ciel::probe {
-class Locators; // probe/locators.hpp
-}
 
 namespace ciel::engine {
 
@@ -58,7 +55,6 @@ public:
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
     [[nodiscard]] const Services& services() const;
-    [[nodiscard]] probe::Locators& locators();
     [[nodiscard]] SlowCalls& slow_calls();
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();

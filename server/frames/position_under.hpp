@@ -1,9 +1,9 @@
 // Finds the world position under a pixel of a picture, from the depth buffer.
 #pragma once
 
+#include "ciel/cell_locator.hpp"
 #include "geometry/geometry.hpp"
 #include "geometry/view_size.hpp"
-#include "probe/locators.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 

@@ -84,11 +84,13 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     const auto [low, high] = field.field->range();
     value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
     values = stored.has_doubles() ? store::Values(floats_from(value_origin, stored)) : stored;
-    limits = cell_limits(field.mesh(), values.floats());
+    limits = cell_limits(*field.topology, values.floats());
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
             if (sound->kept[cell] == 0) limits[cell] = not_filled;
-    boundary = std::make_shared<const SlabMesh>(slab_boundary(field.mesh(), {values.floats(), gradients, limits}));
+    const bool all_filled = std::ranges::find(limits, not_filled) == limits.end();
+    boundary = std::make_shared<const SlabMesh>(
+        slab_boundary(all_filled ? field.boundary().mesh : field.mesh(), {values.floats(), gradients, limits}));
     key = wanted;
 }
 

@@ -5,7 +5,6 @@
 #include "engine/services.hpp"
 #include "engine/sessions.hpp"
 #include "limits/errors.hpp"
-#include "probe/locators.hpp"
 #include "protocol/methods.hpp"
 
 #include <chrono>

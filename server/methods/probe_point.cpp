@@ -50,7 +50,7 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     const auto dataset = source.version().checked.dataset();
     if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append a step");
     const std::size_t step = dataset->step_at(source.version().scene().time);
-    const auto locator = context.server.locators().get(dataset, step);
+    const auto locator = source.version().checked.loaded()->locator(step);
 
     std::optional<Vec3d> position = params.position;
     std::shared_ptr<const geometry::Geometry> geometry;

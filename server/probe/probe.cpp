@@ -10,30 +10,31 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-double scalar_at(ValuesView values, const store::ArrayInfo& array, Index item, const store::ScalarName& name) {
-    const auto width = static_cast<std::size_t>(array.components);
-    return store::scalar_of(array, values.subview(width * item, width), name);
-}
-
 // True if the cell blew up. Its corners have the values of its neighbours and do not show that.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
-    const auto values = dataset.values(store::parse_scalar(dataset, of_cells).array, step);
-    const auto width = static_cast<std::size_t>(array.components);
-    return !values.empty() && std::ranges::any_of(values.subview(width * cell, width), store::went_wrong);
+    const store::ArrayInfo& cells = *dataset.find(store::parse_scalar(dataset, of_cells).array);
+    const store::PagedValues values = dataset.values_to_load(cells.name, step);
+    return values.file != nullptr && std::ranges::any_of(store::scalars_of(cells), [&](const store::ScalarName& name) {
+               return !name.magnitude &&
+                      store::went_wrong(store::StoredScalar(cells, name, values).of(std::span(&cell, 1))[0]);
+           });
 }
 
 // The weighted sum of the values of vertices, or of one cell.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const VertexWeights& weights, bool is_wrong, Probed& out) {
-    const auto values = dataset.values(array.name, step);
+    const store::PagedValues values = dataset.values_to_load(array.name, step);
+    std::vector<Index> items;
+    for (const auto& [item, share] : weights) items.push_back(item);
     for (const std::string& scalar : store::scalar_names(array)) {
         out.values[scalar] = std::nullopt;
-        if (values.empty() || is_wrong) continue;
-        const store::ScalarName name = store::parse_scalar(dataset, scalar);
+        if (values.file == nullptr || is_wrong) continue;
+        const store::Values of_items =
+            store::StoredScalar(array, store::parse_scalar(dataset, scalar), values).of(items);
         double sum = 0;
-        for (const auto& [item, share] : weights) sum += share * scalar_at(values, array, item, name);
+        for (std::size_t i = 0; i < items.size(); ++i) sum += weights[i].second * of_items[i];
         out.values[scalar] = finite(sum);
     }
 }
@@ -44,6 +45,7 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator&
     Probed out;
     out.position = position;
     const Index cell = locator.cell_at(position);
+    dataset.check_intact();
     if (cell == none) return out;
     const std::size_t mesh = dataset.steps()[step].mesh;
     out.cell = dataset.original_cell(mesh)[cell];

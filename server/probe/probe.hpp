@@ -1,7 +1,6 @@
 // Values at a point.
 #pragma once
 
-#include "probe/locators.hpp"
 #include "store/loaded.hpp"
 
 #include <map>
@@ -17,7 +16,8 @@ struct Probed {
     std::map<std::string, std::optional<double>> values;    // nothing where not written at this step, or not a number
 };
 
-// Point scalars are interpolated in the cell; cell scalars are the cell's.
+// Point scalars are interpolated in the cell; cell scalars are the cell's. Reads the pages of these values. `locator`:
+// of the mesh and the coordinates of the step. Throws Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

@@ -332,6 +332,21 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
     return *counted;
 }
 
+std::shared_ptr<const CellLocator> LoadedDataset::locator(std::size_t step) {
+    struct Held {
+        std::shared_ptr<const Dataset> dataset;
+        std::shared_ptr<const Topology> topology;
+        CellLocator locator;
+    };
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    const auto of_mesh = topology(at.mesh);
+    auto held = std::make_shared<const Held>(
+        Held{of, of_mesh,
+             CellLocator(*of_mesh, of->points_to_load(at.mesh, at.coordinates), state_->boxes(*of, at, *of_mesh))});
+    return {held, &held->locator};
+}
+
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);

@@ -1,6 +1,7 @@
 // LoadedDataset: a dataset in memory, shared by all sessions. Keeps one Topology per mesh and a cache of Fields.
 #pragma once
 
+#include "ciel/cell_locator.hpp"
 #include "ciel/field.hpp"
 #include "store/stored_scalar.hpp"
 
@@ -62,6 +63,8 @@ public:
     // Returns the number of cells that have a corner with a NaN or infinite result, for a scalar that the imported file
     // has on points; 0 for other scalars. Cuts leave these cells out.
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
+    // Returns the locator of the cells at a step, which keeps alive all that it reads.
+    [[nodiscard]] std::shared_ptr<const CellLocator> locator(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 

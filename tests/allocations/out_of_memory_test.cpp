@@ -255,7 +255,7 @@ TEST_P(SweepOutOfMemory, OfAnOutline) { expect_right(OutlineSink{}); }
 TEST_P(SweepOutOfMemory, OfASlice) { expect_right(SliceSink{data.values[1]}); }
 TEST_P(SweepOutOfMemory, OfASlab) {
     const std::vector<Vec3f> gradients = vertex_gradients(data.topology, data.assembled.mesh.view(), data.values[1]);
-    const std::vector<std::array<float, 2>> limits = cell_limits(data.assembled.mesh.view(), data.values[1]);
+    const std::vector<std::array<float, 2>> limits = cell_limits(data.topology, data.values[1]);
     expect_right(SlabSink{{data.values[1], gradients, limits}});
 }
 

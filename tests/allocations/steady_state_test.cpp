@@ -117,7 +117,7 @@ TEST_P(SteadySweep, OfAnOutline) { expect_none(OutlineSink{}); }
 TEST_P(SteadySweep, OfASlice) { expect_none(SliceSink{others}); }
 TEST_P(SteadySweep, OfASlab) {
     const std::vector<Vec3f> gradients = vertex_gradients(topology, mesh, others);
-    const std::vector<std::array<float, 2>> limits = cell_limits(mesh, others);
+    const std::vector<std::array<float, 2>> limits = cell_limits(topology, others);
     expect_none(SlabSink{{others, gradients, limits}});
 }
 

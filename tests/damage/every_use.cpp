@@ -74,10 +74,8 @@ void EveryUse::show_layers() {
             (void)frames::frame_of(*shown, scene::parse({{"dataset", name_}}), 64, 64, 1);
         });
     attempt("default scene", [&] { (void)geometry::default_scene(*loaded, name_); });
-    attempt("probe", [&] {
-        const CellLocator locator(dataset_->mesh(0, 0));
-        (void)probe::probe(*dataset_, 0, locator, place_inside(dataset_->info().meshes[0]));
-    });
+    attempt("probe",
+            [&] { (void)probe::probe(*dataset_, 0, *loaded->locator(0), place_inside(dataset_->info().meshes[0])); });
 }
 
 // Uses the server's own copy of the dataset.

@@ -123,7 +123,7 @@ private:
         std::vector<SliceSink::Out> slices;
         std::vector<SlabSink::Out> slabs;
         const std::vector<float>& property = values_[1 - current_];
-        const auto limits = cell_limits(mesh_, property);
+        const auto limits = cell_limits(topology_, property);
         const SlabProperty of_slab{property, gradient_[1 - current_], limits};
         // Buffers left from a sweep through the other field must not affect the result.
         SweepParts<SoupSink> kept;

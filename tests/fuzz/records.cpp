@@ -49,6 +49,7 @@ void use(const Topology& topology, const Sample& from) {
         (void)all_operators(topology);
         (void)cut_in_all_ways(topology, from.assembled.mesh.view(), from.values);
         (void)vertex_gradients(topology, from.assembled.mesh.view(), from.values);
+        probe_some(topology, from.assembled.mesh.view());
     } catch (const Error& error) {
         require(says_what_to_do(error.what()), error.what());
     }

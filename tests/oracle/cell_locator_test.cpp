@@ -1,6 +1,7 @@
 #include "ciel/cell_locator.hpp"
 
 #include "ciel/assemble.hpp"
+#include "ciel/cell_faces.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -10,6 +11,10 @@
 
 namespace ciel {
 namespace {
+
+CellLocator locator_of(const Topology& topology, const FaceMeshView& mesh) {
+    return {topology, mesh, std::make_shared<const BlockBoxes>(block_boxes(topology, mesh.positions))};
+}
 
 class CellLocators : public testing::TestWithParam<test::NamedMesh> {};
 
@@ -32,7 +37,8 @@ TEST_P(CellLocators, WeightsAreExactForALinearField) {
     const test::LinearField field{{1, -2, 0.5}, 3};
     const Assembled assembled = assemble(test::view(GetParam().make()));
     const FaceMeshView mesh = assembled.mesh.view();
-    const CellLocator locator(mesh);
+    const Topology topology(mesh, {7});
+    const CellLocator locator = locator_of(topology, mesh);
     if (mesh.cell_count() == 0) {
         EXPECT_EQ(locator.cell_at({0, 0, 0}), none);
         return;
@@ -55,13 +61,43 @@ TEST_P(CellLocators, WeightsAreExactForALinearField) {
     EXPECT_GE(found, GetParam().planar_faces ? 40 : 30);
 }
 
+// The blocks, and the loops that they store, do not decide where a point is.
+TEST_P(CellLocators, FindTheSameCellWithBlocksOfAnySize) {
+    const Assembled assembled = assemble(test::view(GetParam().make()));
+    const FaceMeshView mesh = assembled.mesh.view();
+    if (mesh.cell_count() == 0) return;
+    const Topology one(mesh), many(mesh, {5});
+    const CellLocator of_one = locator_of(one, mesh), of_many = locator_of(many, mesh);
+    std::mt19937 random(6);
+    int inside = 0;
+    for (int i = 0; i < 60; ++i) {
+        Vec3d at{};
+        for (const double share : {0.1173, 0.2391, 0.3118, 0.3318}) { // a place between two cells may be in either
+            const Vec3d vertex = vertex_at(mesh, random() % mesh.vertex_count());
+            for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += share * vertex[axis];
+        }
+        const Index cell = of_one.cell_at(at);
+        ASSERT_EQ(of_many.cell_at(at), cell);
+        if (cell == none) continue;
+        ++inside;
+        EXPECT_EQ(of_many.nearest_vertex(cell, at), of_one.nearest_vertex(cell, at));
+        EXPECT_EQ(of_many.weights_in(cell, at).size(), of_one.weights_in(cell, at).size());
+    }
+    EXPECT_GT(inside, 0);
+    EXPECT_THROW((void)of_many.nearest_vertex(static_cast<Index>(mesh.cell_count()), {}), Error);
+    if (many.block_count() == 1) return;
+    const auto of_other = std::make_shared<const BlockBoxes>(block_boxes(many, mesh.positions));
+    EXPECT_THROW(CellLocator(one, mesh, of_other), Error);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, CellLocators, testing::ValuesIn(test::all_meshes()),
                          [](const auto& each) { return each.param.name; });
 
 TEST(CellLocator, KnowsCellsTheirNearestVertexAndTheOutside) {
     const Assembled assembled = assemble(test::view(test::tetrahedra({{4, 4, 4}})));
     const FaceMeshView mesh = assembled.mesh.view();
-    const CellLocator locator(mesh);
+    const Topology topology(mesh, {50});
+    const CellLocator locator = locator_of(topology, mesh);
     const CellFaces faces = cell_faces(mesh);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         Vec3d middle{};

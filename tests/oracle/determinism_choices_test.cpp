@@ -157,7 +157,7 @@ TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
         const Field field = make_field(mesh.topology, mesh.stored(values));
         const std::vector<float> property = mesh.stored(others);
         const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
         std::vector<SlabSink::Out> found;
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
         for (std::size_t i = 0; i < walk.size(); ++i) {
@@ -177,7 +177,7 @@ TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
         const Field field = make_field(mesh.topology, mesh.stored(values));
         const std::vector<float> property = mesh.stored(others);
         const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
         std::vector<SlabSink::Out> found;
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
         if (expected.empty()) expected = found;

@@ -248,7 +248,8 @@ TEST_F(BoundaryLayer, IsSlicedCellByCell) {
 }
 
 TEST_F(BoundaryLayer, HasTheCellsAndGradientsOfItsHeights) {
-    const CellLocator locator(mesh.mesh());
+    const CellLocator locator(mesh.topology, mesh.mesh(),
+                              std::make_shared<const BlockBoxes>(block_boxes(mesh.topology, mesh.mesh().positions)));
     std::vector<float> values(box.vertex_count());
     for (Id v = 0; v < values.size(); ++v) values[v] = static_cast<float>(points[3 * std::size_t{v} + 2] - wall);
     const std::vector<Vec3f> gradients = vertex_gradients(mesh.topology, mesh.mesh(), mesh.stored(values));

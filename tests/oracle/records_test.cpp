@@ -139,6 +139,7 @@ TEST_P(Records, ThatAreDamagedAreRefusedOrHarmless) {
             (void)all_operators(copy);
             (void)cut_in_all_ways(copy, mesh.mesh(), values);
             (void)vertex_gradients(copy, mesh.mesh(), values);
+            probe_some(copy, mesh.mesh());
         } catch (const Error& error) {
             EXPECT_TRUE(says_what_to_do(error.what())) << error.what();
         }

@@ -133,6 +133,18 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
     }
 }
 
+std::vector<std::array<float, 2>> limits_of_faces(const FaceMeshView& mesh, std::span<const float> values,
+                                                  const std::vector<bool>& is_empty) {
+    std::vector<std::array<float, 2>> limits(mesh.cell_count(), not_filled);
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
+            if (cell != none && !is_empty[cell])
+                for (const Index vertex : mesh.loop(face))
+                    limits[cell] = {std::min(limits[cell][0], values[vertex]),
+                                    std::max(limits[cell][1], values[vertex])};
+    return limits;
+}
+
 // NaN and infinite values count as missing. The slab is finite and covers every cell whose vertices all have values.
 TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -141,7 +153,7 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
     for (std::size_t v = 7; v < property.size(); v += 29) property[v] = infinity;
     for (std::size_t v = 9; v < property.size(); v += 31) property[v] = -infinity;
     const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-    const std::vector<std::array<float, 2>> limits = cell_limits(mesh.mesh(), property);
+    const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
     std::vector<bool> is_empty(mesh.mesh().cell_count());
     const FaceMeshView faces = mesh.mesh();
     for (Index face = 0; face < faces.face_count(); ++face)
@@ -150,6 +162,7 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
                 is_empty[faces.owner[face]] = true;
                 if (faces.neighbour[face] != none) is_empty[faces.neighbour[face]] = true;
             }
+    ASSERT_EQ(limits, limits_of_faces(faces, property, is_empty));
     std::vector<SlabSink::Out> out;
     ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SlabSink{{property, gradient, limits}}, out, {}, how));
     for (std::size_t i = 0; i < values.size(); ++i) {

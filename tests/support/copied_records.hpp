@@ -1,10 +1,12 @@
 // A topology's records as they would come from a file, and everything that reads them.
 #pragma once
 
+#include "ciel/cell_locator.hpp"
 #include "ciel/extract.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -23,7 +25,7 @@ public:
 
     Bytes tables;
     std::map<std::pair<Index, RecordKind>, Bytes> records;
-    int reads = 0;
+    std::atomic<int> reads = 0;
 };
 
 inline CopiedRecords::CopiedRecords(const Topology& topology) : tables(topology.tables()) {
@@ -56,6 +58,20 @@ inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind 
             add(h, topology.vertex(h), topology.edge(h), topology.next_around_face(h), topology.next_around_vertex(h),
                 topology.mate_face(h), topology.mate_polyhedron(h), topology.cell(h));
     return found;
+}
+
+// Looks for the cells at some vertices, and for what is known of places in these.
+inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
+    const CellLocator locator(topology, mesh,
+                              std::make_shared<const BlockBoxes>(block_boxes(topology, mesh.positions)));
+    for (std::size_t vertex = 0; vertex < mesh.vertex_count(); vertex += 1 + mesh.vertex_count() / 8) {
+        Vec3d place = mesh.origin;
+        for (std::size_t axis = 0; axis < 3; ++axis) place[axis] += mesh.positions[3 * vertex + axis];
+        const Index cell = locator.cell_at(place);
+        if (cell == none) continue;
+        (void)locator.nearest_vertex(cell, place);
+        (void)locator.weights_in(cell, place);
+    }
 }
 
 // Extracts three surfaces with each algorithm, with gradient normals, and one of every second block. Returns the last

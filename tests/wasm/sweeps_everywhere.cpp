@@ -21,7 +21,7 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
     const auto soup = swept(SoupSink{}), outline = swept(OutlineSink{});
     const auto slices = swept(SliceSink{fields.others});
     const std::vector<Vec3f> gradient = vertex_gradients(meshes.topology, meshes.view(), fields.others);
-    const std::vector<std::array<float, 2>> limits = cell_limits(meshes.view(), fields.others);
+    const std::vector<std::array<float, 2>> limits = cell_limits(meshes.topology, fields.others);
     const SlabProperty property{fields.others, gradient, limits};
     const auto slabs = swept(SlabSink{property});
     for (std::size_t i = 0; i < fields.walk.size(); ++i) {

@@ -22,7 +22,8 @@ protected:
     static void TearDownTestSuite() { folder.reset(); }
     static std::unique_ptr<test::Folder> folder;
     std::shared_ptr<store::Dataset> dataset = store::Dataset::open(folder->path() / "box.ciel");
-    CellLocator locator{dataset->mesh(0, 0)};
+    const std::shared_ptr<const CellLocator> kept = store::LoadedDataset(dataset, 1U << 24).locator(0);
+    const CellLocator& locator = *kept;
 };
 std::unique_ptr<test::Folder> probe_points::folder;
 
@@ -79,7 +80,7 @@ TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
     writer.add_step(0, 0, 0, std::vector<store::ArrayValues>{{info, velocity}});
     writer.finish();
     const auto dataset = store::Dataset::open(scratch.path() / "m.ciel");
-    const Probed probed = probe(*dataset, 0, CellLocator(dataset->mesh(0, 0)), {0.5, 0.5, 0.5});
+    const Probed probed = probe(*dataset, 0, *store::LoadedDataset(dataset, 1U << 24).locator(0), {0.5, 0.5, 0.5});
     EXPECT_EQ(probed.values.at("cell:U:x"), 3);
     EXPECT_EQ(probed.values.at("cell:U:z"), -4);
     EXPECT_EQ(probed.values.at("cell:U:magnitude"), 5);

@@ -23,7 +23,7 @@ public:
             values_.push_back(
                 static_cast<float>(property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
         gradients_ = vertex_gradients(topology_, mesh_.view(), values_);
-        limits_ = cell_limits(mesh_.view(), values_);
+        limits_ = cell_limits(topology_, values_);
         boundary_ = slab_boundary(mesh_.view(), {values_, gradients_, limits_});
     }
 

@@ -116,6 +116,20 @@ TEST_F(ColdFilesTest, TheBoundaryReadsNoOtherFace) {
         EXPECT_EQ(cached_in(unused), 0U) << unused;
 }
 
+TEST_F(ColdFilesTest, AProbeReadsTheBlockThatItIsIn) {
+    LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
+    const auto locator = loaded.locator(0);
+    EXPECT_EQ(cached_in(""), 0U) << "a locator that nobody has asked";
+    const Vec3d place{3.5, 2.5, 1.25};
+    const Index cell = locator->cell_at(place);
+    ASSERT_NE(cell, none);
+    EXPECT_EQ(locator->weights_in(cell, place).size(), 8U + 4U + 2U);
+    EXPECT_LT(cached_in("blocks/cells"), size_of("blocks/cells") / 4);
+    EXPECT_LE(cached_in("positions"), 3U << 16U);
+    for (const char* unused : {"blocks/around", "blocks/mates", "face_vertex", "owner", "arrays"})
+        EXPECT_EQ(cached_in(unused), 0U) << unused;
+}
+
 TEST_F(ColdFilesTest, AHistogramReadsNoValue) {
     LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
     for (const char* scalar : {"p", "U:magnitude", "U:y", "cell:p"})

@@ -1,9 +1,10 @@
 // The cell that contains a point, and the weights of the cell's vertices there. Not in the paper.
 #pragma once
 
-#include "ciel/cell_faces.hpp"
+#include "ciel/block_ranges.hpp"
+#include "ciel/face_mesh.hpp"
 
-#include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,12 +12,14 @@ namespace ciel {
 
 using VertexWeights = std::vector<std::pair<Index, double>>; // vertex, share; the shares sum to 1
 
-// Reads the arrays of the mesh at each call; their owner must outlive the locator. Immutable, for any thread. Every
-// function throws Error when an index leads out of the mesh.
+// Immutable, for any thread. Keeps nothing of its own: each call reads the blocks whose box holds the position, and the
+// positions of their vertices. So a locator costs nothing to make. Every function throws Error when a record or a
+// position cannot be read.
 class CellLocator {
 public:
-    // Reads the whole mesh once. Keeps the faces of each cell and one bounding box for every 128 cells.
-    explicit CellLocator(const FaceMeshView& mesh);
+    // points: the mesh of the topology, with or without faces. boxes: what block_boxes returned for its positions. The
+    // topology and what `points` views must outlive the locator.
+    CellLocator(const Topology& topology, const FaceMeshView& points, std::shared_ptr<const BlockBoxes> boxes);
 
     // Returns the cell that contains a position, or `none`. A cell contains a point if its faces wind around the point
     // (solid angles after Van Oosterom and Strackee 1983), so a cell need not be convex. Each face is a fan around its
@@ -31,14 +34,9 @@ public:
     [[nodiscard]] Index nearest_vertex(Index cell, const Vec3d& position) const;
 
 private:
-    [[nodiscard]] std::vector<Index> vertices(Index cell) const;
-    [[nodiscard]] double winding(Index cell, const Vec3d& at) const; // in units of 4 pi: 1 inside, 0 outside
-    template <class Vertices>
-    [[nodiscard]] Vec3d centroid(const Vertices& vertices) const;
-
-    FaceMeshView mesh_;
-    CellFaces faces_;
-    std::vector<std::array<Vec3d, 2>> boxes_; // low and high corner around each run of 128 cells
+    const Topology* topology_;
+    FaceMeshView points_;
+    std::shared_ptr<const BlockBoxes> boxes_;
 };
 
 } // namespace ciel

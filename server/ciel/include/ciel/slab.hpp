@@ -30,7 +30,8 @@ inline constexpr std::array<float, 2> not_filled{std::numeric_limits<float>::inf
                                                  -std::numeric_limits<float>::infinity()};
 
 // Returns [min, max] of the values at the vertices of each cell; not_filled if one of them is NaN or infinite.
-[[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values);
+// `values`: one per vertex; throws Error on another number. Uses all threads of the parallel loop.
+[[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values);
 
 // The property on the whole mesh. Does not own its arrays.
 struct SlabProperty {
@@ -50,7 +51,8 @@ struct SlabSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Returns the boundary of all cells whose limits are not not_filled, wound outwards.
+// Returns the boundary of all cells whose limits are not not_filled, wound outwards. If all cells are filled, `mesh`
+// may have its boundary faces only.
 [[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
 
 } // namespace ciel

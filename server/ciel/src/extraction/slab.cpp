@@ -1,9 +1,12 @@
 #include "ciel/slab.hpp"
 
+#include "blocks/blocks.hpp"
+#include "blocks/cell_loops.hpp"
 #include "ciel/cell_geometry.hpp"
 #include "extraction/join_pieces.hpp"
 #include "extraction/polygon.hpp"
 #include "extraction/sink_arrays.hpp"
+#include "parallel/grain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,28 +109,23 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
 
 } // namespace
 
-std::vector<std::array<float, 2>> cell_limits(const FaceMeshView& mesh, std::span<const float> values) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    std::vector<std::array<float, 2>> limits(mesh.cell_count(), not_filled);
-    const auto widen = [&](Index cell, float low, float high) {
-        limits[cell] = {std::min(limits[cell][0], low), std::max(limits[cell][1], high)};
-    };
-    std::vector<Index> empty;
-    for (Index face = 0; face < mesh.face_count(); ++face) {
-        float low = infinity, high = -infinity;
-        bool has_values = true;
-        for (const Index vertex : mesh.loop(face)) {
-            has_values = has_values && std::isfinite(values[vertex]);
-            low = std::min(low, values[vertex]);
-            high = std::max(high, values[vertex]);
-        }
-        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]}) {
-            if (cell == none) continue;
-            widen(cell, low, high);
-            if (!has_values) empty.push_back(cell);
-        }
-    }
-    for (const Index cell : empty) limits[cell] = not_filled;
+std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values) {
+    require_size(values.size(), topology.counts().vertices, "values, one per vertex");
+    const Topology::Blocks& blocks = topology.blocks();
+    std::vector<std::array<float, 2>> limits(topology.counts().cells, not_filled);
+    parallel_for(blocks.count(), fair_grain(blocks.count(), 16), [&](std::size_t begin, std::size_t end) {
+        CellLoops loops;
+        for (std::size_t b = begin; b < end; ++b)
+            for_cells(blocks.cells(static_cast<Index>(b)), loops, [&](Index cell, const CellLoops& of_cell) {
+                std::array<float, 2> range = not_filled;
+                for (const Index vertex : of_cell.vertex) {
+                    const float value = values[vertex];
+                    if (!std::isfinite(value)) return;
+                    range = {std::min(range[0], value), std::max(range[1], value)};
+                }
+                limits[cell] = range;
+            });
+    });
     return limits;
 }
 
@@ -173,12 +171,13 @@ SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
         const Index owner = mesh.owner[face], neighbour = mesh.neighbour[face];
         if (filled(owner) == filled(neighbour)) continue;
         sides.push_back({face, filled(owner) ? owner : neighbour, filled(owner)});
-        for (const Index vertex : mesh.loop(face)) {
-            if (local[vertex] == none) {
-                local[vertex] = static_cast<Index>(out.vertices.size());
-                out.vertices.push_back(
-                    {surface_position(mesh, vertex), property.value[vertex], property.gradient[vertex], {}});
-            }
+        read_loop(mesh, face, loop);
+        mesh.load(loop);
+        for (const Index vertex : loop) {
+            if (local[vertex] != none) continue;
+            local[vertex] = static_cast<Index>(out.vertices.size());
+            out.vertices.push_back(
+                {surface_position(mesh, vertex), property.value[vertex], property.gradient[vertex], {}});
         }
     }
     FanWriter fans(out);
