@@ -8,7 +8,7 @@
 namespace ciel::store {
 
 void Histogram::add(ValuesView values) {
-    const auto [low, high] = range;
+    const double low = range[0], high = range[1];
     const auto bins = static_cast<double>(counts.size());
     const double scale = std::isfinite(high - low) ? 1 : 0.5; // the width of the widest ranges overflows a double
     const double width = high * scale - low * scale;
