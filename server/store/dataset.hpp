@@ -118,11 +118,9 @@ public:
 // Returns whether the array has a magnitude: the length of a vector of two or three components, or the Frobenius norm
 // of a tensor (an array with component names).
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
-// Returns the scalar of one item, rounded to the type of `tuple`, which has the components of the item. A magnitude is
-// no_value (no_value.hpp) if one component is.
-[[nodiscard]] double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& scalar);
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, ValuesView tuple);
-// Set `out` to that scalar of each tuple. `tuples`: the components, interleaved.
+// Set `out` to the scalar of each tuple. `tuples`: the components, interleaved. A magnitude is no_value (no_value.hpp)
+// if one component is.
 void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
 void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
                 std::span<double> out);

@@ -88,10 +88,6 @@ bool has_magnitude(const ArrayInfo& array) {
 
 double magnitude_of(const ArrayInfo& array, ValuesView tuple) { return magnitude_in(array, tuple); }
 
-double scalar_of(const ArrayInfo& array, ValuesView tuple, const ScalarName& scalar) {
-    return tuple.with([&](auto values) { return double{scalar_in(array, values, scalar)}; });
-}
-
 Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar) {
     const auto components = static_cast<std::size_t>(array.components);
     return values.with([&]<class T>(std::span<const T> all) {
