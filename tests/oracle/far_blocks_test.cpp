@@ -1,6 +1,5 @@
-// Blocks far behind the first 2^33 half-edges: a small mesh whose blocks come after made-up ones, which hold billions
-// of cells and which nobody can read. Ids are those of the small mesh, moved up; everything else is the same to the
-// bit.
+// Blocks far behind the first 2^33 half-edges. The blocks of a small mesh come after made-up blocks of billions of
+// cells, which have no records. The results are those of the small mesh to the bit, with ids moved up.
 #include "blocks/block_tables.hpp"
 #include "ciel/cell_locator.hpp"
 #include "oracle/kernel_mesh.hpp"

@@ -12,9 +12,9 @@ namespace ciel {
 
 using VertexWeights = std::vector<std::pair<Index, double>>; // vertex, share; the shares sum to 1
 
-// Immutable, for any thread. Keeps nothing of its own: each call reads the blocks whose box holds the position, and the
-// positions of their vertices. So a locator costs nothing to make. Every function throws Error when a record or a
-// position cannot be read.
+// Immutable, for any thread. Each call reads the blocks whose box holds the position, and their vertices. Nothing is
+// kept between calls, so a locator costs nothing to make. Every function throws Error when a record or a position
+// cannot be read.
 class CellLocator {
 public:
     // points: the mesh of the topology, with or without faces. boxes: what block_boxes returned for its positions. The

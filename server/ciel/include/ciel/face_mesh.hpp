@@ -31,9 +31,9 @@ struct FaceMeshView {
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
     std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if somebody else does
-    // Null if all positions can be read. If not, extraction, slices, gradients and what takes faces (face_surface,
-    // boundary_faces_at, size_of_faces) load those that they use. All other functions need loader->load of all vertices
-    // before.
+    // Null if all positions can be read. If not, extraction, slices, gradients, CellLocator, face_surface,
+    // boundary_faces_at, size_of_faces and slab_boundary load those that they use. All other functions need
+    // loader->load of all vertices before.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
