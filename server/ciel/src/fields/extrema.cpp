@@ -52,6 +52,19 @@ private:
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
+// Sorts by (value, id), after `value` has returned each vertex's value once: it may read from a mapped file that
+// changes, and a sort of values that change would leave its array. Drops vertices whose value is no longer finite.
+template <class Value>
+void sort_by_value(std::vector<Index>& vertices, const Value& value) {
+    std::vector<std::pair<double, Index>> all;
+    all.reserve(vertices.size());
+    for (const Index v : vertices)
+        if (const double of = value(v); std::isfinite(of)) all.emplace_back(of, v);
+    std::ranges::sort(all);
+    vertices.clear();
+    for (const auto& [of, v] : all) vertices.push_back(v);
+}
+
 } // namespace
 
 // Sets minima and maxima. Tests all vertices by visiting all edges.
@@ -107,9 +120,10 @@ void Field::Data::make_extrema() const {
     minima.clear();
     maxima.clear();
     if (!find_geometric_extrema()) find_extrema();
-    const auto below = [this](Index a, Index b) { return std::pair(value(a), a) < std::pair(value(b), b); };
-    std::ranges::sort(minima, below);
-    std::ranges::sort(maxima, [&](Index a, Index b) { return below(b, a); });
+    const auto value_of = [this](Index vertex) { return value(vertex); };
+    sort_by_value(minima, value_of);
+    sort_by_value(maxima, value_of);
+    std::ranges::reverse(maxima);
     extrema_made = true;
 }
 
