@@ -20,21 +20,25 @@ std::vector<Index> ids_in(const std::vector<std::string>& groups, const store::D
 
 } // namespace
 
-Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
+Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                          const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
-    std::vector<Index> ids = ids_in(groups, dataset, step);
-    if (kept.empty()) {
-        BoundaryFaces boundary = dataset.boundary(step.mesh, step.coordinates);
-        boundary.mesh.surface_origin = origin;
-        if (groups.empty()) return surface_of(boundary, boundary_faces(boundary.mesh));
-        std::vector<Index> numbers = boundary_numbers(boundary, ids);
-        if (std::ranges::find(numbers, none) == numbers.end())
-            return surface_of(boundary, faces_by_id(boundary.mesh, std::move(numbers)));
+    const auto dataset = loaded.dataset();
+    const store::Step& at = dataset->steps()[step];
+    BoundaryFaces boundary = dataset->boundary(at.mesh, at.coordinates);
+    boundary.mesh.surface_origin = origin;
+    if (groups.empty()) {
+        if (kept.empty()) return surface_of(boundary, boundary_faces(boundary.mesh));
+        FaceMeshView points = dataset->points_to_load(at.mesh, at.coordinates);
+        points.surface_origin = origin;
+        return threshold_surface(*loaded.topology(at.mesh), points, boundary, *loaded.boxes(step), kept);
     }
-    // What a threshold keeps, and groups that have faces inside the mesh:
-    auto mesh = dataset.mesh(step.mesh, step.coordinates);
+    std::vector<Index> ids = ids_in(groups, *dataset, at);
+    std::vector<Index> numbers = boundary_numbers(boundary, ids);
+    if (std::ranges::find(numbers, none) == numbers.end())
+        return surface_of(boundary, faces_by_id(boundary.mesh, std::move(numbers), kept));
+    FaceMeshView mesh = dataset->mesh(at.mesh, at.coordinates);
     mesh.surface_origin = origin;
-    return face_surface(mesh, groups.empty() ? boundary_faces(mesh, kept) : faces_by_id(mesh, std::move(ids), kept));
+    return face_surface(mesh, faces_by_id(mesh, std::move(ids), kept));
 }
 
 Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces) {

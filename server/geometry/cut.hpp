@@ -104,8 +104,9 @@ struct Boundary {
 };
 
 // Returns the faces of the patches `groups` that belong to kept cells, relative to `origin`. Without groups, returns
-// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
-[[nodiscard]] Surface boundary_surface(const store::Dataset& dataset, const store::Step& step, const Vec3d& origin,
+// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells. Reads the list of
+// all faces only for groups that have faces inside the mesh.
+[[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 // Returns faces of a boundary, by number, as polygons. Their polygon_face is the id in the whole mesh.
 [[nodiscard]] Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces);

@@ -53,9 +53,8 @@ std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshol
         });
         return in_range;
     }
-    auto kept =
-        cells_in_range(dataset->mesh(step().mesh, step().coordinates), loaded->scalar_values(threshold.array, out.step),
-                       threshold.range, threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
+    auto kept = cells_in_range(*loaded->scalar(threshold.array, out.step).field, threshold.range,
+                               threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
     if (const auto sound = loaded->sound_cells(threshold.array, out.step))
         for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
     return kept;
@@ -88,7 +87,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape)
-        kept->shape = triangles_shape(boundary_surface(*dataset, step(), out.origin, surface.groups, kept->cells));
+        kept->shape = triangles_shape(boundary_surface(*loaded, out.step, out.origin, surface.groups, kept->cells));
     add(kept->painted, kept->shape, surface.color, layer, true);
     add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
     count(before, kept->memory_bytes());
@@ -124,7 +123,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::EdgesLayer&
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape)
         kept->shape =
-            edges_shape(boundary_surface(*dataset, step(), out.origin, edges.groups, kept->cells), edges.angle);
+            edges_shape(boundary_surface(*loaded, out.step, out.origin, edges.groups, kept->cells), edges.angle);
     add(kept->painted, kept->shape, edges.color, layer, false);
     out.drawables.back().line_width = edges.width;
     count(before, kept->memory_bytes());
@@ -138,10 +137,10 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        auto mesh = dataset->mesh(step().mesh, step().coordinates);
+        auto mesh = dataset->points_to_load(step().mesh, step().coordinates);
         mesh.surface_origin = out.origin;
-        const Surface vertices = all ? vertices_of_cells(mesh, kept->cells)
-                                     : boundary_surface(*dataset, step(), out.origin, points.groups, kept->cells);
+        const Surface vertices = all ? vertices_of_cells(*loaded->topology(step().mesh), mesh, kept->cells)
+                                     : boundary_surface(*loaded, out.step, out.origin, points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
         kept->shape = points_shape(vertices, kept->thinned);

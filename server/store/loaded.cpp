@@ -347,6 +347,12 @@ std::shared_ptr<const CellLocator> LoadedDataset::locator(std::size_t step) {
     return {held, &held->locator};
 }
 
+std::shared_ptr<const BlockBoxes> LoadedDataset::boxes(std::size_t step) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    return state_->boxes(*of, at, *topology(at.mesh));
+}
+
 ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);

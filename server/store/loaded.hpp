@@ -65,6 +65,8 @@ public:
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
     // Returns the locator of the cells at a step, which keeps alive all that it reads.
     [[nodiscard]] std::shared_ptr<const CellLocator> locator(std::size_t step);
+    // Returns the boxes around the vertices of each block of the mesh at a step. Reads one small file.
+    [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
 

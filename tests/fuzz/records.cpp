@@ -50,6 +50,7 @@ void use(const Topology& topology, const Sample& from) {
         (void)cut_in_all_ways(topology, from.assembled.mesh.view(), from.values);
         (void)vertex_gradients(topology, from.assembled.mesh.view(), from.values);
         probe_some(topology, from.assembled.mesh.view());
+        threshold_some(topology, from.assembled.mesh.view(), from.values);
     } catch (const Error& error) {
         require(says_what_to_do(error.what()), error.what());
     }

@@ -89,6 +89,7 @@ public:
         if (kept_) use(*kept_, &queries_);
         attempt([this] { vertices(); });
         attempt([this] { probe_some(topology_, mesh_); });
+        attempt([this] { threshold_some(topology_, mesh_, values_); });
         attempt([this] { EXPECT_EQ(vertex_gradients(topology_, mesh_, values_).size(), topology_.counts().vertices); });
     }
 

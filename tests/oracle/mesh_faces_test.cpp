@@ -40,10 +40,6 @@ TEST_F(MeshFaces, TheBoundaryHasNineFacesASide) {
     for (const auto& [face, cell] : boundary) EXPECT_EQ(mesh.neighbour[face], none);
 }
 
-TEST_F(MeshFaces, TheBoundaryOfKeptCellsIsThatOfTheThreshold) {
-    EXPECT_EQ(sides(boundary_faces(mesh, kept)), sides(threshold_faces(mesh, kept)));
-}
-
 TEST_F(MeshFaces, FacesByIdAreSortedOnceAndOfKeptOwners) {
     const std::vector<Index> ids{20, 3, 3, 50, 20, 0};
     std::vector<Index> all;
@@ -81,22 +77,36 @@ TEST_F(MeshFaces, AFaceIsFoundByThreeOfItsVertices) {
     EXPECT_EQ(face_with_vertices(mesh, {}, std::array<Index, 1>{0}), none);
 }
 
-TEST_F(MeshFaces, VerticesOfCellsAreTheirCorners) {
-    const CellFaces faces = cell_faces(mesh);
-    std::set<Index> expected;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-        for (const Index face : faces.of(cell))
-            for (const Index vertex : mesh.loop(face))
-                if (kept[cell] != 0) expected.insert(vertex);
-    const Surface points = vertices_of_cells(mesh, kept);
-    ASSERT_EQ(points.points.size(), expected.size());
-    ASSERT_EQ(points.positions.size(), expected.size());
-    auto next = expected.begin();
-    for (std::size_t i = 0; i < points.points.size(); ++i, ++next) {
-        EXPECT_EQ(points.points[i].a, *next);
-        EXPECT_EQ(points.positions[i][0], mesh.positions[std::size_t{3} * *next]);
-    }
-    EXPECT_EQ(vertices_of_cells(mesh, {}).points.size(), 64U);
+TEST(VerticesOfCells, AreTheirCorners) {
+    for (const test::Polyhedra& input : {test::hexahedra({{3, 3, 3}}), test::zoo({{3, 3, 3}})})
+        for (const Index cells_per_block : {1U, 5U, 4096U}) {
+            const Assembled assembled = assemble(test::view(input));
+            const FaceMeshView mesh = assembled.mesh.view();
+            const Topology topology(mesh, {cells_per_block});
+            const CellFaces faces = cell_faces(mesh);
+            for (const Index one_in : {1U, 2U, 9U}) {
+                std::vector<std::uint8_t> kept(mesh.cell_count());
+                std::set<Index> expected;
+                for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+                    kept[cell] = cell % one_in == 0 ? 1 : 0;
+                    for (const Index face : faces.of(cell))
+                        for (const Index vertex : mesh.loop(face))
+                            if (kept[cell] != 0) expected.insert(vertex);
+                }
+                const Surface points = vertices_of_cells(topology, mesh, kept);
+                ASSERT_EQ(points.points.size(), expected.size());
+                ASSERT_EQ(points.positions.size(), expected.size());
+                auto next = expected.begin();
+                for (std::size_t i = 0; i < points.points.size(); ++i, ++next) {
+                    EXPECT_EQ(points.points[i].a, *next);
+                    EXPECT_EQ(points.positions[i][0], static_cast<float>(mesh.positions[std::size_t{3} * *next]));
+                }
+                if (one_in == 1) {
+                    EXPECT_EQ(vertices_of_cells(topology, mesh, {}).positions, points.positions);
+                }
+            }
+            EXPECT_THROW((void)vertices_of_cells(topology, mesh, std::vector<std::uint8_t>(3)), Error);
+        }
 }
 
 TEST_F(MeshFaces, TheSizeOfASideIsItsBoxAndArea) {

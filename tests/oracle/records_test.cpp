@@ -140,6 +140,7 @@ TEST_P(Records, ThatAreDamagedAreRefusedOrHarmless) {
             (void)cut_in_all_ways(copy, mesh.mesh(), values);
             (void)vertex_gradients(copy, mesh.mesh(), values);
             probe_some(copy, mesh.mesh());
+            threshold_some(copy, mesh.mesh(), values);
         } catch (const Error& error) {
             EXPECT_TRUE(says_what_to_do(error.what())) << error.what();
         }

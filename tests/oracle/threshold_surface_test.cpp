@@ -2,6 +2,7 @@
 #include "ciel/clip_surface.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
+#include "support/boundary.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <ranges>
 
 namespace ciel::test {
 namespace {
@@ -83,6 +85,46 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfTheCellsKept) {
                       kept_boundary(input, values, range, rule))
                 << range[0] << ' ' << range[1] << ' ' << (rule == InRange::all ? "all" : "any");
         }
+}
+
+// Blocks of one cell, of a few, and one that holds all of a small mesh. The smooth field has blocks in the range, out
+// of it and across its ends; in the one by blocks, each block is in it or out of it.
+TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
+    const Polyhedra input = GetParam().make();
+    for (const Index cells : {1U, 7U, 4096U}) {
+        const KernelMesh mesh(input, {cells});
+        const Boundary boundary(mesh.mesh());
+        const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
+        std::vector<float> smooth = linear_field(input, {{1, 0.3, 0.2}}), noise = random_field(input.vertex_count(), 8);
+        const auto [low, high] = std::ranges::minmax(smooth);
+        for (std::size_t v = 0; v < noise.size(); v += 17) noise[v] = std::numeric_limits<float>::quiet_NaN();
+        std::vector<std::uint8_t> by_blocks(mesh.mesh().cell_count());
+        for (std::size_t cell = 0; cell < by_blocks.size(); ++cell) by_blocks[cell] = cell / cells % 2 == 0 ? 1 : 0;
+        const auto compare = [&](std::span<const std::uint8_t> kept) {
+            const Surface found = threshold_surface(mesh.topology, mesh.mesh(), boundary.faces(), boxes, kept);
+            const Surface wanted = threshold_surface(mesh.mesh(), kept);
+            EXPECT_EQ(in_ids_of_the_input(found, mesh), in_ids_of_the_input(wanted, mesh)) << cells;
+            std::vector<Index> faces;
+            for (const auto& [face, cell] : threshold_faces(mesh.mesh(), kept))
+                if (mesh.mesh().neighbour[face] == none) faces.push_back(face);
+            std::vector<Index> named = found.polygon_face;
+            std::erase(named, none);
+            EXPECT_TRUE(std::ranges::includes(faces, named)) << "faces are named that are not on the boundary";
+            EXPECT_EQ(found.points.size(), wanted.points.size());
+        };
+        for (const std::vector<float>& values : {smooth, noise})
+            for (const InRange rule : {InRange::all, InRange::any})
+                for (const std::array<double, 2> range : {std::array{0.3 * high + 0.7 * low, 0.8 * high + 0.2 * low},
+                                                          {0.4, 0.5},
+                                                          {-1e30, 1e30},
+                                                          {2e30, 3e30}}) {
+                    const std::vector<float> stored = mesh.stored(values);
+                    const auto kept = cells_in_range(make_field(mesh.topology, stored), range, rule);
+                    EXPECT_EQ(kept, cells_in_range(mesh.mesh(), stored, range, rule)) << cells << ' ' << range[0];
+                    compare(kept);
+                }
+        compare(by_blocks);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(meshes, ThresholdSurface, testing::ValuesIn(all_meshes()),

@@ -3,6 +3,8 @@
 
 #include "ciel/cell_locator.hpp"
 #include "ciel/extract.hpp"
+#include "ciel/mesh_faces.hpp"
+#include "support/boundary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -71,6 +73,18 @@ inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
         if (cell == none) continue;
         (void)locator.nearest_vertex(cell, place);
         (void)locator.weights_in(cell, place);
+    }
+}
+
+// Makes the surface and the vertices of the cells in a range.
+inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
+    const Boundary boundary(mesh);
+    const BlockBoxes boxes = block_boxes(topology, mesh.positions);
+    const Field field(topology, values, nullptr);
+    for (const InRange vertices : {InRange::all, InRange::any}) {
+        const auto kept = cells_in_range(field, {0.3, 0.8}, vertices);
+        (void)threshold_surface(topology, mesh, boundary.faces(), boxes, kept);
+        (void)vertices_of_cells(topology, mesh, kept);
     }
 }
 

@@ -32,8 +32,8 @@ struct FaceMeshView {
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
     std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if somebody else does
     // Null if all positions can be read. If not, extraction, slices, gradients, CellLocator, face_surface,
-    // boundary_faces_at, size_of_faces and slab_boundary load those that they use. All other functions need
-    // loader->load of all vertices before.
+    // threshold_surface, vertices_of_cells, boundary_faces_at, size_of_faces and slab_boundary load those that they
+    // use. All other functions need loader->load of all vertices before.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }

@@ -8,8 +8,8 @@ namespace ciel {
 
 // `kept`, here and below: one flag per cell, or empty for all cells.
 
-// Returns the boundary faces of the mesh, in the order of faces. With `kept`: those of threshold_faces.
-[[nodiscard]] std::vector<CellFace> boundary_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept = {});
+// Returns the boundary faces of the mesh, in the order of faces.
+[[nodiscard]] std::vector<CellFace> boundary_faces(const FaceMeshView& mesh);
 
 // Returns the faces with these ids whose owner is kept, each once and in the order of faces. `ids`: in any order.
 [[nodiscard]] std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> ids,
@@ -24,8 +24,11 @@ namespace ciel {
 [[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, std::span<const Index> ids,
                                        std::span<const Index> vertices);
 
-// Returns the vertices of all kept cells in ascending order, as points without polygons.
-[[nodiscard]] Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
+// Returns the vertices of all kept cells in ascending order, as points without polygons. points: positions of the
+// topology's vertices. Reads the blocks that have kept cells; none if `kept` is empty. Uses all threads of the parallel
+// loop.
+[[nodiscard]] Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points,
+                                        std::span<const std::uint8_t> kept);
 
 struct FacesSize {
     Vec3d low{}, high{}; // corners of the bounding box, in the mesh's coordinates; infinite if there are no faces

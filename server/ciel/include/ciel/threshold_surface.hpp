@@ -2,6 +2,8 @@
 // functions may be called on any thread, and all results own their data.
 #pragma once
 
+#include "ciel/block_ranges.hpp"
+#include "ciel/boundary_faces.hpp"
 #include "ciel/extract.hpp"
 
 namespace ciel {
@@ -12,6 +14,10 @@ enum class InRange { all, any }; // which vertices of a cell must lie in the ran
 // on another number. The range includes both ends. NaN is outside. A cell without faces gets 0.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values,
                                                        std::array<double, 2> range, InRange vertices);
+// Likewise, for the values of a field on the vertices. Reads the blocks whose range holds an end of `range` or in which
+// vertices have no value. The flag of a cell without faces means nothing.
+[[nodiscard]] std::vector<std::uint8_t> cells_in_range(const Field& field, std::array<double, 2> range,
+                                                       InRange vertices);
 // Returns one flag per cell: 1 if its value lies in the range, which includes both ends. NaN is outside.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(ValuesView of_cells, std::array<double, 2> range);
 
@@ -29,6 +35,15 @@ struct CellFace { // a face, seen from one of its two cells
 [[nodiscard]] inline Surface threshold_surface(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
+// Returns a surface of the same polygons, without the list of all faces: the boundary faces of kept cells, then the
+// faces inside the mesh, block by block. points: positions of the topology's vertices. boundary: of the mesh. boxes:
+// what block_boxes returned for these positions. Reads the blocks that have cells of both kinds, and those of kept
+// cells whose box touches such a block or one without kept cells. polygon_face is the id of a boundary face in the
+// whole mesh, `none` inside. Uses all threads of the parallel loop. Throws Error when the arguments have other numbers
+// of cells, vertices or blocks than the topology, and when a record is damaged.
+[[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& points,
+                                        const BoundaryFaces& boundary, const BlockBoxes& boxes,
+                                        std::span<const std::uint8_t> kept);
 
 // Returns the polygons of `surface`, a cut through a mesh, whose cells are kept. `kept`: one flag per cell; throws
 // Error when it is too short. Throws Error for the result of clip_surface, whose new vertices have no entries in

@@ -1,15 +1,19 @@
 #include "ciel/mesh_faces.hpp"
 
+#include "blocks/blocks.hpp"
+#include "blocks/cell_loops.hpp"
 #include "ciel/cell_geometry.hpp"
+#include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
+#include "fields/sparse_array.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
 namespace ciel {
-std::vector<CellFace> boundary_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
-    if (!kept.empty()) return threshold_faces(mesh, kept);
+std::vector<CellFace> boundary_faces(const FaceMeshView& mesh) {
     std::vector<CellFace> faces;
     for (Index face = 0; face < mesh.face_count(); ++face)
         if (mesh.neighbour[face] == none) faces.push_back({face, mesh.owner[face]});
@@ -49,17 +53,33 @@ Index face_with_vertices(const FaceMeshView& mesh, std::span<const Index> ids, s
     return found == ids.end() ? none : *found;
 }
 
-Surface vertices_of_cells(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
-    std::vector<std::uint8_t> used(mesh.vertex_count());
-    for (Index face = 0; face < mesh.face_count(); ++face) {
-        const Index neighbour = mesh.neighbour[face];
-        if (!kept.empty() && kept[mesh.owner[face]] == 0 && (neighbour == none || kept[neighbour] == 0)) continue;
-        for (const Index vertex : mesh.loop(face)) used[vertex] = 1;
-    }
+Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points, std::span<const std::uint8_t> kept) {
+    const Topology::Blocks& blocks = topology.blocks();
+    if (points.vertex_count() != topology.counts().vertices ||
+        (!kept.empty() && kept.size() != topology.counts().cells))
+        fail("the positions or the flags are of another mesh than the topology");
+    SparseArray<std::uint8_t> used(points.vertex_count());
+    const auto mark = [&used](Index vertex) {
+        std::atomic_ref(used.get()[vertex]).store(1, std::memory_order_relaxed);
+    };
+    if (kept.empty() && blocks.count() > 0) // the vertices that no cell has come last
+        std::ranges::fill(used.all().first(blocks.numbers.vertex.back()), std::uint8_t{1});
+    parallel_for(kept.empty() ? 0 : blocks.count(), 1, [&](std::size_t begin, std::size_t end) {
+        CellLoops loops;
+        for (auto b = static_cast<Index>(begin); b < end; ++b) {
+            const Index first = blocks.numbers.cell[b];
+            const auto flags = kept.subspan(first, blocks.numbers.cell[b + 1] - first);
+            if (std::ranges::none_of(flags, [](std::uint8_t flag) { return flag != 0; })) continue;
+            for_cells(blocks.cells(b), loops, [&](Index cell, const CellLoops& of_cell) {
+                if (kept[cell] != 0) std::ranges::for_each(of_cell.vertex, mark);
+            });
+        }
+    });
     Surface out;
     for (Index vertex = 0; vertex < used.size(); ++vertex) {
-        if (used[vertex] == 0) continue;
-        out.positions.push_back(surface_position(mesh, vertex));
+        if (used.get()[vertex] == 0) continue;
+        points.load({&vertex, 1});
+        out.positions.push_back(surface_position(points, vertex));
         out.points.push_back({vertex, vertex, 0});
     }
     return out;

@@ -1,9 +1,8 @@
 #include "ciel/threshold_surface.hpp"
 
-#include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/polygon.hpp"
-#include "fields/sparse_array.hpp"
+#include "polygons/face_polygons.hpp"
 
 #include <algorithm>
 
@@ -13,23 +12,18 @@ namespace {
 
 constexpr Index polygons_per_chunk = 4096;
 
+} // namespace
+
 void add_chunks(Surface& surface) {
     const auto polygons = static_cast<Index>(surface.polygon_cell.size());
     for (Index begin = 0; begin < polygons; begin += polygons_per_chunk)
         surface.chunks.push_back({begin / polygons_per_chunk, begin, std::min(begin + polygons_per_chunk, polygons)});
 }
 
-bool is_polygon(const std::vector<Index>& loop) {
-    Index other = none; // a second distinct vertex
-    for (const Index vertex : loop) {
-        if (vertex == loop[0] || vertex == other) continue;
-        if (other != none) return true;
-        other = vertex;
-    }
-    return false;
+Surface FacePolygons::take() && {
+    add_chunks(surface_);
+    return std::move(surface_);
 }
-
-} // namespace
 
 std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values, std::array<double, 2> range,
                                          InRange vertices) {
@@ -72,33 +66,15 @@ std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const 
 }
 
 Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) {
-    Surface surface;
-    SparseArray<Index> used(mesh.vertex_count()); // the number of points when the vertex was added
-    const auto add = [&](Index vertex) {
-        Index& point = used.get()[vertex];
-        if (point == 0) {
-            surface.positions.push_back(surface_position(mesh, vertex));
-            surface.points.push_back({vertex, vertex, 0});
-            point = static_cast<Index>(surface.points.size());
-        }
-        surface.polygon_vertex.push_back(point - 1);
-    };
+    FacePolygons polygons(mesh);
     std::vector<Index> loop;
     for (const auto& [face, cell] : faces) {
         const Ids stored = mesh.loop(face);
         loop.assign(stored.begin(), stored.end());
-        if (!is_polygon(loop)) continue;
-        mesh.load(loop);
-        if (cell == mesh.owner[face])
-            std::for_each(loop.begin(), loop.end(), add);
-        else
-            std::for_each(loop.rbegin(), loop.rend(), add);
-        surface.polygon_offset.push_back(static_cast<Index>(surface.polygon_vertex.size()));
-        surface.polygon_cell.push_back(cell);
-        surface.polygon_face.push_back(face);
+        if (cell != mesh.owner[face]) std::ranges::reverse(loop);
+        polygons.add(loop, cell, face);
     }
-    add_chunks(surface);
-    return surface;
+    return std::move(polygons).take();
 }
 
 Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept) {

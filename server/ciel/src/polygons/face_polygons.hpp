@@ -1,0 +1,57 @@
+// Makes a surface of faces of the mesh, one after another. Not in the paper.
+#pragma once
+
+#include "ciel/cell_geometry.hpp"
+#include "ciel/extract.hpp"
+#include "fields/sparse_array.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace ciel {
+
+class FacePolygons {
+public:
+    explicit FacePolygons(const FaceMeshView& points) : points_(points), used_(points.vertex_count()) {}
+
+    // Adds a polygon, unless the loop has fewer than three distinct vertices. `loop`: wound outwards from `cell`.
+    // `face`: its polygon_face.
+    void add(std::span<const Index> loop, Index cell, Index face) {
+        if (!is_polygon(loop)) return;
+        points_.load(loop);
+        for (const Index vertex : loop) add_corner(vertex);
+        surface_.polygon_offset.push_back(static_cast<Index>(surface_.polygon_vertex.size()));
+        surface_.polygon_cell.push_back(cell);
+        surface_.polygon_face.push_back(face);
+    }
+    [[nodiscard]] Surface take() &&; // with its chunks
+
+private:
+    [[nodiscard]] static bool is_polygon(std::span<const Index> loop) {
+        Index other = none; // a second distinct vertex
+        for (const Index vertex : loop) {
+            if (vertex == loop[0] || vertex == other) continue;
+            if (other != none) return true;
+            other = vertex;
+        }
+        return false;
+    }
+    void add_corner(Index vertex) {
+        Index& point = used_.get()[vertex];
+        if (point == 0) {
+            surface_.positions.push_back(surface_position(points_, vertex));
+            surface_.points.push_back({vertex, vertex, 0});
+            point = static_cast<Index>(surface_.points.size());
+        }
+        surface_.polygon_vertex.push_back(point - 1);
+    }
+
+    const FaceMeshView& points_;
+    SparseArray<Index> used_; // by vertex: the number of points when it was added
+    Surface surface_;
+};
+
+// Sets the chunks of a surface that has been made polygon by polygon.
+void add_chunks(Surface& surface);
+
+} // namespace ciel
