@@ -96,7 +96,9 @@ TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
         const Boundary boundary(mesh.mesh());
         const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
         std::vector<float> smooth = linear_field(input, {{1, 0.3, 0.2}}), noise = random_field(input.vertex_count(), 8);
+        smooth.resize(std::max<std::size_t>(smooth.size(), 1)); // for a mesh without vertices
         const auto [low, high] = std::ranges::minmax(smooth);
+        smooth.resize(input.vertex_count());
         for (std::size_t v = 0; v < noise.size(); v += 17) noise[v] = std::numeric_limits<float>::quiet_NaN();
         std::vector<std::uint8_t> by_blocks(mesh.mesh().cell_count());
         for (std::size_t cell = 0; cell < by_blocks.size(); ++cell) by_blocks[cell] = cell / cells % 2 == 0 ? 1 : 0;
