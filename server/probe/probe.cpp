@@ -48,11 +48,11 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator&
     dataset.check_intact();
     if (cell == none) return out;
     const std::size_t mesh = dataset.steps()[step].mesh;
-    out.cell = dataset.original_cell(mesh)[cell];
+    out.cell = dataset.original_cell(mesh, cell);
     const Index vertex = locator.nearest_vertex(cell, position);
-    out.vertex = dataset.original_vertex(mesh)[vertex];
-    if (const auto ids = dataset.solver_cell(mesh); !ids.empty() && ids[cell] >= 0) out.solver_cell = ids[cell];
-    if (const auto ids = dataset.solver_vertex(mesh); !ids.empty() && ids[vertex] >= 0) out.solver_vertex = ids[vertex];
+    out.vertex = dataset.original_vertex(mesh, vertex);
+    out.solver_cell = dataset.solver_cell(mesh, cell);
+    out.solver_vertex = dataset.solver_vertex(mesh, vertex);
     const VertexWeights weights = locator.weights_in(cell, position);
     const VertexWeights own{{cell, 1.0}};
     for (const store::ArrayInfo& array : dataset.info().arrays) {

@@ -11,9 +11,8 @@ std::optional<LowestAndHighest> extremes_in(const store::Dataset& dataset, const
     if (written == at.arrays.end() || written->second.extremes.empty()) return {};
     const store::ArrayStep& found = written->second;
     const auto& [low, high] = row == 0 ? found.range : found.component_ranges.at(row - 1);
-    const auto ids = dataset.original_cell(at.mesh);
     const auto value_of = [&](double value, const store::CellExtreme& extreme) {
-        return CellValue{value, ids[extreme.cell], extreme.place, at.time};
+        return CellValue{value, dataset.original_cell(at.mesh, extreme.cell), extreme.place, at.time};
     };
     const store::CellExtremes& extremes = found.extremes.at(row);
     return LowestAndHighest{value_of(low, extremes.lowest), value_of(high, extremes.highest)};

@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A solver's id, of which -1 stands for none.
+std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id && *id >= 0 ? id : std::nullopt; }
+
 class MappedDataset final : public Dataset {
 public:
     MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, FileAccess access,
@@ -121,6 +124,14 @@ public:
 
     std::span<const std::int64_t> solver_vertex(std::size_t mesh) const override { return at(mesh)->solver_vertex(); }
     std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
+    Index original_vertex(std::size_t mesh, Index vertex) const override { return at(mesh)->original_vertex(vertex); }
+    Index original_cell(std::size_t mesh, Index cell) const override { return at(mesh)->original_cell(cell); }
+    std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const override {
+        return given(at(mesh)->solver_vertex(vertex));
+    }
+    std::optional<std::int64_t> solver_cell(std::size_t mesh, Index cell) const override {
+        return given(at(mesh)->solver_cell(cell));
+    }
 
     std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
         if (find(scalar.array)->association != Association::point) return std::nullopt;

@@ -93,6 +93,12 @@ public:
     // may be any numbers and are not indices.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
+    // Return the ids of one vertex or cell, likewise; nullopt where the solver gave none. Read one page each. The
+    // vertex and the cell must exist.
+    [[nodiscard]] virtual Index original_vertex(std::size_t mesh, Index vertex) const = 0;
+    [[nodiscard]] virtual Index original_cell(std::size_t mesh, Index cell) const = 0;
+    [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const = 0;
+    [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, Index cell) const = 0;
     // Returns the array's values at a step: `components` numbers per vertex, cell or boundary face, interleaved,
     // doubles if ArrayInfo::doubles. Empty when the array was not written at this step. Throws Error for an unknown
     // array or a damaged chunk.

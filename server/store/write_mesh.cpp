@@ -106,16 +106,22 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     write("face_vertex", ElementType::u4, std::as_bytes(std::span(mesh.face_vertex)));
     write("owner", ElementType::u4, std::as_bytes(std::span(mesh.owner)));
     write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
-    write("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
-    write("original_cell", ElementType::u4, std::as_bytes(original_cell));
+    const auto write_ids = [&](const std::string& name, ElementType type, std::span<const std::byte> ids) {
+        write(name, type, ids);
+        const fs::path file = layout::value_ranges(directory / name, 0);
+        make_directory(file.parent_path());
+        write_file(file, to_bytes({{}, {}, page_checksums(ids)}, dataset_id, checksum_number(ids)));
+    };
+    write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
+    write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));
     const BoundaryFaceLists boundary = boundary_face_lists(mesh.view());
     write_group(directory / layout::boundary_group);
     write("boundary/face_offset", ElementType::u8, std::as_bytes(std::span(boundary.face_offset)));
     write("boundary/face_vertex", ElementType::u4, std::as_bytes(std::span(boundary.face_vertex)));
     write("boundary/owner", ElementType::u4, std::as_bytes(std::span(boundary.owner)));
     write("boundary/face", ElementType::u4, std::as_bytes(std::span(boundary.face)));
-    if (!solver.vertex.empty()) write("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
-    if (!solver.cell.empty()) write("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
+    if (!solver.vertex.empty()) write_ids("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
+    if (!solver.cell.empty()) write_ids("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         check_group(groups[i], groups[i].of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
         std::vector<Index> ids = groups[i].ids;

@@ -1,6 +1,7 @@
 #include "store/cache/mapped_mesh.hpp"
 
 #include "ciel/parallel.hpp"
+#include "store/cache/paged_array.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
@@ -85,7 +86,7 @@ void check_group(const Group& group, const MappedFile& file, std::uint64_t limit
 
 MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost,
                        FileAccess access)
-    : directory_(std::move(directory)), any_lost_(std::move(any_lost)) {
+    : directory_(std::move(directory)), dataset_id_(dataset_id), any_lost_(std::move(any_lost)) {
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
@@ -96,6 +97,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
     for (const char* group : {"faces", "groups", layout::boundary_group}) verified_[group];
+    for (const char* name : layout::id_arrays) pages_[name];
     vertex_count_ = array("original_vertex").as<Index>().size();
     const std::uint64_t faces = array("owner").as<Index>().size();
     if (vertex_count_ == 0 || cell_count() == 0 || faces == 0) refuse_damage(directory_, "is an empty mesh");
@@ -158,6 +160,21 @@ void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
     const std::uint64_t limit = of == Group::Of::faces ? faces : cell_count();
     groups_.push_back(
         {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
+}
+
+PageStates& MappedMesh::pages_of(const std::string& ids) const {
+    std::unique_ptr<PageStates>& pages = pages_.at(ids);
+    verified_.at(ids).once([&] {
+        const auto sum = attributes_.checksums.find(ids);
+        if (sum == attributes_.checksums.end())
+            refuse_damage(directory_ / layout::attributes_document, "lacks the checksum of '" + ids + "'");
+        const MappedFile& file = array(ids);
+        const ArrayLayout layout{directory_ / ids, 1, 1, file.bytes().size(), false};
+        std::optional<ValueRanges> ranges; // of a dataset that has been replaced: none, so that all is one page
+        if (file.is_current()) ranges = read_ranges(layout, 0, sum->second, 0, 0, dataset_id_);
+        pages = std::make_unique<PageStates>(layout.chunk_bytes, page_checks(layout, sum->second, std::move(ranges)));
+    });
+    return *pages;
 }
 
 void MappedMesh::verify_checksums(const std::vector<std::string>& names) const {

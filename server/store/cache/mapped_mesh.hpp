@@ -2,14 +2,16 @@
 #pragma once
 
 #include "ciel/boundary_faces.hpp"
-#include "store/cache/mapped_file.hpp"
+#include "store/cache/paged_file.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/attributes.hpp"
 #include "store/format/zarr_array.hpp"
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
 
 namespace ciel::store {
 
@@ -34,6 +36,16 @@ public:
     // Ids that the solver gave to vertices and cells, -1 where it gave none; empty if the source has no such ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
+    // Return the ids of one vertex or cell; nullopt if the source has no such ids. Only the page that holds the id is
+    // compared with its checksum.
+    [[nodiscard]] Index original_vertex(Index vertex) const { return *id<Index>("original_vertex", vertex); }
+    [[nodiscard]] Index original_cell(Index cell) const { return *id<Index>("original_cell", cell); }
+    [[nodiscard]] std::optional<std::int64_t> solver_vertex(Index vertex) const {
+        return id<std::int64_t>("solver_vertex", vertex);
+    }
+    [[nodiscard]] std::optional<std::int64_t> solver_cell(Index cell) const {
+        return id<std::int64_t>("solver_cell", cell);
+    }
     // Returns the mesh with these positions, which are offsets from its origin.
     [[nodiscard]] FaceMeshView view(ValuesView positions) const;
     // Returns the boundary faces, with the points that are given.
@@ -57,9 +69,17 @@ private:
     [[nodiscard]] std::span<const T> ids(const std::string& name) const {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return {};
-        verified_.at(name).once([&] { verify_checksums({name}); });
+        load_pages(found->second, pages_of(name), 0, found->second.bytes().size());
         return found->second.as<T>();
     }
+    template <typename T>
+    [[nodiscard]] std::optional<T> id(const std::string& name, Index of) const {
+        const auto found = arrays_.find(name);
+        if (found == arrays_.end()) return std::nullopt;
+        load_pages(found->second, pages_of(name), of * sizeof(T), (std::size_t{of} + 1) * sizeof(T));
+        return found->second.as<T>()[of];
+    }
+    [[nodiscard]] PageStates& pages_of(const std::string& ids) const;
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
     // Throws the Error of views when an index of this array is out of range or contradicts another array. Any thread.
     class Keeper final : public ArrayKeeper {
@@ -86,6 +106,7 @@ private:
     [[nodiscard]] bool has_boundary() const;
 
     std::filesystem::path directory_;
+    std::string dataset_id_;
     AnyLost any_lost_;
     std::mutex checking_; // held by check_unchanged: was_touched must not run twice at the same time
     MeshAttributes attributes_;
@@ -114,6 +135,8 @@ private:
         std::mutex checking_;
         std::atomic<bool> done_ = false;
     };
+    // By name of an array of ids that are no indices; null before their first use.
+    mutable std::map<std::string, std::unique_ptr<PageStates>> pages_;
     mutable std::map<std::string, Verified> verified_; // by name of an array of ids; "faces"; "groups"; "boundary"
 };
 

@@ -40,6 +40,10 @@ private:
     std::atomic<std::size_t> left_;
 };
 
+// Checks the pages that hold the bytes from `begin` to `end` - 1 of a file with FileAccess::mapped, unless they are
+// checked already. Throws Error like PagedFile::load. Any thread.
+void load_pages(const MappedFile& file, PageStates& pages, std::size_t begin, std::size_t end);
+
 // Thread-safe. Pages may change after their check, as all mapped files may (MappedFile). With FileAccess::read, they
 // are copied before their check and do not change.
 class PagedFile {

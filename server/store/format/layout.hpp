@@ -47,6 +47,9 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     "face_vertex",  "owner",
                                                "neighbour",  "original_vertex", "original_cell"};
 
+// Arrays of ids that are no indices, with the checksums of their pages.
+inline constexpr const char* id_arrays[] = {"original_vertex", "original_cell", "solver_vertex", "solver_cell"};
+
 // Arrays of solver ids, which a mesh has only if its source has them. Each is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
 

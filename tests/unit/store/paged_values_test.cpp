@@ -74,6 +74,22 @@ TEST_P(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
     EXPECT_NO_THROW(loaded.dataset()->check_unchanged()) << "it was damaged before it was opened";
 }
 
+TEST_P(PagedValuesTest, AnIdIsReadFromItsPage) {
+    const fs::path cells = directory / "meshes/0/original_cell";
+    flip(cells / "0", -1);
+    const auto dataset = open();
+    const Index first = dataset->original_cell(0, 0), last = static_cast<Index>(dataset->info().meshes[0].cells - 1);
+    EXPECT_EQ(dataset->original_vertex(0, 17), 17U);
+    const auto refused = AllOf(HasSubstr((cells / "0").string()), HasSubstr("does not match its checksum"));
+    EXPECT_THAT(error_of([&] { (void)dataset->original_cell(0, last); }), refused);
+    EXPECT_EQ(dataset->original_cell(0, 1), first + 1) << "the others can still be used";
+    EXPECT_THAT(error_of([&] { (void)dataset->original_cell(0); }), refused);
+    EXPECT_THAT(error_of([&] { dataset->verify(); }), refused);
+
+    fs::remove_all(cells / "ranges"); // as an earlier CIEL has written it
+    EXPECT_THAT(error_of([&] { (void)open()->original_cell(0, 1); }), refused) << "all of it is one page";
+}
+
 // The damage is half way up: a plane reads the blocks at both ends of its direction for its range.
 TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
     flip(positions, static_cast<std::ptrdiff_t>(fs::file_size(positions) / 2));

@@ -185,6 +185,11 @@ TEST(RoundTrip, IdsOfTheSolver) {
     const auto dataset = two_cells(scratch, {}, {vertices, cells});
     EXPECT_THAT(dataset->solver_vertex(0), ElementsAreArray(vertices));
     EXPECT_THAT(dataset->solver_cell(0), ElementsAreArray(cells));
+    for (Index cell = 0; cell < cells.size(); ++cell)
+        EXPECT_EQ(dataset->solver_cell(0, cell), cells[cell] < 0 ? std::nullopt : std::optional(cells[cell]));
+    for (Index vertex = 0; vertex < vertices.size(); ++vertex)
+        EXPECT_EQ(dataset->solver_vertex(0, vertex),
+                  vertices[vertex] < 0 ? std::nullopt : std::optional(vertices[vertex]));
     const Folder other;
     EXPECT_TRUE(two_cells(other, {})->solver_cell(0).empty());
     const std::vector<std::int64_t> too_few{1};
