@@ -28,7 +28,7 @@ Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const V
     boundary.mesh.surface_origin = origin;
     if (groups.empty()) {
         if (kept.empty()) return surface_of(boundary, boundary_faces(boundary.mesh));
-        FaceMeshView points = dataset->points_to_load(at.mesh, at.coordinates);
+        auto points = dataset->points_to_load(at.mesh, at.coordinates);
         points.surface_origin = origin;
         return threshold_surface(*loaded.topology(at.mesh), points, boundary, *loaded.boxes(step), kept);
     }
@@ -36,7 +36,7 @@ Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const V
     std::vector<Index> numbers = boundary_numbers(boundary, ids);
     if (std::ranges::find(numbers, none) == numbers.end())
         return surface_of(boundary, faces_by_id(boundary.mesh, std::move(numbers), kept));
-    FaceMeshView mesh = dataset->mesh(at.mesh, at.coordinates);
+    auto mesh = dataset->mesh(at.mesh, at.coordinates);
     mesh.surface_origin = origin;
     return face_surface(mesh, faces_by_id(mesh, std::move(ids), kept));
 }
