@@ -21,15 +21,38 @@ struct CellLoops {
     void end_face() { begin.push_back(static_cast<Index>(vertex.size())); }
 };
 
+// Adds a face of the i-th cell of a section.
+inline void add_face(const Block& block, const StandardSection& section, Index i, std::size_t face, CellLoops& loops) {
+    const StandardShape& shape = *section.shape;
+    for (std::size_t h = shape.face_begin[face]; h < shape.face_begin[face + 1]; ++h)
+        loops.vertex.push_back(block.vertex(read_once(section.vertex[i * shape.corners + shape.origin[h]])));
+    loops.end_face();
+}
+
+// Returns the corners of a face. Throws Error if the record has changed and does not have them.
+template <class Local, template <class> class Array>
+[[nodiscard]] auto corners_of_face(const PolyhedralSection<Local, Array>& section, Index face) {
+    if (face >= section.face_count()) refuse_changed("a cell has a face that does not exist");
+    const auto loop = section.loop(face);
+    if (loop.end > section.vertex.size()) refuse_changed("a face does not have its corners");
+    return loop;
+}
+
+// Adds a face with these corners, as a cell on this side of it sees it.
+template <class Local, template <class> class Array>
+void add_face(const Block& block, const PolyhedralSection<Local, Array>& section,
+              const typename PolyhedralSection<Local, Array>::Loop& loop, Index side, CellLoops& loops) {
+    const auto begin = static_cast<std::ptrdiff_t>(loops.vertex.size());
+    for (Index corner = loop.begin; corner < loop.end; ++corner)
+        loops.vertex.push_back(block.vertex(read_once(section.vertex[corner])));
+    if (side == 1) std::reverse(loops.vertex.begin() + begin, loops.vertex.end());
+    loops.end_face();
+}
+
 // Replaces `loops` by those of the i-th cell of a section.
 inline void read_loops(const Block& block, const StandardSection& section, Index i, CellLoops& loops) {
-    const StandardShape& shape = *section.shape;
     loops.clear();
-    for (std::size_t face = 0; face < shape.faces; ++face) {
-        for (std::size_t h = shape.face_begin[face]; h < shape.face_begin[face + 1]; ++h)
-            loops.vertex.push_back(block.vertex(read_once(section.vertex[i * shape.corners + shape.origin[h]])));
-        loops.end_face();
-    }
+    for (std::size_t face = 0; face < section.shape->faces; ++face) add_face(block, section, i, face, loops);
 }
 
 template <class Local, template <class> class Array>
@@ -37,16 +60,10 @@ void read_loops(const Block& block, const PolyhedralSection<Local, Array>& secti
     loops.clear();
     for (const Local& entry : section.faces_of(i)) {
         const Index face_and_side = read_once(entry);
-        if (face_and_side / 2 >= section.face_count()) refuse_changed("a cell has a face that does not exist");
-        const auto loop = section.loop(face_and_side / 2);
-        if (loop.end > section.vertex.size()) refuse_changed("a face does not have its corners");
+        const auto loop = corners_of_face(section, face_and_side / 2);
         if (loops.vertex.size() + loop.size() > section.half_edge_count())
             refuse_changed("a cell has more corners than its block");
-        const auto begin = static_cast<std::ptrdiff_t>(loops.vertex.size());
-        for (Index corner = loop.begin; corner < loop.end; ++corner)
-            loops.vertex.push_back(block.vertex(read_once(section.vertex[corner])));
-        if (face_and_side % 2 == 1) std::reverse(loops.vertex.begin() + begin, loops.vertex.end());
-        loops.end_face();
+        add_face(block, section, loop, face_and_side % 2, loops);
     }
 }
 

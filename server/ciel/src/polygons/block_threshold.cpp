@@ -7,8 +7,7 @@
 #include "polygons/face_polygons.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <array>
 
 namespace ciel {
 
@@ -42,12 +41,9 @@ private:
         for (Index i = 0; i < polyhedra.count(); ++i) {
             Seen seen;
             for (const Local& entry : polyhedra.faces_of(i)) {
-                const Index face = Index{read_once(entry)} / 2;
-                if (face >= polyhedra.face_count()) refuse_changed("a cell has a face that does not exist");
-                const auto loop = polyhedra.loop(face);
+                const auto loop = corners_of_face(polyhedra, Index{read_once(entry)} / 2);
                 corners += loop.size();
-                if (loop.end > polyhedra.vertex.size() || corners > polyhedra.half_edge_count())
-                    refuse_changed("a cell has more corners than its block");
+                if (corners > polyhedra.half_edge_count()) refuse_changed("a cell has more corners than its block");
                 for (Index corner = loop.begin; corner < loop.end; ++corner) add(polyhedra.vertex[corner], seen);
             }
             keep(polyhedra.local_cell(i), seen);
@@ -149,10 +145,7 @@ private:
             for (std::size_t face = 0; face < shape.faces; ++face) {
                 const Index first = shape.face_begin[face];
                 if (!ends_at(half_edge_in(b, section.half_edge_begin + i * shape.half_edges + first))) continue;
-                for (std::size_t h = first; h < shape.face_begin[face + 1]; ++h)
-                    found.loops.vertex.push_back(
-                        block.vertex(read_once(section.vertex[i * shape.corners + shape.origin[h]])));
-                found.loops.end_face();
+                add_face(block, section, i, face, found.loops);
                 found.cell.push_back(cell);
             }
         }
@@ -164,20 +157,14 @@ private:
             const Index cell = block.cell(polyhedra.local_cell(i));
             if (kept_[cell] == 0) continue;
             for (const Local& entry : polyhedra.faces_of(i)) {
-                const Index face = Index{read_once(entry)} / 2, side = read_once(entry) % 2;
-                if (face >= polyhedra.face_count()) refuse_changed("a cell has a face that does not exist");
-                const auto loop = polyhedra.loop(face);
+                const Index face_and_side = read_once(entry), side = face_and_side % 2;
+                const auto loop = corners_of_face(polyhedra, face_and_side / 2);
                 corners += loop.size();
-                if (loop.end > polyhedra.vertex.size() || corners > polyhedra.half_edge_count())
-                    refuse_changed("a cell has more corners than its block");
+                if (corners > polyhedra.half_edge_count()) refuse_changed("a cell has more corners than its block");
                 if (loop.size() < 3 ||
                     !ends_at(half_edge_in(b, polyhedra.half_edge_begin + polyhedra.half_edge(loop.begin, side))))
                     continue;
-                const auto begin = static_cast<std::ptrdiff_t>(found.loops.vertex.size());
-                for (Index corner = loop.begin; corner < loop.end; ++corner)
-                    found.loops.vertex.push_back(block.vertex(read_once(polyhedra.vertex[corner])));
-                if (side == 1) std::reverse(found.loops.vertex.begin() + begin, found.loops.vertex.end());
-                found.loops.end_face();
+                add_face(block, polyhedra, loop, side, found.loops);
                 found.cell.push_back(cell);
             }
         }
