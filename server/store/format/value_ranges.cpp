@@ -63,10 +63,18 @@ std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t beg
     return histograms;
 }
 
+// Blocks are sorted by their limits, and NaN would break the order.
 std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
-    if (!floats) return read.array<double>(begin, count);
-    const std::vector<float> limits = read.array<float>(begin, count);
-    return {limits.begin(), limits.end()};
+    std::vector<double> limits;
+    if (floats) {
+        const std::vector<float> stored = read.array<float>(begin, count);
+        limits.assign(stored.begin(), stored.end());
+    } else {
+        limits = read.array<double>(begin, count);
+    }
+    if (std::ranges::any_of(limits, [](double limit) { return std::isnan(limit); }))
+        read.refuse_damage("has a limit that is no number");
+    return limits;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 
+#include <cstring>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -212,6 +213,16 @@ const std::vector<Malformed> table{
                        fs::copy_options::overwrite_existing);
      },
      "arrays/p/ranges/0", "belongs to another array"},
+    {"a limit that is no number",
+     [](const fs::path& d) {
+         std::string ranges = test::read_file(d / "meshes/0/arrays/p/ranges/0");
+         constexpr std::size_t lower_limits = 136;
+         ranges.replace(lower_limits, 4, "\xff\xff\xff\x7f");
+         const std::uint64_t sum = checksum_number(bytes_of(ranges).first(ranges.size() - sizeof sum));
+         std::memcpy(ranges.data() + ranges.size() - sizeof sum, &sum, sizeof sum);
+         test::overwrite_file(d / "meshes/0/arrays/p/ranges/0", ranges);
+     },
+     "arrays/p/ranges/0", "has a limit that is no number"},
     {"boxes damaged", flip("meshes/0/positions/ranges/0", 140), "positions/ranges/0", "does not match its checksum"},
     {"another number of boundary faces",
      edit("meshes/0/.zattrs",
