@@ -52,6 +52,13 @@ void check_group(const NamedGroup& group, std::size_t limit) {
                         std::to_string(limit));
 }
 
+void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& ranges, const std::string& dataset_id,
+                  std::span<const std::byte> chunk) {
+    const fs::path file = layout::value_ranges(array, index);
+    make_directory(file.parent_path());
+    write_file(file, to_bytes(ranges, dataset_id, checksum_number(chunk)));
+}
+
 } // namespace
 
 void write_boxes(const fs::path& directory, const Topology& topology, const std::string& dataset_id,
@@ -59,9 +66,7 @@ void write_boxes(const fs::path& directory, const Topology& topology, const std:
     BlockBoxes boxes = block_boxes(topology, positions);
     const ValueRanges ranges{
         {std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])}, {}, page_checksums(positions.bytes())};
-    const fs::path file = layout::value_ranges(directory / "positions", coordinates);
-    make_directory(file.parent_path());
-    write_file(file, to_bytes(ranges, dataset_id, checksum_number(positions.bytes())));
+    write_ranges(directory / "positions", coordinates, ranges, dataset_id, positions.bytes());
 }
 
 void check_finite(ValuesView positions) {
@@ -108,9 +113,7 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
     const auto write_ids = [&](const std::string& name, ElementType type, std::span<const std::byte> ids) {
         write(name, type, ids);
-        const fs::path file = layout::value_ranges(directory / name, 0);
-        make_directory(file.parent_path());
-        write_file(file, to_bytes({{}, {}, page_checksums(ids)}, dataset_id, checksum_number(ids)));
+        write_ranges(directory / name, 0, {{}, {}, page_checksums(ids)}, dataset_id, ids);
     };
     write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));

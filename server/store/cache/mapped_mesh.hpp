@@ -96,6 +96,7 @@ private:
     void map(const std::string& name, ElementType type);
     void map_group(std::size_t index, std::uint64_t faces);
     void check_sizes(std::uint64_t faces) const;
+    [[nodiscard]] const std::string& checksum_of(const std::string& name) const; // throws Error if it is missing
     void verify_checksums(const std::vector<std::string>& names) const;
     [[nodiscard]] bool has_its_checksum(const std::string& name, const MappedFile& file) const;
     void verify_faces() const;
