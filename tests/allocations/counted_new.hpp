@@ -6,7 +6,7 @@
 
 namespace ciel::test {
 
-[[nodiscard]] std::size_t allocations(); // number of allocations so far, by all threads
+[[nodiscard]] std::size_t allocations(); // number of allocations so far, by all threads, without TBB's own
 
 // Counts allocations of at least `bytes` bytes by all threads during its lifetime. Only one may exist.
 class LargeAllocations {
