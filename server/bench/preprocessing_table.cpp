@@ -57,7 +57,7 @@ Table preprocessing_table(const Case& data) {
         field.take_in();
     });
     add("gradients at all vertices", [&] { (void)vertex_gradients(*data.topology, data.mesh, data.values); });
-    add("ambiguous faces", [&] { (void)count_ambiguous_faces(data.mesh, data.values); });
+    add("ambiguous faces", [&] { (void)count_ambiguous_faces(*data.topology, data.mesh, data.values); });
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0})
             table.rows.push_back(

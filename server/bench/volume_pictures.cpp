@@ -42,7 +42,8 @@ VolumePictures::VolumePictures(const Case& data)
     : data_(data), values_(converted(data.values, false)),
       gradients_(vertex_gradients(*data.topology, data.mesh, data.values)),
       limits_(cell_limits(*data.topology, values_.floats())),
-      boundary_(slab_boundary(data.mesh, {values_.floats(), gradients_, limits_})) {
+      boundary_(slab_boundary(*data.topology, data.mesh, block_boxes(*data.topology, data.mesh.positions),
+                              {values_.floats(), gradients_, limits_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.surface_origin;
     for (std::size_t i = 0; i < data.mesh.positions.size(); ++i) {

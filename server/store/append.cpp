@@ -1,10 +1,12 @@
 #include "store/append.hpp"
 
+#include "ciel/mesh_faces.hpp"
 #include "ciel/point_interpolation.hpp"
 #include "store/writer.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -137,16 +139,10 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
-bool same_topology(const FaceMeshView& a, const FaceMeshView& b) {
-    using std::ranges::equal;
-    return equal(a.cell_types, b.cell_types) && equal(a.face_offset, b.face_offset) &&
-           equal(a.face_vertex, b.face_vertex) && equal(a.owner, b.owner) && equal(a.neighbour, b.neighbour) &&
-           a.vertex_count() == b.vertex_count();
-}
-
-std::size_t mesh_like(const Dataset& dataset, const Dataset& source, const FaceMeshView& wanted) {
+std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t of_source) {
+    const Topology wanted = source.topology(of_source);
     for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
-        if (same_topology(dataset.mesh(mesh, 0), wanted)) return mesh;
+        if (same_cells(dataset.topology(mesh), wanted)) return mesh;
     throw Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
                 "; only steps on the same mesh can be appended");
 }
@@ -209,19 +205,21 @@ AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, s
 std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source) {
     Writer writer = Writer::append(dataset);
     const Dataset& target = *writer.before();
+    std::map<std::size_t, std::size_t> mesh_of; // by mesh of the source: the same one here
     std::size_t appended = 0;
     for (std::size_t step = 0; step < source.steps().size(); ++step) {
         const Step& at = source.steps()[step];
         if (!target.steps().empty() && at.time <= target.steps().back().time) continue;
-        const FaceMeshView view = source.mesh(at.mesh, at.coordinates);
-        const std::size_t mesh = mesh_like(target, source, view);
+        auto known = mesh_of.find(at.mesh);
+        if (known == mesh_of.end()) known = mesh_of.emplace(at.mesh, mesh_like(target, source, at.mesh)).first;
+        const std::size_t mesh = known->second;
         std::vector<Values> held;
         std::vector<ArrayValues> arrays;
         for (const auto& [name, array] : at.arrays) {
             held.push_back(source.values(name, step));
             arrays.push_back({*source.find(name), held.back()});
         }
-        writer.add_step(at.time, mesh, coordinates_like(writer, mesh, view), arrays);
+        writer.add_step(at.time, mesh, coordinates_like(writer, mesh, source.points(at.mesh, at.coordinates)), arrays);
         ++appended;
     }
     writer.finish();

@@ -1,6 +1,7 @@
 #include "store/loaded.hpp"
 
 #include "ciel/geometric_vertices.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "store/cache/cache.hpp"
 #include "store/no_value.hpp"
 
@@ -143,8 +144,14 @@ struct LoadedDataset::State {
         const std::lock_guard making(kept->making);
         auto& found = kept->geometric[at.coordinates];
         if (!found)
-            found = std::make_shared<const GeometricVertices>(
-                [of, at_mesh = at.mesh, at_coordinates = at.coordinates] { return of->mesh(at_mesh, at_coordinates); });
+            found = std::make_shared<const GeometricVertices>([of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
+                FaceMeshView boundary = of->boundary(at_mesh, at_coordinates).mesh;
+                const FaceMeshView points = of->points(at_mesh, at_coordinates); // read, not to be loaded
+                boundary.positions = points.positions;
+                boundary.loader = points.loader;
+                boundary.keep_alive = points.keep_alive;
+                return boundary;
+            });
         return found;
     }
 
@@ -194,13 +201,6 @@ struct LoadedDataset::State {
     std::shared_ptr<const Topology> fitted_topology;
     Cache fields, planes;
 };
-
-FaceMeshView ScalarField::mesh() const {
-    const Step& at = dataset->steps()[step];
-    FaceMeshView mesh = dataset->mesh(at.mesh, at.coordinates);
-    mesh.surface_origin = points.surface_origin;
-    return mesh;
-}
 
 BoundaryFaces ScalarField::boundary() const {
     const Step& at = dataset->steps()[step];
@@ -316,17 +316,11 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
     const ArrayInfo& array = *of->find(parse_scalar(*of, name).array);
     if (array.association != Association::point || cells_of(*of, array) != nullptr || !any_went_wrong(at, &array))
         return 0;
-    const auto values = scalar_values(name, step);
+    const ScalarField of_scalar = scalar(name, step);
+    const Values values = scalar_values(name, step);
     const auto counted = state_->fields.get<std::size_t>(step_key("bad corners", name, step), [&]() -> Cache::Made {
-        const FaceMeshView mesh = of->mesh(at.mesh, at.coordinates);
-        std::vector<std::uint8_t> kept(mesh.cell_count(), 1);
-        for (Index face = 0; face < mesh.face_count(); ++face) {
-            const auto loop = mesh.loop(face);
-            if (std::ranges::none_of(loop, [&](Index vertex) { return went_wrong(values[vertex]); })) continue;
-            for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
-                if (cell != none) kept[cell] = 0;
-        }
-        return {std::make_shared<std::size_t>(std::ranges::count(kept, 0)), sizeof(std::size_t)};
+        return {std::make_shared<std::size_t>(count_cells_without_value(*of_scalar.field, values, went_wrong)),
+                sizeof(std::size_t)};
     });
     of->check_intact();
     return *counted;

@@ -15,10 +15,8 @@ struct ScalarField {
     std::shared_ptr<const Dataset> dataset;
     std::size_t step = 0;
 
-    // Returns the mesh with its faces and the surface_origin of `points`. The faces are read and checked at the first
-    // call for the mesh.
-    [[nodiscard]] FaceMeshView mesh() const;
-    // Returns the boundary faces, likewise, with positions to load.
+    // Returns the boundary faces with the surface_origin of `points`, and with positions to load. They are read and
+    // checked at the first call for the mesh.
     [[nodiscard]] BoundaryFaces boundary() const;
 };
 

@@ -15,7 +15,7 @@
 #include "store/place.hpp"
 #include "store/statistics.hpp"
 #include "store/write_mesh.hpp"
-#include "store/written_faces.hpp"
+#include "store/written_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,7 @@ struct Writer::State {
     Marker marker;
     std::optional<double> last_time; // of the last step
     std::vector<WrittenMesh> meshes;
-    std::map<std::size_t, std::shared_ptr<const Topology>> topologies; // by mesh, for the ranges of values
+    std::map<std::size_t, std::optional<Topology>> topologies; // by mesh; empty until its first use
     std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
@@ -194,24 +194,25 @@ struct Writer::State {
     }
 
     void put_ranges(const ArrayInfo& array, ValuesView values, const fs::path& path, std::uint64_t row) {
-        const auto topology = topology_of(under_way->step.mesh);
-        if (!topology) return;
+        if (!has_blocks(under_way->step.mesh)) return;
+        const Topology& topology = topology_of(under_way->step.mesh);
         const fs::path file = layout::value_ranges(path, row);
         make_directory(file.parent_path());
         under_way->chunks.push_back(file);
-        put(file, to_bytes(value_ranges(values, array, *topology), info.id, checksum_number(values.bytes())));
+        put(file, to_bytes(value_ranges(values, array, topology), info.id, checksum_number(values.bytes())));
     }
 
-    // Returns the topology of a mesh of the dataset; null if the mesh was stored without blocks.
-    std::shared_ptr<const Topology> topology_of(std::size_t mesh) {
-        std::shared_ptr<const Topology>& found = topologies[mesh];
-        const fs::path path = layout::mesh(directory, mesh);
-        if (!found && fs::exists(layout::block_index(path).parent_path())) {
-            const bool is_ours = !appending() || mesh >= marker.meshes;
-            found = std::make_shared<const Topology>(
-                std::make_shared<const StoredBlocks>(path, info.id)->topology(is_ours));
-        }
-        return found;
+    [[nodiscard]] bool has_blocks(std::size_t mesh) const {
+        return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
+    }
+    // Returns the topology of a mesh of the dataset, which is built here if the mesh was stored without blocks.
+    [[nodiscard]] const Topology& topology_of(std::size_t mesh) {
+        std::optional<Topology>& found = topologies[mesh];
+        const bool is_ours = !appending() || mesh >= marker.meshes;
+        if (!found && has_blocks(mesh))
+            found = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id)->topology(is_ours);
+        if (!found) found = before->topology(mesh);
+        return *found;
     }
 
     void put_documents() const {
@@ -219,13 +220,13 @@ struct Writer::State {
         if (info_changed) put_root();
     }
 
-    // Sets the places of all extremes of a step in one pass, because it reads all faces of the mesh.
+    // Sets the places of all extremes of a step.
     void place_extremes(MarkedStep& step) {
         std::vector<Index> cells;
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
         if (cells.empty()) return;
-        const WrittenFaces faces(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
-        const auto places = cell_places(faces.view(), cells);
+        const WrittenPoints points(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
+        const auto places = cell_places(topology_of(step.mesh), points.view(), cells);
         for_extremes(step, [&](CellExtreme& extreme) { extreme.place = places.at(extreme.cell); });
     }
 
@@ -363,8 +364,8 @@ std::size_t Writer::add_coordinates(std::size_t mesh, ValuesView positions) {
     const Values stored = converted(positions, attributes.info.double_positions);
     state_->put(layout::chunk(layout::mesh(state_->directory, mesh) / "positions", index, 3), stored.bytes());
     attributes.coordinate_checksums.push_back(checksum(stored.bytes()));
-    if (const auto topology = state_->topology_of(mesh))
-        write_boxes(layout::mesh(state_->directory, mesh), *topology, state_->info.id, index, stored);
+    if (state_->has_blocks(mesh))
+        write_boxes(layout::mesh(state_->directory, mesh), state_->topology_of(mesh), state_->info.id, index, stored);
     extend_bounds(attributes.info.bounds, attributes.origin, stored);
     return index;
 }

@@ -148,7 +148,7 @@ void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
         if (!std::isnan(nu)) check_closed(a, mesh, values, nu);
         for (Index v : triangulate(a)) require(v < a.points.size(), "a triangle without a vertex");
     }
-    (void)count_ambiguous_faces(mesh, values);
+    (void)count_ambiguous_faces(topology, mesh, values);
     require(vertex_gradients(mesh, values).size() == values.size(), "as many gradients as vertices");
 }
 

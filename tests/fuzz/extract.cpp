@@ -41,7 +41,7 @@ private:
                 require(std::pair(values_[i][minima[k - 1]], minima[k - 1]) <
                             std::pair(values_[i][minima[k]], minima[k]),
                         "minima are sorted");
-            (void)count_ambiguous_faces(mesh_, values_[i]);
+            (void)count_ambiguous_faces(topology_, mesh_, values_[i]);
             gradient_[i] = vertex_gradients(topology_, mesh_, values_[i]);
             require(gradient_[i].size() == values_[i].size(), "as many gradients as vertices");
         }
@@ -143,7 +143,7 @@ private:
             compare_with(surface, soup[i], outline[i], slices[i]);
             check_slab(slabs[i]);
         }
-        check_slab(slab_boundary(mesh_, of_slab));
+        check_slab(slab_boundary(topology_, mesh_, block_boxes(topology_, mesh_.positions), of_slab));
     }
 
     static void compare_with(const Surface& surface, const std::vector<Vec3f>& soup, const std::vector<Vec3f>& outline,

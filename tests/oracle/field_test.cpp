@@ -91,7 +91,7 @@ TEST_P(Fields, AmbiguousFacesHaveSeveralMaximaAroundThem) {
             }
             expected += maxima > 1 ? 1 : 0;
         }
-        EXPECT_EQ(count_ambiguous_faces(mesh.mesh(), values), expected) << named.name;
+        EXPECT_EQ(count_ambiguous_faces(mesh.topology, mesh.mesh(), values), expected) << named.name;
     }
 }
 

@@ -5,8 +5,10 @@
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <ranges>
 #include <set>
 
 namespace ciel {
@@ -107,6 +109,47 @@ TEST(VerticesOfCells, AreTheirCorners) {
             }
             EXPECT_THROW((void)vertices_of_cells(topology, mesh, std::vector<std::uint8_t>(3)), Error);
         }
+}
+
+TEST(SameCells, AreFoundInAnyBlocksAndFromAnyCorner) {
+    for (const test::NamedMesh& named : test::all_meshes()) {
+        FaceMesh mesh = assemble(test::view(named.make())).mesh;
+        if (mesh.cell_types.empty()) continue;
+        const Topology topology(mesh.view(), {5});
+        EXPECT_TRUE(same_cells(topology, Topology(mesh.view()))) << named.name;
+        const auto loop = std::ranges::subrange(mesh.face_vertex.begin(),
+                                                mesh.face_vertex.begin() + static_cast<int>(mesh.face_offset[1]));
+        std::ranges::rotate(loop, loop.begin() + 1);
+        EXPECT_TRUE(same_cells(topology, Topology(mesh.view()))) << named.name;
+        for (Index& vertex : mesh.face_vertex) // other numbers of two vertices
+            if (vertex <= 1) vertex = 1 - vertex;
+        EXPECT_FALSE(same_cells(topology, Topology(mesh.view()))) << named.name;
+    }
+}
+
+TEST(SameCells, AreAsManyAndCloseTheSameFaces) {
+    const FaceMesh row = assemble(test::view(test::hexahedra({{4, 1, 1}}))).mesh,
+                   longer = assemble(test::view(test::hexahedra({{5, 1, 1}}))).mesh;
+    EXPECT_FALSE(same_cells(Topology(row.view()), Topology(longer.view())));
+    EXPECT_FALSE(same_cells(Topology(longer.view()), Topology(row.view())));
+    FaceMesh inside_out = row;
+    for (std::size_t face = 0; face + 1 < row.face_offset.size(); ++face)
+        std::reverse(inside_out.face_vertex.begin() + static_cast<int>(row.face_offset[face]),
+                     inside_out.face_vertex.begin() + static_cast<int>(row.face_offset[face + 1]));
+    EXPECT_FALSE(same_cells(Topology(row.view()), Topology(inside_out.view())));
+}
+
+TEST(CornersOfCell, AreThoseOfItsFaces) {
+    const Assembled assembled = assemble(test::view(test::zoo({{3, 3, 3}})));
+    const FaceMeshView mesh = assembled.mesh.view();
+    const CellFaces faces = cell_faces(mesh);
+    const Topology topology(mesh, {5});
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        std::set<Index> expected;
+        for (const Index face : faces.of(cell)) expected.insert(mesh.loop(face).begin(), mesh.loop(face).end());
+        EXPECT_TRUE(std::ranges::equal(corners_of_cell(topology, cell), expected)) << cell;
+    }
+    EXPECT_THROW((void)corners_of_cell(topology, mesh.cell_count()), Error);
 }
 
 TEST_F(MeshFaces, TheSizeOfASideIsItsBoxAndArea) {

@@ -1,5 +1,6 @@
 // Threshold surfaces against a brute-force test of each cell, without owners, neighbors or blocks.
 #include "ciel/clip_surface.hpp"
+#include "ciel/slab.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/boundary.hpp"
@@ -126,6 +127,61 @@ TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
                     compare(kept);
                 }
         compare(by_blocks);
+    }
+}
+
+// By cell: the sum of the areas. Faces without an area may be left out.
+using Areas = std::map<Index, Vec3d>;
+
+void add_polygon(Areas& areas, Index cell, const Vec3d& area) {
+    for (std::size_t axis = 0; axis < 3; ++axis) areas[cell][axis] += area[axis];
+}
+
+TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
+    const Polyhedra input = GetParam().make();
+    for (const Index cells : {1U, 7U, 4096U})
+        for (const Index one_in : {1U, 3U, 1000U}) {
+            const KernelMesh mesh(input, {cells});
+            const std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 8));
+            const std::vector<Vec3f> gradients(values.size());
+            std::vector<std::array<float, 2>> limits(mesh.mesh().cell_count(), not_filled);
+            std::vector<std::uint8_t> kept(limits.size(), 0);
+            for (Index cell = 0; cell < kept.size(); cell += one_in) {
+                kept[cell] = 1;
+                limits[cell] = {static_cast<float>(cell), static_cast<float>(cell)}; // so that it names the cell
+            }
+            const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
+            const Boundary boundary(mesh.mesh());
+            const SlabMesh slab = slab_boundary(mesh.topology, boundary.faces().mesh, boxes, {values, gradients, limits});
+            Areas found, wanted;
+            std::vector<Vec3f> positions;
+            for (const SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);
+            for (std::size_t i = 0; i < slab.triangles.size(); i += 3)
+                add_polygon(found, static_cast<Index>(slab.vertices[slab.triangles[i]].limits[0]),
+                            vector_area(positions, std::span(slab.triangles).subspan(i, 3)));
+            const Surface surface = threshold_surface(mesh.mesh(), kept);
+            for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i)
+                add_polygon(wanted, surface.polygon_cell[i], vector_area(surface.positions, polygon(surface, i)));
+            for (Index cell = 0; cell < kept.size(); ++cell)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    ASSERT_NEAR(found[cell][axis], wanted[cell][axis], 1e-4) << cells << ' ' << one_in << ' ' << cell;
+        }
+}
+
+TEST_P(ThresholdSurface, CountsTheCellsAroundWhatWentWrong) {
+    const Polyhedra input = GetParam().make();
+    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> values = random_field(input.vertex_count(), 8);
+    for (std::size_t v = 0; v < values.size(); v += 40) values[v] = v % 80 == 0 ? infinity : nan;
+    for (const Index cells : {1U, 7U, 4096U}) {
+        const KernelMesh mesh(input, {cells});
+        const std::vector<float> stored = mesh.stored(values);
+        std::vector<float> marks(stored.size());
+        std::ranges::transform(stored, marks.begin(), [](float value) { return std::isinf(value) ? 1.0F : 0.0F; });
+        const auto beside = cells_in_range(mesh.mesh(), marks, {1, 1}, InRange::any);
+        EXPECT_EQ(count_cells_without_value(make_field(mesh.topology, stored), stored,
+                                            [](double value) { return std::isinf(value); }),
+                  static_cast<std::size_t>(std::ranges::count(beside, 1)));
     }
 }
 

@@ -44,7 +44,7 @@ void record_field(const Meshes& meshes, const FieldPair& fields, Results& result
     results.record(fields.where, "range", std::span<const double>(field.range()));
     results.record(fields.where, "minima", field.sorted_minima());
     results.record(fields.where, "gradients", gradients);
-    const std::array ambiguous{count_ambiguous_faces(meshes.view(), fields.values)};
+    const std::array ambiguous{count_ambiguous_faces(meshes.topology, meshes.view(), fields.values)};
     results.record(fields.where, "ambiguous faces", std::span<const std::uint64_t>(ambiguous));
     for (const auto& [name, algorithm] : algorithms) {
         Query query(meshes.topology, meshes.view(), algorithm);

@@ -34,7 +34,9 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
         record_slab(where + " / slab", slabs[i], results);
     }
     results.record(fields.where, "cell limits", limits);
-    record_slab(fields.where + " / slab boundary", slab_boundary(meshes.view(), property), results);
+    const BlockBoxes boxes = block_boxes(meshes.topology, meshes.view().positions);
+    record_slab(fields.where + " / slab boundary", slab_boundary(meshes.topology, meshes.view(), boxes, property),
+                results);
 }
 
 } // namespace ciel::test

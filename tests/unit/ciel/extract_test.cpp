@@ -173,7 +173,7 @@ TEST(Extract, GivesACellTwoPolygonsAndCutsTheHighSideOff) {
     ASSERT_TRUE(query.extract(0.5, false, surface));
     EXPECT_EQ(surface.polygon_offset, (std::vector<Index>{0, 3, 6}));
     EXPECT_TRUE(surface.normals.empty());
-    EXPECT_EQ(count_ambiguous_faces(mesh.view(), values), 1U);
+    EXPECT_EQ(count_ambiguous_faces(topology, mesh.view(), values), 1U);
 }
 
 TEST(Extract, PassesOverCellsThatTouchAVertexWithoutAValue) {

@@ -24,7 +24,8 @@ public:
                 static_cast<float>(property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
         gradients_ = vertex_gradients(topology_, mesh_.view(), values_);
         limits_ = cell_limits(topology_, values_);
-        boundary_ = slab_boundary(mesh_.view(), {values_, gradients_, limits_});
+        boundary_ = slab_boundary(topology_, mesh_.view(), block_boxes(topology_, mesh_.view().positions),
+                                  {values_, gradients_, limits_});
     }
 
     // The result borrows from this scene, until the next call.

@@ -105,8 +105,9 @@ private:
                                                   ValuesView values);
 
 // Returns the number of faces that are ambiguous for some nu (paper, section 4): their loop has more than one local
-// maximum under the order (value, vertex id). Faces with a vertex without a value do not count. Throws Error unless
-// there is one value per vertex.
-[[nodiscard]] std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, ValuesView values);
+// maximum under the order (value, vertex id). Faces with a vertex without a value do not count. boundary: the mesh, or
+// its boundary faces alone. Reads the cells of all blocks. Throws Error unless there is one value per vertex.
+[[nodiscard]] std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView& boundary,
+                                                  ValuesView values);
 
 } // namespace ciel

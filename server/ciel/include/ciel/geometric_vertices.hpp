@@ -12,7 +12,7 @@
 namespace ciel {
 
 // Candidates for extrema in one mesh at fixed positions, valid for all directions. The first call of `find` computes
-// them. Thread-safe. `keep_alive` owns the arrays of the mesh.
+// them. Thread-safe. The mesh may have its boundary faces only. `keep_alive` owns its arrays.
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)

@@ -30,6 +30,13 @@ namespace ciel {
 [[nodiscard]] Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points,
                                         std::span<const std::uint8_t> kept);
 
+// Returns the vertices of a cell in ascending order. Reads its block.
+[[nodiscard]] std::vector<Index> corners_of_cell(const Topology& topology, Index cell);
+
+// Returns whether two meshes have the same number of vertices and the same cells: faces of the same vertices in the
+// same sense, in any order and from any corner on. Reads all blocks of both. Uses all threads of the parallel loop.
+[[nodiscard]] bool same_cells(const Topology& a, const Topology& b);
+
 struct FacesSize {
     Vec3d low{}, high{}; // corners of the bounding box, in the mesh's coordinates; infinite if there are no faces
     double area = 0;     // sum of the faces' areas; a bent face counts with the length of its area vector

@@ -3,6 +3,7 @@
 // evaluate the property along any ray through the slab.
 #pragma once
 
+#include "ciel/block_ranges.hpp"
 #include "ciel/sweep_sinks.hpp"
 
 namespace ciel {
@@ -51,8 +52,10 @@ struct SlabSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Returns the boundary of all cells whose limits are not not_filled, wound outwards. If all cells are filled, `mesh`
-// may have its boundary faces only.
-[[nodiscard]] SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property);
+// Returns the boundary of all cells whose limits are not not_filled, wound outwards. boundary: the boundary faces of
+// the mesh. boxes: what block_boxes returned for its positions. Reads blocks as threshold_surface does, and none if all
+// cells are filled. Throws Error when the arguments are of another mesh than the topology.
+[[nodiscard]] SlabMesh slab_boundary(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
+                                     const SlabProperty& property);
 
 } // namespace ciel

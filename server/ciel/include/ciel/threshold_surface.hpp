@@ -18,6 +18,10 @@ enum class InRange { all, any }; // which vertices of a cell must lie in the ran
 // vertices have no value. The flag of a cell without faces means nothing.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const Field& field, std::array<double, 2> range,
                                                        InRange vertices);
+// Returns the number of cells with a corner whose value `counts`, which must be false for finite values. values: those
+// that the field was made of. Reads the blocks in which vertices have no finite value.
+[[nodiscard]] std::size_t count_cells_without_value(const Field& field, ValuesView values,
+                                                    bool (*counts)(double value));
 // Returns one flag per cell: 1 if its value lies in the range, which includes both ends. NaN is outside.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(ValuesView of_cells, std::array<double, 2> range);
 

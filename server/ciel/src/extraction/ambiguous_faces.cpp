@@ -1,4 +1,6 @@
 // Counts the ambiguous faces, on which the points of a surface could be joined in more than one way (paper, section 4).
+#include "blocks/blocks.hpp"
+#include "blocks/cell_loops.hpp"
 #include "ciel/field.hpp"
 #include "ciel/parallel.hpp"
 #include "mesh/loop.hpp"
@@ -24,20 +26,32 @@ bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
 
 } // namespace
 
-std::uint64_t count_ambiguous_faces(const FaceMeshView& mesh, ValuesView values) {
-    if (values.size() != mesh.vertex_count()) fail("a field must hold one value per vertex");
-    std::atomic<std::uint64_t> count{0};
-    parallel_for(mesh.face_count(), 16384, [&](std::size_t begin, std::size_t end) {
+std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView& boundary, ValuesView values) {
+    if (values.size() != topology.counts().vertices) fail("a field must hold one value per vertex");
+    const Topology::Blocks& blocks = topology.blocks();
+    std::atomic<std::uint64_t> sides{0}; // a face between two cells has two
+    parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
+        CellLoops loops;
         std::vector<Index> loop;
         std::uint64_t found = 0;
-        for (std::size_t f = begin; f < end; ++f) {
-            loop.clear();
-            append_without_repeats(mesh.loop(static_cast<Index>(f)), loop);
-            found += is_ambiguous(loop, values) ? 1 : 0;
-        }
-        count += found;
+        for (auto b = static_cast<Index>(begin); b < end; ++b)
+            for_cells(blocks.cells(b), loops, [&](Index, const CellLoops& of_cell) {
+                for (std::size_t face = 0; face < of_cell.count(); ++face) {
+                    loop.clear();
+                    append_without_repeats(of_cell.face(face), loop);
+                    found += is_ambiguous(loop, values) ? 1 : 0;
+                }
+            });
+        sides += found;
     });
-    return count;
+    std::vector<Index> loop;
+    for (Index face = 0; face < boundary.face_count(); ++face) {
+        if (boundary.neighbour[face] != none) continue;
+        loop.clear();
+        append_without_repeats(boundary.loop(face), loop);
+        sides += is_ambiguous(loop, values) ? 1 : 0;
+    }
+    return sides / 2;
 }
 
 } // namespace ciel

@@ -2,10 +2,12 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
+#include "blocks/inner_faces.hpp"
 #include "ciel/cell_geometry.hpp"
 #include "extraction/join_pieces.hpp"
 #include "extraction/polygon.hpp"
 #include "extraction/sink_arrays.hpp"
+#include "fields/sparse_array.hpp"
 #include "parallel/grain.hpp"
 
 #include <algorithm>
@@ -107,6 +109,42 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
+// Makes a SlabMesh of faces of the mesh. Each fan needs to know all vertices, so they come before the fans.
+class SlabFaces {
+public:
+    SlabFaces(const FaceMeshView& points, const SlabProperty& property)
+        : points_(points), property_(property), local_(points.vertex_count()) {}
+
+    void add(std::span<const Index> loop, Index cell) {
+        points_.load(loop);
+        for (const Index vertex : loop) {
+            Index& local = local_.get()[vertex];
+            if (local == 0) {
+                out_.vertices.push_back(
+                    {surface_position(points_, vertex), property_.value[vertex], property_.gradient[vertex], {}});
+                local = static_cast<Index>(out_.vertices.size());
+            }
+            corners_.push_back(local - 1);
+        }
+        ends_.push_back(corners_.size());
+        cells_.push_back(cell);
+    }
+    [[nodiscard]] SlabMesh take() && {
+        FanWriter fans(out_);
+        for (std::size_t i = 0, begin = 0; i < cells_.size(); begin = ends_[i++])
+            fans.add(std::span(corners_).subspan(begin, ends_[i] - begin), property_.limits[cells_[i]]);
+        return std::move(out_);
+    }
+
+private:
+    const FaceMeshView& points_;
+    const SlabProperty& property_;
+    SparseArray<Index> local_; // by vertex: the number of vertices of the result when it was added
+    std::vector<Index> corners_, cells_;
+    std::vector<std::size_t> ends_; // by face: the end of its corners
+    SlabMesh out_;
+};
+
 } // namespace
 
 std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values) {
@@ -158,39 +196,26 @@ void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
     join_triangles(pieces, &Piece::vertices, out);
 }
 
-SlabMesh slab_boundary(const FaceMeshView& mesh, const SlabProperty& property) {
-    const auto filled = [&](Index cell) { return cell != none && is_filled(property.limits[cell]); };
-    SlabMesh out;
-    struct Side {
-        Index face, cell;
-        bool is_owner; // `cell` owns the face, so the loop is wound outwards
-    };
-    std::vector<Side> sides;
-    std::vector<Index> local(mesh.vertex_count(), none), loop;
-    for (Index face = 0; face < mesh.face_count(); ++face) {
-        const Index owner = mesh.owner[face], neighbour = mesh.neighbour[face];
-        if (filled(owner) == filled(neighbour)) continue;
-        sides.push_back({face, filled(owner) ? owner : neighbour, filled(owner)});
-        read_loop(mesh, face, loop);
-        mesh.load(loop);
-        for (const Index vertex : loop) {
-            if (local[vertex] != none) continue;
-            local[vertex] = static_cast<Index>(out.vertices.size());
-            out.vertices.push_back(
-                {surface_position(mesh, vertex), property.value[vertex], property.gradient[vertex], {}});
-        }
+SlabMesh slab_boundary(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
+                       const SlabProperty& property) {
+    if (boundary.vertex_count() != topology.counts().vertices || boundary.cell_count() != topology.counts().cells)
+        fail("a slab's boundary is of another mesh than the topology");
+    SlabSink{property}.check(boundary);
+    std::vector<std::uint8_t> filled(property.limits.size());
+    std::ranges::transform(property.limits, filled.begin(), [](const auto& limits) { return is_filled(limits); });
+    const InnerFaces inner(topology, boxes, filled);
+    SlabFaces faces(boundary, property);
+    std::vector<Index> loop;
+    for (Index face = 0; face < boundary.face_count(); ++face) {
+        const Index owner = boundary.owner[face];
+        if (boundary.neighbour[face] != none || filled[owner] == 0) continue;
+        read_loop(boundary, face, loop);
+        faces.add(loop, owner);
     }
-    FanWriter fans(out);
-    for (const auto& [face, cell, is_owner] : sides) {
-        loop.clear();
-        for (const Index vertex : mesh.loop(face)) {
-            if (local[vertex] == none) mesh.face_vertex.refuse(); // the mapped file changed
-            loop.push_back(local[vertex]);
-        }
-        if (!is_owner) std::ranges::reverse(loop);
-        fans.add(loop, property.limits[cell]);
-    }
-    return out;
+    inner.for_blocks([&](const InnerFaces::OfBlock& found) {
+        for (std::size_t i = 0; i < found.cell.size(); ++i) faces.add(found.loops.face(i), found.cell[i]);
+    });
+    return std::move(faces).take();
 }
 
 } // namespace ciel

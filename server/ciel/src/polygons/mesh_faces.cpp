@@ -13,6 +13,22 @@
 #include <limits>
 
 namespace ciel {
+
+namespace {
+
+// Returns the faces of a cell, each from its lowest vertex on, in ascending order.
+std::vector<std::vector<Index>> sorted_faces(const CellLoops& cell) {
+    std::vector<std::vector<Index>> faces;
+    for (std::size_t i = 0; i < cell.count(); ++i) {
+        faces.emplace_back(cell.face(i).begin(), cell.face(i).end());
+        std::ranges::rotate(faces.back(), std::ranges::min_element(faces.back()));
+    }
+    std::ranges::sort(faces);
+    return faces;
+}
+
+} // namespace
+
 std::vector<CellFace> boundary_faces(const FaceMeshView& mesh) {
     std::vector<CellFace> faces;
     for (Index face = 0; face < mesh.face_count(); ++face)
@@ -83,6 +99,33 @@ Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points, 
         out.points.push_back({vertex, vertex, 0});
     }
     return out;
+}
+
+std::vector<Index> corners_of_cell(const Topology& topology, Index cell) {
+    const Topology::Blocks& blocks = topology.blocks();
+    if (cell >= topology.counts().cells) fail("the mesh has no cell " + std::to_string(cell));
+    const Block& block = blocks.cells(blocks.block_of_cell(cell));
+    CellLoops loops;
+    read_loops(block, cell - block.cell_begin, loops);
+    std::ranges::sort(loops.vertex);
+    loops.vertex.erase(std::unique(loops.vertex.begin(), loops.vertex.end()), loops.vertex.end());
+    return std::move(loops.vertex);
+}
+
+bool same_cells(const Topology& a, const Topology& b) {
+    if (a.counts().cells != b.counts().cells || a.counts().vertices != b.counts().vertices) return false;
+    const Topology::Blocks &blocks = a.blocks(), &others = b.blocks();
+    std::atomic<bool> same = true;
+    parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
+        CellLoops loops, other;
+        for (auto block = static_cast<Index>(begin); block < end && same; ++block)
+            for_cells(blocks.cells(block), loops, [&](Index cell, const CellLoops& of_cell) {
+                const Block& holder = others.cells(others.block_of_cell(cell));
+                read_loops(holder, cell - holder.cell_begin, other);
+                if (sorted_faces(of_cell) != sorted_faces(other)) same = false;
+            });
+    });
+    return same;
 }
 
 FacesSize size_of_faces(const FaceMeshView& mesh, std::span<const Index> ids) {

@@ -1,0 +1,34 @@
+// WrittenPoints: the positions of a mesh on the disk, mapped without the checks of a reader.
+#pragma once
+
+#include "ciel/face_mesh.hpp"
+#include "store/cache/mapped_file.hpp"
+#include "store/format/attributes.hpp"
+#include "store/format/layout.hpp"
+
+#include <filesystem>
+
+namespace ciel::store {
+
+// For a mesh of the dataset that a writer writes or has locked: its files cannot change meanwhile. `mesh`: its
+// directory.
+class WrittenPoints {
+public:
+    WrittenPoints(const std::filesystem::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
+        : origin_(attributes.origin), double_positions_(attributes.info.double_positions),
+          positions_(layout::chunk(mesh / "positions", coordinates, 3),
+                     3 * attributes.info.vertices * (double_positions_ ? sizeof(double) : sizeof(float))) {}
+
+    [[nodiscard]] FaceMeshView view() const { // without cells
+        const ValuesView positions =
+            double_positions_ ? ValuesView(positions_.as<double>()) : ValuesView(positions_.as<float>());
+        return face_mesh_view(origin_, positions, {}, {}, {}, {}, {});
+    }
+
+private:
+    Vec3d origin_;
+    bool double_positions_;
+    MappedFile positions_;
+};
+
+} // namespace ciel::store
