@@ -180,7 +180,7 @@ def test_a_boundary_layer_keeps_its_heights(walls, tmp_path):
         assert surface.GetNumberOfPolys() == 4
         assert np.abs(points_of(surface)[:, 2] - middle).max() <= 1e-3 * THINNEST
         np.testing.assert_allclose(vtk_to_numpy(surface.GetPointData().GetArray("height")), middle, rtol=1e-6)
-        sliced = ciel("extract", walls["whole"].path, "--slice", f"z={middle!r}", "-o", path)
+        sliced = ciel("extract", walls["whole"].path, "--slice", f"z={float(middle)!r}", "-o", path)
         assert sliced.returncode == 0, sliced.stderr
         surface = read_surface(path)
         assert surface.GetNumberOfPolys() == 4
