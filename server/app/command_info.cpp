@@ -54,7 +54,7 @@ json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
         const store::Step& at = dataset.steps()[step];
         if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.lazy)
-            return count_ambiguous_faces(dataset.topology(at.mesh), dataset.boundary(at.mesh, at.coordinates).mesh,
+            return count_ambiguous_faces(dataset.topology(at.mesh), dataset.boundary(at.mesh, at.coordinates),
                                          dataset.values(array.name, step));
     }
     return nullptr;

@@ -1,7 +1,6 @@
 #include "geometry/bodies.hpp"
 
 #include "ciel/mesh_faces.hpp"
-#include "store/group_faces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,8 +66,8 @@ std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& 
     std::vector<Patch> patches;
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
-        const store::GroupFaces faces = store::faces_of(group, dataset, step);
-        const FacesSize size = size_of_faces(faces.mesh, faces.ids);
+        const std::vector<Index> ids(group.ids.begin(), group.ids.end());
+        const FacesSize size = size_of_faces(dataset.numbered_faces(step.mesh, step.coordinates), ids);
         patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
     }
     return patches;

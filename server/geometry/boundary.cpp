@@ -24,27 +24,15 @@ Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const V
                          const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
     const auto dataset = loaded.dataset();
     const store::Step& at = dataset->steps()[step];
-    BoundaryFaces boundary = dataset->boundary(at.mesh, at.coordinates);
-    boundary.mesh.surface_origin = origin;
-    if (groups.empty()) {
-        if (kept.empty()) return surface_of(boundary, boundary_faces(boundary.mesh));
-        auto points = dataset->points_to_load(at.mesh, at.coordinates);
-        points.surface_origin = origin;
-        return threshold_surface(*loaded.topology(at.mesh), points, boundary, *loaded.boxes(step), kept);
+    if (!groups.empty()) {
+        auto faces = dataset->numbered_faces(at.mesh, at.coordinates);
+        faces.surface_origin = origin;
+        return face_surface(faces, faces_by_id(faces, ids_in(groups, *dataset, at), kept));
     }
-    std::vector<Index> ids = ids_in(groups, *dataset, at);
-    std::vector<Index> numbers = boundary_numbers(boundary, ids);
-    if (std::ranges::find(numbers, none) == numbers.end())
-        return surface_of(boundary, faces_by_id(boundary.mesh, std::move(numbers), kept));
-    auto mesh = dataset->mesh(at.mesh, at.coordinates);
-    mesh.surface_origin = origin;
-    return face_surface(mesh, faces_by_id(mesh, std::move(ids), kept));
-}
-
-Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces) {
-    Surface surface = face_surface(boundary.mesh, faces);
-    for (Index& face : surface.polygon_face) face = boundary.face[face];
-    return surface;
+    auto boundary = dataset->boundary(at.mesh, at.coordinates);
+    boundary.surface_origin = origin;
+    if (kept.empty()) return face_surface(boundary, boundary_faces(boundary));
+    return threshold_surface(*loaded.topology(at.mesh), boundary, *loaded.boxes(step), kept);
 }
 
 std::shared_ptr<const Shape> triangles_shape(Surface&& surface) {

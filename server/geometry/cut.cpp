@@ -1,6 +1,5 @@
 #include "geometry/cut.hpp"
 
-#include "ciel/boundary_faces.hpp"
 #include "ciel/contour_lines.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "geometry/sound_shape.hpp"
@@ -49,9 +48,11 @@ store::Values Painted::flat_scalars(store::LoadedDataset& loaded) const {
     const store::Association association = association_of(*dataset, array);
     const auto values = loaded.stored_scalar(array, step, association);
     if (association == store::Association::cell) return flat_values(surface, values->of(surface.polygon_cell));
-    const store::Step& at = dataset->steps()[step];
-    return flat_values(surface,
-                       values->of(boundary_numbers(dataset->boundary(at.mesh, at.coordinates), surface.polygon_face)));
+    const std::uint64_t on_boundary = dataset->info().meshes[dataset->steps()[step].mesh].boundary_faces;
+    std::vector<Index> numbers = surface.polygon_face;
+    for (Index& number : numbers)
+        if (number >= on_boundary) number = none;
+    return flat_values(surface, values->of(numbers));
 }
 
 void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,

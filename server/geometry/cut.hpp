@@ -104,12 +104,10 @@ struct Boundary {
 };
 
 // Returns the faces of the patches `groups` that belong to kept cells, relative to `origin`. Without groups, returns
-// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells. Reads the list of
-// all faces only for groups that have faces inside the mesh.
+// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
+// polygon_face is the number of the face, or `none` of one inside that has no number.
 [[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
-// Returns faces of a boundary, by number, as polygons. Their polygon_face is the id in the whole mesh.
-[[nodiscard]] Surface surface_of(const BoundaryFaces& boundary, std::span<const CellFace> faces);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
 // The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);

@@ -33,8 +33,8 @@ std::optional<double> side_at(double nu, const store::ScalarField& distances) {
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
-    const BoundaryFaces boundary = distances.boundary();
-    return surface_of(boundary, boundary_faces_at(boundary.mesh, *distances.field, nu, rounding(distances)));
+    const auto boundary = distances.boundary();
+    return face_surface(boundary, boundary_faces_at(boundary, *distances.field, nu, rounding(distances)));
 }
 
 } // namespace ciel::geometry

@@ -88,8 +88,8 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
             if (sound->kept[cell] == 0) limits[cell] = not_filled;
-    boundary = std::make_shared<const SlabMesh>(slab_boundary(*field.topology, field.boundary().mesh,
-                                                              *loaded.boxes(step), {values.floats(), gradients, limits}));
+    boundary = std::make_shared<const SlabMesh>(
+        slab_boundary(*field.topology, field.boundary(), *loaded.boxes(step), {values.floats(), gradients, limits}));
     key = wanted;
 }
 

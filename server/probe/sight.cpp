@@ -6,7 +6,6 @@
 #include "geometry/clip.hpp"
 #include "geometry/cutter.hpp"
 #include "geometry/viewpoint.hpp"
-#include "store/group_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,8 +131,9 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     }
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (!shows(*layer, group)) continue;
-        const store::GroupFaces faces = store::faces_of(group, dataset, step);
-        if (face_with_vertices(faces.mesh, faces.ids, vertices) != none) return group.name;
+        const std::vector<Index> ids(group.ids.begin(), group.ids.end());
+        const auto faces = dataset.numbered_faces(step.mesh, step.coordinates);
+        if (face_with_vertices(faces, ids, vertices) != none) return group.name;
     }
     return {};
 }

@@ -139,10 +139,18 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
+// Arrays on boundary faces need the same order.
+bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
+    bool same = std::ranges::equal(a.owner, b.owner);
+    for (Index face = 0; same && face < a.face_count(); ++face) same = std::ranges::equal(a.loop(face), b.loop(face));
+    return same;
+}
+
 std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t of_source) {
     const Topology wanted = source.topology(of_source);
+    const FaceMeshView boundary = source.boundary(of_source, 0);
     for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
-        if (same_cells(dataset.topology(mesh), wanted)) return mesh;
+        if (same_faces(dataset.boundary(mesh, 0), boundary) && same_cells(dataset.topology(mesh), wanted)) return mesh;
     throw Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
                 "; only steps on the same mesh can be appended");
 }

@@ -77,8 +77,13 @@ public:
     }
 
     FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
-        const Values all = positions(mesh, coordinates);
-        return of_dataset(at(mesh)->view(all), mesh, all.keep_alive());
+        const FaceMeshView view = points(mesh, coordinates);
+        try {
+            return at(mesh)->all_faces(view);
+        } catch (const Error&) { // check_unchanged names the damaged file, which the kernel does not know
+            check_unchanged();
+            throw;
+        }
     }
     FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
         const Values all = positions(mesh, coordinates);
@@ -92,10 +97,15 @@ public:
         view.loader = loader.get();
         return view;
     }
-    BoundaryFaces boundary(std::size_t mesh, std::size_t coordinates) const override {
-        BoundaryFaces boundary = at(mesh)->boundary(points_to_load(mesh, coordinates));
+    FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const override {
+        FaceMeshView faces = at(mesh)->numbered_faces(points_to_load(mesh, coordinates));
         check_intact();
-        return boundary;
+        return faces;
+    }
+    FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const override {
+        FaceMeshView faces = at(mesh)->boundary(points_to_load(mesh, coordinates));
+        check_intact();
+        return faces;
     }
     void verify() const override {
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
@@ -357,7 +367,7 @@ private:
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             result = statistics(loaded(paged_values(step.mesh, name, entry)), array);
-            result.extremes.clear(); // left empty, because finding their places would read all faces
+            result.extremes.clear(); // left empty, because finding their places would read blocks
         }
         result.lazy = entry.lazy;
         result.has_checksum = !entry.checksum.empty();

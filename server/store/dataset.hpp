@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
-#include "ciel/boundary_faces.hpp"
+#include "ciel/numbered_faces.hpp"
 #include "store/files/local_files.hpp"
 #include "store/format/histogram.hpp"
 #include "store/format/steps.hpp"
@@ -45,7 +45,7 @@ public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
     // `directory` is not a dataset. Arrays, records and the arrays of a step in the table of steps are read and
     // verified at their first use, not here.
-    // `access`: to records, values and positions; nullopt: as the file system demands. The lists of faces are mapped.
+    // `access`: to records, values and positions; nullopt: as the file system demands. The numbered faces are mapped.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed,
                                                        std::optional<FileAccess> access = std::nullopt);
@@ -72,17 +72,19 @@ public:
 
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0; // of copied values and positions (FileAccess::read)
 
-    // Returns the mesh, whose faces are checked at the first call. Throws Error that names the file when they are
-    // damaged.
+    // Returns the mesh with all its faces (all_faces in ciel/numbered_faces.hpp), which no picture needs. They take
+    // memory while somebody uses them; in format 1 they are mapped. Throws Error that names a file that is damaged.
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the mesh without its faces: face_count() is 0. Reads positions only.
     [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
     // Likewise, but reads nothing: positions are read and checked when the view's loader loads them. If the mesh was
     // stored without blocks, all are read here.
     [[nodiscard]] virtual FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the boundary faces, which are checked at the first call, with positions to load. Reads no other faces,
-    // unless a CIEL that stored no lists of boundary faces wrote the mesh. Throws Error like mesh().
-    [[nodiscard]] virtual BoundaryFaces boundary(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Returns the numbered faces (ciel/numbered_faces.hpp), which are checked at the first call, with positions to
+    // load. The ids of a group of faces are their numbers. Throws Error like mesh().
+    [[nodiscard]] virtual FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
+    // Returns the first of them, those on the boundary.
+    [[nodiscard]] virtual FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
     // open. If the mesh was stored without blocks, the topology is built here.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;

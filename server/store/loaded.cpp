@@ -145,7 +145,7 @@ struct LoadedDataset::State {
         auto& found = kept->geometric[at.coordinates];
         if (!found)
             found = std::make_shared<const GeometricVertices>([of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
-                FaceMeshView boundary = of->boundary(at_mesh, at_coordinates).mesh;
+                FaceMeshView boundary = of->boundary(at_mesh, at_coordinates);
                 const FaceMeshView points = of->points(at_mesh, at_coordinates); // read, not to be loaded
                 boundary.positions = points.positions;
                 boundary.loader = points.loader;
@@ -202,10 +202,10 @@ struct LoadedDataset::State {
     Cache fields, planes;
 };
 
-BoundaryFaces ScalarField::boundary() const {
+FaceMeshView ScalarField::boundary() const {
     const Step& at = dataset->steps()[step];
-    BoundaryFaces boundary = dataset->boundary(at.mesh, at.coordinates);
-    boundary.mesh.surface_origin = points.surface_origin;
+    FaceMeshView boundary = dataset->boundary(at.mesh, at.coordinates);
+    boundary.surface_origin = points.surface_origin;
     return boundary;
 }
 
@@ -301,8 +301,7 @@ std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& 
         made->kept.assign(of->info().meshes[at.mesh].cells, 1);
         if (any_went_wrong(at, cells)) leave_out_cells(*cells, of->values(cells->name, step), made->kept);
         if (any_went_wrong(at, faces))
-            leave_out_owners(of->boundary(at.mesh, at.coordinates).mesh, *faces, of->values(faces->name, step),
-                             made->kept);
+            leave_out_owners(of->boundary(at.mesh, at.coordinates), *faces, of->values(faces->name, step), made->kept);
         made->left_out = static_cast<std::size_t>(std::ranges::count(made->kept, 0));
         return {made, made->kept.size()};
     });

@@ -17,7 +17,7 @@ struct ScalarField {
 
     // Returns the boundary faces with the surface_origin of `points`, and with positions to load. They are read and
     // checked at the first call for the mesh.
-    [[nodiscard]] BoundaryFaces boundary() const;
+    [[nodiscard]] FaceMeshView boundary() const;
 };
 
 // The cells whose values of an array are not NaN or infinite results of the solver. Pictures leave out the other cells.

@@ -3,7 +3,10 @@
 #include "store/format/layout.hpp"
 #include "store/writer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 namespace ciel::store {
 namespace {
@@ -22,10 +25,41 @@ FaceMesh copy_of(const FaceMeshView& view) {
     return mesh;
 }
 
-std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh) {
+// Returns the vertices of a face, ascending, between its two cells.
+std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& mesh, Index face) {
+    const Ids loop = mesh.loop(face);
+    std::vector<Index> vertices(loop.begin(), loop.end());
+    std::ranges::sort(vertices);
+    return {{mesh.owner[face], mesh.neighbour[face]}, std::move(vertices)};
+}
+
+// Returns for each numbered face its id among all faces. Those of the boundary are there in the order of their numbers.
+std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& numbered) {
+    std::vector<Index> ids;
+    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner; // numbers of those inside the mesh
+    for (Index number = 0; number < numbered.face_count(); ++number)
+        if (numbered.neighbour[number] != none) inner.emplace(key_of(numbered, number), number);
+    std::set<std::array<Index, 2>> cells; // on both sides of them
+    for (const auto& [key, number] : inner) cells.insert(key.first);
+    for (Index face = 0; face < all.face_count(); ++face)
+        if (all.neighbour[face] == none) ids.push_back(face);
+    ids.resize(numbered.face_count(), none);
+    for (Index face = 0; face < all.face_count(); ++face) {
+        if (!cells.contains({all.owner[face], all.neighbour[face]})) continue;
+        if (const auto found = inner.find(key_of(all, face)); found != inner.end()) ids[found->second] = face;
+    }
+    return ids;
+}
+
+std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh, const FaceMeshView& all) {
+    const std::vector<Index> id = ids_of_numbers(all, dataset.numbered_faces(mesh, 0));
     std::vector<NamedGroup> groups;
-    for (const Group& group : dataset.groups(mesh))
-        groups.push_back({group.of, group.name, {group.ids.begin(), group.ids.end()}, group.facts});
+    for (const Group& group : dataset.groups(mesh)) {
+        NamedGroup named{group.of, group.name, {group.ids.begin(), group.ids.end()}, group.facts};
+        if (group.of == Group::Of::faces)
+            for (Index& face : named.ids) face = id.at(face);
+        groups.push_back(std::move(named));
+    }
     return groups;
 }
 
@@ -38,8 +72,9 @@ public:
     std::vector<std::string> run() {
         for (std::size_t mesh = 0; mesh < from_.info().meshes.size(); ++mesh) {
             tell_part();
-            to_.add_mesh(copy_of(from_.mesh(mesh, 0)), from_.original_vertex(mesh), from_.original_cell(mesh),
-                         groups_of(from_, mesh), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
+            const FaceMeshView all = from_.mesh(mesh, 0);
+            to_.add_mesh(copy_of(all), from_.original_vertex(mesh), from_.original_cell(mesh),
+                         groups_of(from_, mesh, all), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
         }
         for (std::size_t step = 0; step < from_.steps().size(); ++step) {
             tell_part();

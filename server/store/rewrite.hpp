@@ -1,4 +1,4 @@
-// Writes a dataset again as this version writes it. Earlier versions stored no blocks and no ranges.
+// Writes a dataset again as this version writes it. Earlier versions stored all faces, or no blocks and ranges.
 #pragma once
 
 #include <filesystem>

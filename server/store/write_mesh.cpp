@@ -3,6 +3,7 @@
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
+#include "store/format/number_groups.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/mesh_counts.hpp"
 #include "store/write_blocks.hpp"
@@ -107,31 +108,31 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
         attributes.checksums[name] = write_whole(directory / name, type, bytes);
     };
     write("cell_types", ElementType::u1, std::as_bytes(std::span(mesh.cell_types)));
-    write("face_offset", ElementType::u8, std::as_bytes(std::span(mesh.face_offset)));
-    write("face_vertex", ElementType::u4, std::as_bytes(std::span(mesh.face_vertex)));
-    write("owner", ElementType::u4, std::as_bytes(std::span(mesh.owner)));
-    write("neighbour", ElementType::u4, std::as_bytes(std::span(mesh.neighbour)));
     const auto write_ids = [&](const std::string& name, ElementType type, std::span<const std::byte> ids) {
         write(name, type, ids);
         write_ranges(directory / name, 0, {{}, {}, page_checksums(ids)}, dataset_id, ids);
     };
     write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));
-    const BoundaryFaceLists boundary = boundary_face_lists(mesh.view());
-    write_group(directory / layout::boundary_group);
-    write("boundary/face_offset", ElementType::u8, std::as_bytes(std::span(boundary.face_offset)));
-    write("boundary/face_vertex", ElementType::u4, std::as_bytes(std::span(boundary.face_vertex)));
-    write("boundary/owner", ElementType::u4, std::as_bytes(std::span(boundary.owner)));
-    write("boundary/face", ElementType::u4, std::as_bytes(std::span(boundary.face)));
+    std::vector<std::vector<Index>> ids; // by group; empty for groups of cells
+    for (const NamedGroup& group : groups) {
+        check_group(group, group.of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
+        ids.push_back(group.of == Group::Of::faces ? group.ids : std::vector<Index>{});
+    }
+    const NumberedGroups numbered = number_groups(mesh.view(), ids);
+    write_group(directory / layout::faces_group);
+    write("faces/face_offset", ElementType::u8, std::as_bytes(std::span(numbered.faces.face_offset)));
+    write("faces/face_vertex", ElementType::u4, std::as_bytes(std::span(numbered.faces.face_vertex)));
+    write("faces/owner", ElementType::u4, std::as_bytes(std::span(numbered.faces.owner)));
+    write("faces/neighbour", ElementType::u4, std::as_bytes(std::span(numbered.faces.neighbour)));
     if (!solver.vertex.empty()) write_ids("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
     if (!solver.cell.empty()) write_ids("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        check_group(groups[i], groups[i].of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
-        std::vector<Index> ids = groups[i].ids;
-        std::sort(ids.begin(), ids.end());
-        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        std::vector<Index> of_group = groups[i].of == Group::Of::faces ? numbered.ids[i] : groups[i].ids;
+        std::sort(of_group.begin(), of_group.end());
+        of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
         const std::string name = "groups/" + std::to_string(i);
-        write(name, ElementType::u4, std::as_bytes(std::span(ids)));
+        write(name, ElementType::u4, std::as_bytes(std::span(of_group)));
         attributes.groups.push_back({groups[i].of, groups[i].name, groups[i].facts});
         write_file(directory / name / layout::attributes_document,
                    bytes_of(group_attributes_text(attributes.groups.back())));

@@ -253,7 +253,8 @@ void read_again(const Place& place) {
     try {
         const auto dataset = Dataset::open(place.temporary());
         for (std::size_t mesh = 0; mesh < dataset->info().meshes.size(); ++mesh) {
-            (void)dataset->mesh(mesh, 0);
+            (void)dataset->points(mesh, 0);
+            (void)dataset->numbered_faces(mesh, 0);
             (void)dataset->groups(mesh);
         }
     } catch (const Error& error) {
@@ -345,6 +346,8 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
     }
     state_->meshes.push_back(
         {write_mesh(path, mesh, original_vertex, original_cell, named, solver, state_->info.id), {}, 0});
+    state_->info_changed |= state_->info.format_version != layout::format_version;
+    state_->info.format_version = layout::format_version;
     return index;
 }
 

@@ -10,7 +10,7 @@ namespace ciel::store {
 struct NamedGroup {
     Group::Of of = Group::Of::faces;
     std::string name;
-    std::vector<Index> ids; // stored ids
+    std::vector<Index> ids; // of faces or cells of the mesh that is added
     PatchFacts facts = {};
 };
 

@@ -56,7 +56,7 @@ TEST_P(RestoredFiles, AreNoLossIfTheyAreReplacedByEqualOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(arrays, RestoredFiles,
-                         testing::Values("original_vertex/0", "owner/0", "groups/0/0", "blocks/cells/0",
+                         testing::Values("original_vertex/0", "faces/owner/0", "groups/0/0", "blocks/cells/0",
                                          "blocks/around/0", "blocks/mates/0"),
                          [](const auto& row) {
                              std::string name = row.param;

@@ -2,6 +2,8 @@
 
 #include "ciel/assemble.hpp"
 #include "ciel/cell_faces.hpp"
+#include "ciel/numbered_faces.hpp"
+#include "support/boundary.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -125,6 +127,46 @@ TEST(SameCells, AreFoundInAnyBlocksAndFromAnyCorner) {
             if (vertex <= 1) vertex = 1 - vertex;
         EXPECT_FALSE(same_cells(topology, Topology(mesh.view()))) << named.name;
     }
+}
+
+// Also of collapsed cells, whose faces without an area are not in the blocks.
+TEST(AllFaces, AreThoseThatTheBlocksWereMadeOf) {
+    for (const test::NamedMesh& named : test::all_meshes())
+        for (const Index cells_per_block : {1U, 5U, 4096U}) {
+            const Assembled assembled = assemble(test::view(named.make()));
+            const FaceMeshView mesh = assembled.mesh.view();
+            const Topology topology(mesh, {cells_per_block});
+            const test::Boundary boundary(mesh);
+            const FaceLists faces = all_faces(topology, boundary.faces());
+            const FaceMeshView made = with_faces(mesh, faces);
+            EXPECT_EQ(faces.owner, assembled.mesh.owner) << named.name;
+            EXPECT_TRUE(same_cells(topology, Topology(made))) << named.name;
+            const FaceLists again = numbered_faces(made, {}), wanted = numbered_faces(mesh, {});
+            EXPECT_EQ(again.face_offset, wanted.face_offset) << named.name;
+            EXPECT_EQ(again.face_vertex, wanted.face_vertex) << named.name;
+            for (Index face = 0; face < made.face_count(); ++face)
+                ASSERT_LT(made.owner[face], made.neighbour[face]) << named.name;
+        }
+}
+
+TEST(NumberedFaces, AreTheBoundaryAndThenOthers) {
+    const Assembled assembled = assemble(test::view(test::zoo({{3, 3, 3}})));
+    const FaceMeshView mesh = assembled.mesh.view();
+    std::vector<Index> on, inside;
+    for (Index face = 0; face < mesh.face_count(); ++face) (mesh.neighbour[face] == none ? on : inside).push_back(face);
+    const std::vector<Index> some{inside[4], inside[7]};
+    const FaceLists faces = numbered_faces(mesh, some);
+    std::vector<Index> ids = on;
+    ids.insert(ids.end(), some.begin(), some.end());
+    ASSERT_EQ(faces.owner.size(), ids.size());
+    const FaceMeshView made = with_faces(mesh, faces);
+    for (Index number = 0; number < ids.size(); ++number) {
+        EXPECT_TRUE(std::ranges::equal(made.loop(number), mesh.loop(ids[number])));
+        EXPECT_EQ(made.owner[number], mesh.owner[ids[number]]);
+        EXPECT_EQ(made.neighbour[number], mesh.neighbour[ids[number]]);
+    }
+    const std::vector<Index> asked{on[5], inside[4], on[0], on[5]};
+    EXPECT_EQ(boundary_numbers(mesh, asked), (std::vector<Index>{5, none, 0, 5}));
 }
 
 TEST(SameCells, AreAsManyAndCloseTheSameFaces) {

@@ -104,12 +104,13 @@ TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
         std::vector<std::uint8_t> by_blocks(mesh.mesh().cell_count());
         for (std::size_t cell = 0; cell < by_blocks.size(); ++cell) by_blocks[cell] = cell / cells % 2 == 0 ? 1 : 0;
         const auto compare = [&](std::span<const std::uint8_t> kept) {
-            const Surface found = threshold_surface(mesh.topology, mesh.mesh(), boundary.faces(), boxes, kept);
+            const Surface found = threshold_surface(mesh.topology, boundary.faces(), boxes, kept);
             const Surface wanted = threshold_surface(mesh.mesh(), kept);
             EXPECT_EQ(in_ids_of_the_input(found, mesh), in_ids_of_the_input(wanted, mesh)) << cells;
             std::vector<Index> faces;
             for (const auto& [face, cell] : threshold_faces(mesh.mesh(), kept))
                 if (mesh.mesh().neighbour[face] == none) faces.push_back(face);
+            faces = boundary_numbers(mesh.mesh(), faces);
             std::vector<Index> named = found.polygon_face;
             std::erase(named, none);
             EXPECT_TRUE(std::ranges::includes(faces, named)) << "faces are named that are not on the boundary";
@@ -152,7 +153,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             }
             const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
             const Boundary boundary(mesh.mesh());
-            const SlabMesh slab = slab_boundary(mesh.topology, boundary.faces().mesh, boxes, {values, gradients, limits});
+            const SlabMesh slab = slab_boundary(mesh.topology, boundary.faces(), boxes, {values, gradients, limits});
             Areas found, wanted;
             std::vector<Vec3f> positions;
             for (const SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);

@@ -70,7 +70,7 @@ class Dataset:
         return {g["name"]: self.mesh(mesh)[f"groups/{i}"][:] for i, g in enumerate(names)}
 
     def points_of(self, faces, mesh=0):
-        offset, vertex = self.mesh(mesh)["face_offset"][:], self.mesh(mesh)["face_vertex"][:]
+        offset, vertex = self.mesh(mesh)["faces/face_offset"][:], self.mesh(mesh)["faces/face_vertex"][:]
         return np.unique(np.concatenate([vertex[offset[f] : offset[f + 1]] for f in faces]))
 
     def volume(self, mesh=0):
@@ -79,7 +79,7 @@ class Dataset:
         # Around the middle, so that large coordinates do not cancel.
         position = np.asarray(m["positions"][0], float)
         position -= position.mean(axis=0)
-        offset, vertex, neighbour = m["face_offset"][:], m["face_vertex"][:], m["neighbour"][:]
+        offset, vertex, neighbour = (m[f"faces/{name}"][:] for name in ("face_offset", "face_vertex", "neighbour"))
         total = 0.0
         for face in np.flatnonzero(neighbour == NO_NEIGHBOUR):
             loop = position[vertex[offset[face] : offset[face + 1]]]

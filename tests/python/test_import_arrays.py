@@ -179,11 +179,11 @@ def test_the_values_of_patches_are_stored_face_by_face(tmp_path):
     entries = {side: "type zeroGradient;" for side in block.types} | {"left": f"type fixedValue; {listed(on_left)}"}
     dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (block.centres()[:, 0], entries)}))
     mesh = dataset.mesh()
-    boundary = np.flatnonzero(mesh["neighbour"][:] == 2**32 - 1)
-    values = dict(zip(boundary, dataset.values("patch:T")))
+    assert np.all(mesh["faces/neighbour"][:] == 2**32 - 1)
+    values = dict(enumerate(dataset.values("patch:T")))
     left = dataset.groups()["left"]
     assert sorted(values[face] for face in left) == list(on_left)
-    offset, vertex, at = mesh["face_offset"][:], mesh["face_vertex"][:], dataset.positions()
+    offset, vertex, at = mesh["faces/face_offset"][:], mesh["faces/face_vertex"][:], dataset.positions()
     centre = {face: at[vertex[offset[face] : offset[face + 1]]].mean(axis=0) for face in left}
     for value, expected in zip(on_left, block.face_centres("left")):
         assert any(values[face] == value and np.allclose(centre[face], expected) for face in left)

@@ -15,6 +15,7 @@ import zarr
 import box_dataset
 from import_support import NO_NEIGHBOUR
 from program import CIEL, ciel
+from stored_blocks import cells_of, faces_of
 
 
 def info(dataset):
@@ -97,12 +98,12 @@ def test_info_has_the_promised_keys(demo):
 def test_info_counts_what_zarr_reads(demo):
     mesh = zarr.open_group(str(demo), mode="r")["meshes/0"]
     told = info(demo)
-    offsets, corners = mesh["face_offset"][:], mesh["face_vertex"][:]
-    boundary = mesh["neighbour"][:] == NO_NEIGHBOUR
-    assert told["mesh"]["boundary_faces"] == boundary.sum()
-    assert told["mesh"]["half_edges"] == (numpy.diff(offsets.astype("i8")) * numpy.where(boundary, 1, 2)).sum()
+    assert told["mesh"]["boundary_faces"] == (mesh["faces/neighbour"][:] == NO_NEIGHBOUR).sum()
+    faces = [face for _, kind, vertices in cells_of(demo / "meshes/0/blocks") for face in faces_of(kind, vertices)]
+    corners, end = numpy.concatenate(faces), numpy.cumsum([len(face) for face in faces])
+    assert told["mesh"]["half_edges"] == len(corners)
     after = numpy.arange(1, len(corners) + 1)
-    after[offsets[1:].astype("i8") - 1] = offsets[:-1]
+    after[end - 1] = [0, *end[:-1]]
     pairs = numpy.sort(numpy.stack([corners, corners[after]], 1).astype("u8"), axis=1)
     assert told["mesh"]["edges"] == len(numpy.unique(pairs[:, 0] << numpy.uint64(32) | pairs[:, 1]))
     speed = max(numpy.linalg.norm(mesh["arrays/U"][step].astype("f8"), axis=1).max() for step in range(20))

@@ -76,16 +76,17 @@ inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
     }
 }
 
-// Makes the surface and the vertices of the cells in a range.
+// Makes the surface and the vertices of the cells in a range, and all faces.
 inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
     const Boundary boundary(mesh);
     const BlockBoxes boxes = block_boxes(topology, mesh.positions);
     const Field field(topology, values, nullptr);
     for (const InRange vertices : {InRange::all, InRange::any}) {
         const auto kept = cells_in_range(field, {0.3, 0.8}, vertices);
-        (void)threshold_surface(topology, mesh, boundary.faces(), boxes, kept);
+        (void)threshold_surface(topology, boundary.faces(), boxes, kept);
         (void)vertices_of_cells(topology, mesh, kept);
     }
+    (void)all_faces(topology, boundary.faces());
 }
 
 // Extracts three surfaces with each algorithm, with gradient normals, and one of every second block. Returns the last

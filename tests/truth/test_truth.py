@@ -9,9 +9,10 @@ import tarfile
 import numpy as np
 import pytest
 import vtk
-from import_support import NO_NEIGHBOUR, imported
+from import_support import imported
 from openfoam_files import N, write_case, write_decomposed
 from openfoam_rewriting import as_binary, compressed
+from stored_blocks import cells_of
 from test_import_cgns import CELL_CENTER, STRUCTURED, VERTEX, Writer, hexahedra
 from test_import_exodus import on_side, write_exodus
 from test_import_formats import CUBE, WRITTEN, multi_block, unstructured, write_ensight
@@ -26,12 +27,11 @@ MOST_CELLS = 20_000  # corners are compared in datasets of at most this many cel
 def corner_points(dataset, mesh=0):
     """Maps each stored cell to the ids of its points in the input."""
     m = dataset.mesh(mesh)
-    offset, vertex, original = m["face_offset"][:], m["face_vertex"][:], m["original_vertex"][:]
+    original = m["original_vertex"][:]
     corners = [set() for _ in range(m["cell_types"].shape[0])]
-    for cells in (m["owner"][:], m["neighbour"][:]):
-        for face, cell in enumerate(cells):
-            if cell < len(corners) and cell < MOST_CELLS:
-                corners[cell].update(original[vertex[offset[face] : offset[face + 1]]])
+    for cell, _, vertices in cells_of(pathlib.Path(dataset.path) / f"meshes/{mesh}/blocks"):
+        if cell < MOST_CELLS:
+            corners[cell].update(original[np.concatenate(vertices)])
     return corners
 
 
@@ -158,11 +158,10 @@ def patches_of(tree):
 
 def check_patches(dataset, reader, step):
     """Compares the values of each patch's faces, in any order. VTK also has values for empty patches."""
-    mesh, groups, compared = dataset.mesh(), dataset.groups(), 0
-    number = np.cumsum(mesh["neighbour"][:] == NO_NEIGHBOUR) - 1
+    groups, compared = dataset.groups(), 0
     for name, arrays in patches_of(reader.GetOutputDataObject(0)):
         for array in set(arrays) & {key.removeprefix("patch:") for key in dataset.steps[step]["arrays"]}:
-            stored = dataset.values(f"patch:{array}", step)[number[groups[name]]]
+            stored = dataset.values(f"patch:{array}", step)[groups[name]]
             if np.all(np.isnan(stored)) or len(arrays[array]) == 0:
                 continue
             rows = [np.reshape(values.astype(np.float32), (len(values), -1)) for values in (stored, arrays[array])]

@@ -1,6 +1,6 @@
 #include "import/values/patch_faces.hpp"
 
-#include "ciel/boundary_faces.hpp"
+#include "ciel/numbered_faces.hpp"
 #include "store/no_value.hpp"
 
 #include <algorithm>

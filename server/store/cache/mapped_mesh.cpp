@@ -56,10 +56,9 @@ void check_offsets(const MappedFile& file, std::uint64_t corners) {
     if (short_loop) refuse_damage(file.path(), "has a face with fewer than three corners");
 }
 
-void check_owners(const MappedFile& file, std::uint64_t cells) {
-    check_below(file, cells, "cells");
-    const auto owner = file.as<Index>();
-    if (!std::is_sorted(owner.begin(), owner.end())) refuse_damage(file.path(), "is not sorted");
+bool is_sorted(const MappedFile& file, std::size_t begin, std::size_t end) {
+    const auto ids = file.as<Index>().subspan(begin, end - begin);
+    return std::is_sorted(ids.begin(), ids.end());
 }
 
 void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std::uint64_t cells) {
@@ -92,30 +91,34 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
     for (const char* name : layout::optional_arrays)
         if (attributes_.checksums.contains(name)) map(name, type_of(name));
-    for (const char* name : layout::boundary_arrays)
-        if (attributes_.checksums.contains(layout::boundary_arrays[0])) map(name, type_of(name));
+    if (attributes_.checksums.contains(std::string(layout::faces_group) + "/owner"))
+        face_folder_ = std::string(layout::faces_group) + "/";
+    for (const char* name : layout::face_arrays) map(face_array(name), type_of(name));
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
-    for (const char* group : {"faces", "groups", layout::boundary_group}) verified_[group];
+    for (const char* group : {"faces", "types", "groups", "numbers"}) verified_[group];
     for (const char* name : layout::id_arrays) pages_[name];
     vertex_count_ = array("original_vertex").as<Index>().size();
-    const std::uint64_t faces = array("owner").as<Index>().size();
-    if (vertex_count_ == 0 || cell_count() == 0 || faces == 0) refuse_damage(directory_, "is an empty mesh");
-    if (vertex_count_ >= none || cell_count() >= none || faces >= none)
+    if (vertex_count_ == 0 || cell_count() == 0 || (!has_numbers() && stored_faces() == 0))
+        refuse_damage(directory_, "is an empty mesh");
+    if (vertex_count_ >= none || cell_count() >= none || stored_faces() >= none)
         refuse(directory_, "has more than 4,294,967,294 vertices, faces or cells, the most that a mesh can have");
-    check_sizes(faces);
-    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i, faces);
+    check_sizes();
+    for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i);
     std::error_code error;
     if (std::filesystem::exists(layout::block_index(directory_).parent_path(), error))
         blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, any_lost_, access);
+    else if (has_numbers())
+        refuse_damage(layout::block_index(directory_).parent_path(), "is missing");
 }
 
-void MappedMesh::check_sizes(std::uint64_t faces) const {
+void MappedMesh::check_sizes() const {
+    const std::uint64_t faces = stored_faces();
     if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
-        attributes_.info.faces != faces)
+        (!has_numbers() && attributes_.info.faces != faces))
         refuse_damage(directory_ / layout::attributes_document,
                       "declares other numbers of vertices, faces or cells than the arrays hold");
-    const auto expect = [&](const char* name, std::uint64_t want) {
+    const auto expect = [&](const std::string& name, std::uint64_t want) {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return;
         const std::uint64_t have = found->second.bytes().size() / element_bytes(type_of(name));
@@ -124,15 +127,11 @@ void MappedMesh::check_sizes(std::uint64_t faces) const {
                           "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed");
     };
     expect("original_cell", cell_count());
-    expect("neighbour", faces);
-    expect("face_offset", faces + 1);
+    expect(face_array("neighbour"), faces);
+    expect(face_array("face_offset"), faces + 1);
     expect("solver_vertex", vertex_count_);
     expect("solver_cell", cell_count());
-    if (!has_boundary()) return;
-    const std::uint64_t boundary = array("boundary/face").as<Index>().size();
-    check_boundary_count(boundary);
-    expect("boundary/face_offset", boundary + 1);
-    expect("boundary/owner", boundary);
+    if (faces < attributes_.info.boundary_faces) check_boundary_count(faces);
 }
 
 // The number in the attributes is the size of arrays on boundary faces.
@@ -154,10 +153,10 @@ void MappedMesh::map(const std::string& name, ElementType type) {
     verified_[name];
 }
 
-void MappedMesh::map_group(std::size_t index, std::uint64_t faces) {
+void MappedMesh::map_group(std::size_t index) {
     const auto& [of, name, facts] = attributes_.groups[index];
     const MappedFile& file = array("groups/" + std::to_string(index));
-    const std::uint64_t limit = of == Group::Of::faces ? faces : cell_count();
+    const std::uint64_t limit = of == Group::Of::faces ? stored_faces() : cell_count();
     groups_.push_back(
         {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
 }
@@ -197,75 +196,71 @@ bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& fil
 }
 
 void MappedMesh::verify_faces() const {
-    verify_checksums({"cell_types", "face_offset", "face_vertex", "owner", "neighbour"});
+    std::vector<std::string> names;
+    for (const char* name : layout::face_arrays) names.push_back(face_array(name));
+    verify_checksums(names);
+    const MappedFile &vertices = array(face_array("face_vertex")), &owner = array(face_array("owner"));
     const std::vector<std::function<void()>> checks{
-        [&] { check_below(array("face_vertex"), vertex_count_, "vertices"); },
-        [&] { check_offsets(array("face_offset"), array("face_vertex").as<Index>().size()); },
-        [&] { check_owners(array("owner"), cell_count()); },
+        [&] { check_below(vertices, vertex_count_, "vertices"); },
+        [&] { check_offsets(array(face_array("face_offset")), vertices.as<Index>().size()); },
+        [&] { check_below(owner, cell_count(), "cells"); },
         [&] {
-            check_neighbours(array("owner"), array("neighbour"), cell_count());
-            check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(array("neighbour").as<Index>(), none)));
-        },
-        [&] {
-            if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
-                refuse_damage(array("cell_types").path(), "names a cell type that does not exist");
+            check_neighbours(owner, array(face_array("neighbour")), cell_count());
+            check_order();
         }};
     parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) checks[i]();
     });
 }
 
-bool MappedMesh::has_boundary() const { return arrays_.contains(layout::boundary_arrays[0]); }
-
-void MappedMesh::verify_boundary() const {
-    verify_checksums({std::begin(layout::boundary_arrays), std::end(layout::boundary_arrays)});
-    const MappedFile& vertices = array("boundary/face_vertex");
-    check_below(vertices, vertex_count_, "vertices");
-    check_offsets(array("boundary/face_offset"), vertices.as<Index>().size());
-    check_owners(array("boundary/owner"), cell_count());
-    check_ascending(array("boundary/face"));
-    check_below(array("boundary/face"), attributes_.info.faces, "faces");
+void MappedMesh::verify_types() const {
+    verify_checksums({"cell_types"});
+    if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
+        refuse_damage(array("cell_types").path(), "names a cell type that does not exist");
 }
 
-// Compares the boundary with the list of all faces.
-void MappedMesh::compare_boundary() const {
-    verify_boundary();
-    FaceMeshView all = view({});
-    all.face_vertex = {array("face_vertex").as<Index>(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
-    const BoundaryFaceLists expected = boundary_face_lists(all);
-    const auto compare = [&](const char* name, const auto& wanted) {
-        if (!std::ranges::equal(array(name).as<std::ranges::range_value_t<decltype(wanted)>>(), wanted))
-            refuse_damage(array(name).path(), "differs from the faces of the mesh");
-    };
-    compare("boundary/face_offset", expected.face_offset);
-    compare("boundary/face_vertex", expected.face_vertex);
-    compare("boundary/owner", expected.owner);
-    compare("boundary/face", expected.face);
+// All faces are in the order of their owners. With numbers, those on the boundary come first.
+void MappedMesh::check_order() const {
+    const auto& owner = array(face_array("owner"));
+    const auto neighbour = array(face_array("neighbour")).as<Index>();
+    const std::size_t boundary = attributes_.info.boundary_faces, first_inner = has_numbers() ? boundary : 0;
+    check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(neighbour, none)));
+    if (!is_sorted(owner, 0, first_inner) || !is_sorted(owner, first_inner, neighbour.size()))
+        refuse_damage(owner.path(), "is not sorted");
+    if (std::ranges::any_of(neighbour.first(first_inner), [](Index cell) { return cell != none; }))
+        refuse_damage(array(face_array("neighbour")).path(), "has a face inside the mesh among those on the boundary");
 }
 
 void MappedMesh::verify_groups() const {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < groups_.size(); ++i) names.push_back("groups/" + std::to_string(i));
     verify_checksums(names);
-    const std::uint64_t faces = array("owner").as<Index>().size();
     for (std::size_t i = 0; i < groups_.size(); ++i)
-        check_group(groups_[i], array(names[i]), groups_[i].of == Group::Of::faces ? faces : cell_count());
+        check_group(groups_[i], array(names[i]), groups_[i].of == Group::Of::faces ? stored_faces() : cell_count());
 }
 
 const std::vector<Group>& MappedMesh::groups() const {
     verified_.at("groups").once([this] { verify_groups(); });
+    const bool has_faces = std::ranges::any_of(
+        groups_, [](const Group& group) { return group.of == Group::Of::faces && !group.ids.empty(); });
+    if (!has_numbers() && has_faces) number_faces();
     return groups_;
 }
 
 void MappedMesh::verify() const {
     verified_.at("faces").once([this] { verify_faces(); });
-    if (has_boundary()) compare_boundary();
+    verified_.at("types").once([this] { verify_types(); });
     (void)groups();
     (void)original_vertex();
     (void)original_cell();
     (void)solver_vertex();
     (void)solver_cell();
     if (!blocks_) return;
+    const TopologyCounts counts = stored_topology().counts();
+    const MeshInfo& info = attributes_.info;
+    if (counts.vertices != info.vertices || counts.cells != info.cells || counts.faces != info.faces ||
+        counts.boundary_faces != info.boundary_faces)
+        refuse_damage(directory_ / layout::attributes_document, "declares other counts than the blocks have");
     for (const RecordKind kind : record_kinds)
         parallel_for(blocks_->block_count(), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end; ++b) (void)blocks_->read(static_cast<Index>(b), kind);
@@ -276,36 +271,69 @@ FaceMeshView MappedMesh::view_points(ValuesView positions) const {
     return face_mesh_view(attributes_.origin, positions, cell_types(), {}, {}, {}, {});
 }
 
-FaceMeshView MappedMesh::view(ValuesView positions) const {
+FaceMeshView MappedMesh::with_stored_faces(FaceMeshView points) const {
     verified_.at("faces").once([this] { verify_faces(); });
-    return face_mesh_view(attributes_.origin, positions, cell_types(), array("face_offset").as<std::uint64_t>(),
-                          array("face_vertex").as<Index>(), array("owner").as<Index>(), array("neighbour").as<Index>(),
-                          {keeper("face_offset"), keeper("face_vertex"), keeper("owner"), keeper("neighbour")});
+    const auto vertices = array(face_array("face_vertex")).as<Index>();
+    const Index cells = points.cell_count();
+    points.face_offset = {array(face_array("face_offset")).as<std::uint64_t>(), vertices.size() + 1,
+                          keeper(face_array("face_offset"))};
+    points.face_vertex = {vertices, points.vertex_count(), keeper(face_array("face_vertex"))};
+    points.owner = {array(face_array("owner")).as<Index>(), cells, keeper(face_array("owner"))};
+    points.neighbour = {array(face_array("neighbour")).as<Index>(), cells, keeper(face_array("neighbour"))};
+    return points;
 }
 
-BoundaryFaces MappedMesh::boundary(FaceMeshView points) const {
-    verified_.at(layout::boundary_group).once([&] {
-        if (has_boundary())
-            verify_boundary();
-        else
-            boundary_ = boundary_face_lists(view(points.positions));
-        no_neighbour_.assign(attributes_.info.boundary_faces, none);
+// Numbers the faces of a mesh of format 1, and makes the ids of its groups numbers.
+void MappedMesh::number_faces() const {
+    verified_.at("groups").once([this] { verify_groups(); });
+    verified_.at("numbers").once([this] {
+        std::vector<std::vector<Index>> ids(groups_.size());
+        for (std::size_t i = 0; i < groups_.size(); ++i)
+            if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
+        FaceMeshView mesh = with_stored_faces(view_points({})); // whose vertices are counted without positions:
+        mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
+        NumberedGroups numbered = number_groups(mesh, ids);
+        // The files may have changed since they were verified, and what was made of them stays.
+        for (const auto& [name, file] : arrays_)
+            if (!has_its_checksum(name, file)) file.refuse();
+        check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, none)));
+        numbered_ = std::move(numbered);
+        for (std::size_t i = 0; i < groups_.size(); ++i)
+            if (groups_[i].of == Group::Of::faces)
+                groups_[i].ids = {numbered_.ids[i], static_cast<Index>(numbered_.faces.owner.size())};
     });
-    const auto cells = static_cast<Index>(cell_count()), faces = static_cast<Index>(attributes_.info.faces);
-    const auto set = [&](std::span<const std::uint64_t> offset, std::span<const Index> vertex,
-                         std::span<const Index> owner, std::span<const Index> face, const auto& keeper_of) {
-        points.face_offset = {offset, vertex.size() + 1, keeper_of("boundary/face_offset")};
-        points.face_vertex = {vertex, points.vertex_count(), keeper_of("boundary/face_vertex")};
-        points.owner = {owner, cells, keeper_of("boundary/owner")};
-        points.neighbour = {no_neighbour_, cells};
-        return BoundaryFaces{points, {face, faces, keeper_of("boundary/face")}};
-    };
-    if (!has_boundary())
-        return set(boundary_.face_offset, boundary_.face_vertex, boundary_.owner, boundary_.face,
-                   [](const char*) -> const ArrayKeeper* { return nullptr; });
-    return set(array("boundary/face_offset").as<std::uint64_t>(), array("boundary/face_vertex").as<Index>(),
-               array("boundary/owner").as<Index>(), array("boundary/face").as<Index>(),
-               [this](const char* name) { return keeper(name); });
+}
+
+FaceMeshView MappedMesh::numbered_faces(FaceMeshView points) const {
+    if (has_numbers()) return with_stored_faces(std::move(points));
+    number_faces();
+    return with_faces(std::move(points), numbered_.faces);
+}
+
+FaceMeshView MappedMesh::first_faces(FaceMeshView faces) const {
+    const std::size_t count = attributes_.info.boundary_faces;
+    faces.face_offset = faces.face_offset.part(0, count + 1);
+    faces.owner = faces.owner.part(0, count);
+    faces.neighbour = faces.neighbour.part(0, count);
+    return faces;
+}
+
+FaceMeshView MappedMesh::boundary(FaceMeshView points) const { return first_faces(numbered_faces(std::move(points))); }
+
+FaceMeshView MappedMesh::all_faces(FaceMeshView points) const {
+    verified_.at("types").once([this] { verify_types(); });
+    if (!has_numbers()) return with_stored_faces(std::move(points));
+    const std::lock_guard lock(making_faces_);
+    auto faces = all_faces_.lock();
+    if (!faces) {
+        faces = std::make_shared<const FaceLists>(ciel::all_faces(stored_topology(), boundary(points)));
+        check_intact();
+        all_faces_ = faces;
+    }
+    FaceMeshView mesh = with_faces(std::move(points), *faces);
+    mesh.keep_alive = std::make_shared<const std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>>(
+        mesh.keep_alive, faces);
+    return mesh;
 }
 
 // Throws Error that names the array whose checksum no longer matches. A contradiction between two arrays is found in

@@ -1,10 +1,10 @@
 // MappedMesh: the arrays of one mesh, mapped, and its blocks. All refreshes of a dataset share it.
 #pragma once
 
-#include "ciel/boundary_faces.hpp"
 #include "store/cache/paged_file.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/attributes.hpp"
+#include "store/format/number_groups.hpp"
 #include "store/format/zarr_array.hpp"
 
 #include <atomic>
@@ -46,12 +46,13 @@ public:
     [[nodiscard]] std::optional<std::int64_t> solver_cell(Index cell) const {
         return id<std::int64_t>("solver_cell", cell);
     }
-    // Returns the mesh with these positions, which are offsets from its origin.
-    [[nodiscard]] FaceMeshView view(ValuesView positions) const;
-    // Returns the boundary faces, with the points that are given.
-    [[nodiscard]] BoundaryFaces boundary(FaceMeshView points) const;
-    // Returns the mesh without its faces. Reads no array.
+    // Returns the mesh with these positions, which are offsets from its origin, and without faces. Reads no array.
     [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
+    // Returns these points with the numbered faces (ciel/numbered_faces.hpp).
+    [[nodiscard]] FaceMeshView numbered_faces(FaceMeshView points) const;
+    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const; // the first of them, those on the boundary
+    // Returns these points with all faces. Those inside come from the blocks, except in format 1.
+    [[nodiscard]] FaceMeshView all_faces(FaceMeshView points) const;
     // A CIEL that stored no blocks may have written the mesh.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
@@ -94,17 +95,23 @@ private:
     [[noreturn]] void refuse_changed(const std::string& suspected) const;
     [[nodiscard]] const ArrayKeeper* keeper(const std::string& name) const { return &keepers_.at(name); }
     void map(const std::string& name, ElementType type);
-    void map_group(std::size_t index, std::uint64_t faces);
-    void check_sizes(std::uint64_t faces) const;
+    void map_group(std::size_t index);
+    void check_sizes() const;
     [[nodiscard]] const std::string& checksum_of(const std::string& name) const; // throws Error if it is missing
     void verify_checksums(const std::vector<std::string>& names) const;
     [[nodiscard]] bool has_its_checksum(const std::string& name, const MappedFile& file) const;
     void verify_faces() const;
+    void verify_types() const;
+    void check_order() const;
     void verify_groups() const;
     void check_boundary_count(std::uint64_t count) const;
-    void verify_boundary() const;
-    void compare_boundary() const;
-    [[nodiscard]] bool has_boundary() const;
+    // The name of one of the arrays of faces. Format 1 stored all faces, and no numbers.
+    [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
+    [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
+    [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<Index>().size(); }
+    [[nodiscard]] FaceMeshView with_stored_faces(FaceMeshView points) const;
+    void number_faces() const;
+    [[nodiscard]] FaceMeshView first_faces(FaceMeshView faces) const;
 
     std::filesystem::path directory_;
     std::string dataset_id_;
@@ -114,11 +121,12 @@ private:
     std::uint64_t vertex_count_ = 0;
     std::map<std::string, MappedFile> arrays_; // by name; groups as "groups/<index>"
     std::map<std::string, Keeper> keepers_;    // with the keys of arrays_
-    std::vector<Group> groups_;
+    mutable std::vector<Group> groups_;
+    std::string face_folder_;                    // "faces/", or empty in format 1
     std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
-    // Made at the first use of the boundary:
-    mutable BoundaryFaceLists boundary_;      // if the mesh was stored without it
-    mutable std::vector<Index> no_neighbour_; // `none` for each boundary face
+    mutable NumberedGroups numbered_;            // in format 1: made at the first use of the faces or the groups
+    mutable std::mutex making_faces_;
+    mutable std::weak_ptr<const FaceLists> all_faces_; // null, or while somebody uses them
 
     // Runs a check until it has passed once. Thread-safe.
     class Verified {
@@ -138,7 +146,7 @@ private:
     };
     // By name of an array of ids that are no indices; null before their first use.
     mutable std::map<std::string, std::unique_ptr<PageStates>> pages_;
-    mutable std::map<std::string, Verified> verified_; // by name of an array of ids; "faces"; "groups"; "boundary"
+    mutable std::map<std::string, Verified> verified_; // by name of ids, or of a check
 };
 
 } // namespace ciel::store

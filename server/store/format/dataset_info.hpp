@@ -84,11 +84,11 @@ struct PatchFacts {                                // the solver's settings of a
     std::map<std::string, std::string> conditions; // array -> boundary condition at the mesh's first step
 };
 
-struct Group { // a named set of boundary faces (a patch) or of cells (a zone)
+struct Group { // a named set of faces (a patch, or a baffle inside the mesh) or of cells (a zone)
     enum class Of { faces, cells };
     Of of = Of::faces;
     std::string name;
-    Ids ids; // stored ids, ascending; the dataset owns the memory
+    Ids ids; // numbers of faces, or stored ids of cells, ascending; the dataset owns the memory
     PatchFacts facts = {};
 };
 
@@ -100,7 +100,7 @@ struct MeshInfo {
 };
 
 struct DatasetInfo {
-    int format_version = 1;
+    int format_version = 2;
     std::string id;      // random, made with the dataset; a dataset that replaces it has another id
     std::string name;    // the directory's name without .ciel
     std::string source;  // the input that was imported

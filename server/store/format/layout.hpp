@@ -11,7 +11,7 @@
 
 namespace ciel::store::layout {
 
-inline constexpr int format_version = 1;
+inline constexpr int format_version = 2;
 inline constexpr std::uint16_t records_version = 2; // of the index and the files of records
 inline constexpr const char* commit_marker = "steps.json";
 inline constexpr const char* step_table = "steps"; // a folder
@@ -44,18 +44,16 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 [[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number);
 
 // Topology arrays that every mesh has. Each is one chunk.
-inline constexpr const char* whole_arrays[] = {"cell_types", "face_offset",     "face_vertex",  "owner",
-                                               "neighbour",  "original_vertex", "original_cell"};
+inline constexpr const char* whole_arrays[] = {"cell_types", "original_vertex", "original_cell"};
+
+// The arrays of the numbered faces, in a folder; in format 1, those of all faces, without the folder.
+inline constexpr const char* faces_group = "faces";
+inline constexpr const char* face_arrays[] = {"face_offset", "face_vertex", "owner", "neighbour"};
 
 // Arrays of ids that are no indices, with the checksums of their pages.
 inline constexpr const char* id_arrays[] = {"original_vertex", "original_cell", "solver_vertex", "solver_cell"};
 
 // Arrays of solver ids, which a mesh has only if its source has them. Each is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
-
-// The boundary faces of a mesh, which a CIEL that stored none may have written. Each is one chunk.
-inline constexpr const char* boundary_group = "boundary";
-inline constexpr const char* boundary_arrays[] = {"boundary/face_offset", "boundary/face_vertex", "boundary/owner",
-                                                  "boundary/face"};
 
 } // namespace ciel::store::layout

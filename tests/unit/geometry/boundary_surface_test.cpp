@@ -2,7 +2,6 @@
 #include "ciel/assemble.hpp"
 #include "ciel/mesh_faces.hpp"
 #include "geometry/cut.hpp"
-#include "store/group_faces.hpp"
 #include "store/writer.hpp"
 #include "support/folder.hpp"
 #include "support/meshes.hpp"
@@ -21,27 +20,27 @@ namespace {
 class BoundarySurface : public testing::Test {
 protected:
     BoundarySurface() {
-        const Assembled made = assemble(test::view(test::zoo({{5, 4, 4}, 0, 5, 1})));
         std::vector<Index> on, inside;
         for (Index face = 0; face < made.mesh.owner.size(); ++face)
             (made.mesh.neighbour[face] == none ? on : inside).push_back(face);
         store::Writer writer(folder / "zoo.ciel", {});
         using store::Group;
-        writer.add_mesh(made.mesh, made.original_vertex, made.original_cell,
-                        std::vector<store::NamedGroup>{{Group::Of::faces, "wall", {on[2], on[9], on[40]}},
-                                                       {Group::Of::faces, "lid", {on[3], on[9]}},
-                                                       {Group::Of::faces, "baffle", {inside[7], inside[8]}},
-                                                       {Group::Of::faces, "both", {on[5], inside[7]}},
-                                                       {Group::Of::cells, "zone", {1, 2}}});
+        named = {{Group::Of::faces, "wall", {on[2], on[9], on[40]}},
+                 {Group::Of::faces, "lid", {on[3], on[9]}},
+                 {Group::Of::faces, "baffle", {inside[7], inside[8]}},
+                 {Group::Of::faces, "both", {on[5], inside[7]}},
+                 {Group::Of::cells, "zone", {1, 2}}};
+        writer.add_mesh(made.mesh, made.original_vertex, made.original_cell, named);
         writer.add_step(0, 0, 0, {});
         writer.finish();
         dataset = store::Dataset::open(folder / "zoo.ciel");
     }
+    // From all faces of the mesh that was stored.
     [[nodiscard]] Surface expected(const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) const {
-        FaceMeshView mesh = dataset->mesh(0, 0);
+        FaceMeshView mesh = made.mesh.view();
         mesh.surface_origin = origin;
         std::vector<Index> ids;
-        for (const store::Group& group : dataset->groups(0))
+        for (const store::NamedGroup& group : named)
             if (group.of == store::Group::Of::faces && std::ranges::find(groups, group.name) != groups.end())
                 ids.insert(ids.end(), group.ids.begin(), group.ids.end());
         if (groups.empty() && !kept.empty()) return threshold_surface(mesh, kept);
@@ -55,6 +54,8 @@ protected:
     }
 
     const Vec3d origin{0.5, -1, 2};
+    const Assembled made = assemble(test::view(test::zoo({{5, 4, 4}, 0, 5, 1})));
+    std::vector<store::NamedGroup> named;
     test::Folder folder;
     std::shared_ptr<store::Dataset> dataset;
 };
@@ -83,44 +84,23 @@ TEST_F(BoundarySurface, IsThatOfAllFaces) {
         for (const std::vector<std::uint8_t>& kept : {std::vector<std::uint8_t>(), some_cells()}) {
             const Surface found = boundary_surface(loaded, 0, origin, groups, kept);
             const Surface wanted = expected(groups, kept);
-            const std::string name = groups.empty() ? "all" : groups.back();
-            if (groups.empty() && !kept.empty()) {
-                EXPECT_EQ(polygons_of(found), polygons_of(wanted));
-                continue;
-            }
-            EXPECT_EQ(found.positions, wanted.positions) << name;
-            EXPECT_EQ(found.polygon_offset, wanted.polygon_offset) << name;
-            EXPECT_EQ(found.polygon_vertex, wanted.polygon_vertex) << name;
-            EXPECT_EQ(found.polygon_cell, wanted.polygon_cell) << name;
-            EXPECT_EQ(found.polygon_face, wanted.polygon_face) << name;
-            for (std::size_t i = 0; i < found.points.size(); ++i) EXPECT_EQ(found.points[i].a, wanted.points[i].a);
+            EXPECT_EQ(polygons_of(found), polygons_of(wanted)) << (groups.empty() ? "all" : groups.back());
+            const FaceMeshView faces = dataset->numbered_faces(0, 0);
+            for (std::size_t i = 0; i < found.polygon_face.size(); ++i)
+                if (found.polygon_face[i] != none) {
+                    EXPECT_EQ(faces.owner[found.polygon_face[i]], found.polygon_cell[i]);
+                }
         }
 }
 
-// Points of the whole mesh and the boundary of a threshold are made without the list of all faces.
-TEST_F(BoundarySurface, OfAThresholdReadsNoListOfFaces) {
-    for (const char* name : {"face_offset", "face_vertex", "owner", "neighbour"}) {
-        const auto file = folder / "zoo.ciel/meshes/0" / name / "0";
-        const std::string noise(std::filesystem::file_size(file), '\7');
-        std::ofstream(file, std::ios::binary) << noise;
-    }
-    store::LoadedDataset loaded(store::Dataset::open(folder / "zoo.ciel"), 1 << 20);
-    const std::vector<std::uint8_t> kept = some_cells();
-    EXPECT_GT(boundary_surface(loaded, 0, origin, {}, kept).polygon_cell.size(), 0U);
-    EXPECT_GT(boundary_surface(loaded, 0, origin, {"wall"}, kept).polygon_cell.size(), 0U);
-    EXPECT_THROW((void)boundary_surface(loaded, 0, origin, {"baffle"}, kept), Error) << "the lists are not damaged";
-}
-
 TEST_F(BoundarySurface, FacesOfAGroupHaveTheirVertices) {
-    const FaceMeshView all = dataset->mesh(0, 0);
-    for (const store::Group& group : dataset->groups(0)) {
-        if (group.of != store::Group::Of::faces) continue;
-        const store::GroupFaces faces = store::faces_of(group, *dataset, dataset->steps()[0]);
-        ASSERT_EQ(faces.ids.size(), group.ids.size());
-        for (std::size_t i = 0; i < faces.ids.size(); ++i)
-            EXPECT_TRUE(std::ranges::equal(faces.mesh.loop(faces.ids[i]), all.loop(group.ids[i]))) << group.name;
-        EXPECT_EQ(size_of_faces(faces.mesh, faces.ids).area,
-                  size_of_faces(all, std::vector<Index>(group.ids.begin(), group.ids.end())).area);
+    const FaceMeshView all = made.mesh.view(), faces = dataset->numbered_faces(0, 0);
+    const std::vector<store::Group> groups = dataset->groups(0);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].of != store::Group::Of::faces) continue;
+        const std::vector<Index> ids(groups[i].ids.begin(), groups[i].ids.end());
+        ASSERT_EQ(ids.size(), named[i].ids.size());
+        EXPECT_NEAR(size_of_faces(faces, ids).area, size_of_faces(all, named[i].ids).area, 1e-6) << named[i].name;
     }
 }
 

@@ -1,5 +1,4 @@
 // What the solver has on the faces of patches colors boundaries, face by face, and nothing else.
-#include "ciel/boundary_faces.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "store/catalog.hpp"
 #include "store/no_value.hpp"
@@ -67,7 +66,7 @@ TEST_F(patch_values, are_flat_on_each_face) {
     const Drawable& drawable = shown->drawables.at(0);
     const Surface& surface = drawable.shape->surface;
     ASSERT_EQ(surface.polygon_face.size(), 54U);
-    const std::vector<Index> numbers = boundary_numbers(mesh.view(), surface.polygon_face);
+    const std::vector<Index>& numbers = surface.polygon_face;
     for (std::size_t i = 0; i < numbers.size(); ++i)
         for (Index k = surface.polygon_offset[i]; k < surface.polygon_offset[i + 1]; ++k) {
             const float value = (*drawable.scalars)[surface.polygon_vertex[k]];

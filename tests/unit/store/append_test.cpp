@@ -1,6 +1,7 @@
 // Rules of appending: names, sizes and times, order of the imported file, point values, coordinates.
 #include "store/append.hpp"
 #include "support/store_box/box.hpp"
+#include "support/store_box/format_1.hpp"
 
 #include <csignal>
 #include <fstream>
@@ -159,6 +160,7 @@ void overwrite_index(const fs::path& file, std::size_t at, Index value) {
 
 TEST_F(AppendTest, AnIndexThatChangedAfterItWasVerifiedIsASentence) {
     const std::vector<float> cells(8, 1);
+    test::make_format_1(directory, test::box(2, 2, 2));
     for (const char* array : {"face_vertex/0", "owner/0", "neighbour/0"}) {
         const auto dataset = open();
         const fs::path file = directory / "meshes/0" / array;
@@ -209,7 +211,7 @@ TEST_F(AppendTest, AMeshThatMovesOnceHasItsPositionsOnce) {
     for (const Step& step : dataset->steps()) coordinates.push_back(step.coordinates);
     EXPECT_THAT(coordinates, ElementsAre(0, 0, 1, 1, 1, 2, 1, 0));
     EXPECT_EQ(position_sets(directory), 3U);
-    EXPECT_EQ(dataset->mesh(0, 2).positions[0], 2);
+    EXPECT_EQ(dataset->points(0, 2).positions[0], 2);
 }
 
 TEST_F(AppendTest, AMovingMeshOfAnotherOriginIsOffset) {
@@ -217,7 +219,7 @@ TEST_F(AppendTest, AMovingMeshOfAnotherOriginIsOffset) {
     EXPECT_EQ(append_dataset(open(), *Dataset::open(scratch / "far.ciel")), 3U);
     const auto dataset = Dataset::open(directory);
     EXPECT_EQ(position_sets(directory), 3U);
-    EXPECT_EQ(dataset->mesh(0, dataset->steps()[1].coordinates).positions[0], 100);
+    EXPECT_EQ(dataset->points(0, dataset->steps()[1].coordinates).positions[0], 100);
     EXPECT_EQ(dataset->steps()[2].coordinates, dataset->steps()[3].coordinates);
 }
 

@@ -53,7 +53,7 @@ TEST_F(DoublePositions, AreReadAsTheyWereWritten) {
     const auto dataset = open();
     EXPECT_NO_THROW(dataset->verify());
     EXPECT_TRUE(dataset->info().meshes[0].double_positions);
-    EXPECT_THAT(dataset->mesh(0, 0).positions, ElementsAreArray(points));
+    EXPECT_THAT(dataset->points(0, 0).positions, ElementsAreArray(points));
     EXPECT_THAT(dataset->points(0, 1).positions, ElementsAreArray(moved(0.3)));
     EXPECT_THAT(test::read_file(directory / "meshes/0/positions/.zarray"), testing::HasSubstr("\"<f8\""));
     EXPECT_EQ(dataset->info().meshes[0].bounds[1], moved(0.3)[3 * 26]);

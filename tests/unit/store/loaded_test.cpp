@@ -286,7 +286,7 @@ TEST_F(CatalogTest, ADamagedOneIsListedWithItsProblem) {
     EXPECT_THAT(entries[0].problem, HasSubstr("steps.json"));
     EXPECT_EQ(entries[1].problem, "");
     EXPECT_THROW((void)catalog.open("bad"), Error);
-    fs::resize_file(directory / "meshes/0/owner/0", 8); // list() does not read this file; open() does
+    fs::resize_file(directory / "meshes/0/faces/owner/0", 8); // list() does not read this file; open() does
     EXPECT_THROW((void)catalog.open("box"), Error);
     EXPECT_THAT(catalog.list()[1].problem, HasSubstr("owner"));
 }

@@ -1,4 +1,5 @@
 // Damaged, truncated, foreign and hostile directories are refused with a message that names the file.
+#include "ciel/types.hpp"
 #include "support/store_box/box.hpp"
 
 #include "store/files/files.hpp"
@@ -108,7 +109,7 @@ const std::vector<Malformed> table{
     {"zarr 3", write(".zgroup", R"({"zarr_format": 3})"), ".zgroup", "must be 2"},
     {"foreign zarr group", write(".zattrs", R"({"creator": "xarray"})"), ".zattrs", "not a CIEL dataset"},
     {"zarr group without attributes", remove(".zattrs"), "box.ciel", "not a CIEL dataset"},
-    {"newer version", edit(".zattrs", [](json& j) { j["ciel"]["format_version"] = 2; }), ".zattrs", "newer CIEL"},
+    {"newer version", edit(".zattrs", [](json& j) { j["ciel"]["format_version"] = 3; }), ".zattrs", "newer CIEL"},
     {"version 0", edit(".zattrs", [](json& j) { j["ciel"]["format_version"] = 0; }), ".zattrs", "must not be 0"},
     {"attributes cut off", resize(".zattrs", -10), ".zattrs", "not valid JSON"},
     {"attributes a list", write(".zattrs", "[1, 2]"), ".zattrs", "not a CIEL dataset"},
@@ -261,44 +262,42 @@ const std::vector<Malformed> table{
      "named 'q'"},
     {"components beyond all", edit("meshes/0/arrays/U/.zattrs", [](json& j) { j["ciel"]["components"] = 4000000000U; }),
      "arrays/U/.zattrs", "1 to 64"},
-    {"topology array missing", remove("meshes/0/owner"), "meshes/0/owner", "is missing"},
-    {"topology truncated", resize("meshes/0/face_vertex/0", -4), "face_vertex/0", "bytes where"},
-    {"topology too long", resize("meshes/0/owner/0", 4), "owner/0", "bytes where"},
+    {"topology array missing", remove("meshes/0/faces/owner"), "meshes/0/faces/owner", "is missing"},
+    {"topology truncated", resize("meshes/0/faces/face_vertex/0", -4), "face_vertex/0", "bytes where"},
+    {"topology too long", resize("meshes/0/faces/owner/0", 4), "owner/0", "bytes where"},
     {"size beyond memory",
-     edit("meshes/0/owner/.zarray", [](json& j) { j["shape"] = j["chunks"] = {9223372036854775807U}; }),
+     edit("meshes/0/faces/owner/.zarray", [](json& j) { j["shape"] = j["chunks"] = {9223372036854775807U}; }),
      "owner/.zarray", "more than 2^63 bytes"},
-    {"one bit of topology", flip("meshes/0/face_vertex/0", 5), "face_vertex/0", "checksum"},
+    {"one bit of topology", flip("meshes/0/faces/face_vertex/0", 5), "face_vertex/0", "checksum"},
     {"one bit of a coordinate", flip("meshes/0/positions/0.0.0", 6), "positions/0.0.0", "checksum"},
     {"one bit of a group", flip("meshes/0/groups/0/0", 0), "groups/0/0", "checksum"},
-    {"checksum not given", edit("meshes/0/.zattrs", [](json& j) { j["ciel"]["checksums"].erase("owner"); }),
-     "meshes/0/.zattrs", "owner"},
-    {"vertex out of range", poke<std::uint32_t>("face_vertex", 3, 27), "face_vertex/0", "holds index 27"},
-    {"owner out of range", poke<std::uint32_t>("owner", 35, 8), "owner/0", "holds index 8"},
-    {"owners not sorted", poke<std::uint32_t>("owner", 0, 7), "owner/0", "not sorted"},
-    {"neighbour out of range", poke<std::uint32_t>("neighbour", 0, 8), "neighbour/0", "does not exist"},
-    {"neighbour of itself", poke<std::uint32_t>("neighbour", 1, 0), "neighbour/0", "does not exist"},
-    {"offsets not from zero", poke<std::uint64_t>("face_offset", 0, 4), "face_offset/0", "does not span"},
-    {"offsets backwards", poke<std::uint64_t>("face_offset", 2, 1000000), "face_offset/0", "three corners"},
-    {"face of two corners", poke<std::uint64_t>("face_offset", 1, 2), "face_offset/0", "three corners"},
-    {"boundary array missing", remove("meshes/0/boundary/owner"), "boundary/owner", "is missing"},
-    {"boundary of other sizes", resize_array("boundary/owner", 23), "boundary/owner/0", "23 entries where 24"},
-    {"boundary vertex out of range", poke<std::uint32_t>("boundary/face_vertex", 3, 27), "boundary/face_vertex/0",
-     "holds index 27"},
-    {"boundary owner out of range", poke<std::uint32_t>("boundary/owner", 23, 8), "boundary/owner/0", "holds index 8"},
-    {"boundary owners not sorted", poke<std::uint32_t>("boundary/owner", 0, 7), "boundary/owner/0", "not sorted"},
-    {"boundary offsets backwards", poke<std::uint64_t>("boundary/face_offset", 2, 1000000), "boundary/face_offset/0",
-     "three corners"},
-    {"boundary faces not sorted", poke<std::uint32_t>("boundary/face", 1, 0), "boundary/face/0", "not sorted"},
-    {"boundary face out of range", poke<std::uint32_t>("boundary/face", 23, 36), "boundary/face/0", "holds index 36"},
-    {"boundary of other faces", poke<std::uint32_t>("boundary/face_vertex", 3, 26), "boundary/face_vertex/0",
-     "differs from the faces"},
+    {"checksum not given", edit("meshes/0/.zattrs", [](json& j) { j["ciel"]["checksums"].erase("faces/neighbour"); }),
+     "meshes/0/.zattrs", "faces/neighbour"},
+    {"no blocks", remove("meshes/0/blocks"), "meshes/0/blocks", "is missing"},
+    {"vertex out of range", poke<std::uint32_t>("faces/face_vertex", 3, 27), "face_vertex/0", "holds index 27"},
+    {"owner out of range", poke<std::uint32_t>("faces/owner", 23, 8), "owner/0", "holds index 8"},
+    {"owners not sorted", poke<std::uint32_t>("faces/owner", 0, 7), "owner/0", "not sorted"},
+    {"neighbour out of range", poke<std::uint32_t>("faces/neighbour", 24, 8), "neighbour/0", "does not exist"},
+    {"neighbour of itself", poke<std::uint32_t>("faces/neighbour", 24, 0), "neighbour/0", "does not exist"},
+    {"neighbour on the boundary", poke<std::uint32_t>("faces/neighbour", 23, 7), "neighbour/0", "does not exist"},
+    {"one more on the boundary", poke<std::uint32_t>("faces/neighbour", 24, none), ".zattrs", "there are 25"},
+    {"boundary in the wrong place",
+     [](const fs::path& d) {
+         poke<std::uint32_t>("faces/neighbour", 0, 1)(d);
+         poke<std::uint32_t>("faces/neighbour", 24, none)(d);
+     },
+     "neighbour/0", "among those on the boundary"},
+    {"faces of other sizes", resize_array("faces/neighbour", 24), "neighbour/0", "24 entries where 25"},
+    {"offsets not from zero", poke<std::uint64_t>("faces/face_offset", 0, 4), "face_offset/0", "does not span"},
+    {"offsets backwards", poke<std::uint64_t>("faces/face_offset", 2, 1000000), "face_offset/0", "three corners"},
+    {"face of two corners", poke<std::uint64_t>("faces/face_offset", 1, 2), "face_offset/0", "three corners"},
     {"unknown cell type", poke<std::uint8_t>("cell_types", 2, 11), "cell_types/0", "cell type"},
     {"group out of range", poke<std::uint32_t>("groups/1", 0, 8), "groups/1/0", "holds index 8"},
     {"coordinate not finite", poke_position(std::numeric_limits<float>::infinity()), "positions/0.0.0", "not finite"},
     {"counts that lie", edit("meshes/0/.zattrs", [](json& j) { j["ciel"]["counts"]["cells"] = 9; }), "meshes/0/.zattrs",
      "declares other numbers of"},
     {"a directory in place of a chunk",
-     [](const fs::path& d) { fs::remove(d / "meshes/0/owner/0"), fs::create_directory(d / "meshes/0/owner/0"); },
+     [](const fs::path& d) { fs::remove(d / "meshes/0/faces/owner/0"), fs::create_directory(d / "meshes/0/faces/owner/0"); },
      "owner/0", "not a regular file"},
 };
 
@@ -389,7 +388,7 @@ TEST(Damaged, AReplacedDatasetIsNotMistakenForAGrownOne) {
     const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
     const auto dataset = Dataset::open(scratch / "box.ciel");
-    const auto owner = dataset->mesh(0, 0).owner;
+    const auto owner = dataset->numbered_faces(0, 0).owner;
     const std::vector<Index> before(owner.begin(), owner.end());
     fs::remove_all(scratch / "box.ciel");
     test::write_box(scratch / "box.ciel", test::box(3, 3, 3));

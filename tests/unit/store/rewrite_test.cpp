@@ -1,25 +1,23 @@
 // A dataset written again holds the same, with blocks and ranges.
 #include "store/rewrite.hpp"
 
+#include "ciel/mesh_faces.hpp"
 #include "store/writer.hpp"
+#include "support/meshes.hpp"
 #include "support/store_box/box.hpp"
+#include "support/store_box/format_1.hpp"
+#include "support/views.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numeric>
+#include <set>
 
 namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::ElementsAreArray;
-
-// As an earlier version wrote it: without blocks and ranges.
-void make_old(const fs::path& dataset) {
-    std::vector<fs::path> removed;
-    for (const auto& entry : fs::recursive_directory_iterator(dataset))
-        if (entry.path().filename() == "blocks" || entry.path().filename() == "ranges") removed.push_back(entry.path());
-    for (const fs::path& path : removed) fs::remove_all(path);
-}
 
 class RewriteTest : public testing::Test {
 protected:
@@ -33,7 +31,8 @@ protected:
         const std::vector<float> p(36, 4);
         writer.add_step(2, 0, set, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
         writer.finish();
-        make_old(old);
+        test::make_format_1(old, test::box(3, 2, 2));
+        test::remove_blocks(old);
     }
 
     test::Folder scratch;
@@ -44,8 +43,7 @@ protected:
 
 void expect_same(const Dataset& a, const Dataset& b) {
     const FaceMeshView mesh = a.mesh(0, 0), other = b.mesh(0, 0);
-    EXPECT_THAT(other.face_vertex, ElementsAreArray(mesh.face_vertex));
-    EXPECT_THAT(other.owner, ElementsAreArray(mesh.owner));
+    EXPECT_TRUE(same_cells(Topology(mesh), Topology(other)));
     EXPECT_THAT(other.positions, ElementsAreArray(mesh.positions));
     EXPECT_THAT(b.points(0, 1).positions, ElementsAreArray(a.points(0, 1).positions));
     EXPECT_THAT(b.original_cell(0), ElementsAreArray(a.original_cell(0)));
@@ -78,6 +76,67 @@ TEST_F(RewriteTest, HoldsTheSameAndHasBlocks) {
     EXPECT_TRUE(dataset->block_ranges({"p", std::nullopt, false}, 0));
     EXPECT_NE(dataset->info().id, Dataset::open(old)->info().id);
     EXPECT_THAT(shares, testing::ElementsAre(0, 0.2, 0.4, 0.6, 0.8)) << "one mesh and four steps";
+}
+
+// Faces of groups and values on boundary faces keep their places, also where blocks and lists have faces in other
+// orders, and where cells have collapsed.
+TEST_F(RewriteTest, KeepsTheNumbersOfFaces) {
+    for (const test::NamedMesh& named : test::all_meshes()) {
+        const Assembled assembled = assemble(test::view(named.make()));
+        const FaceMesh& mesh = assembled.mesh;
+        std::vector<Index> on, inside;
+        for (Index face = 0; face < mesh.owner.size(); ++face)
+            (mesh.neighbour[face] == none ? on : inside).push_back(face);
+        if (inside.size() < 5) continue;
+        std::vector<float> values(on.size());
+        std::iota(values.begin(), values.end(), 0.0F);
+        const fs::path first = scratch / (std::string(named.name) + ".ciel"),
+                       second = scratch / (std::string(named.name) + "2.ciel");
+        Writer writer(first, {});
+        writer.add_mesh(mesh, assembled.original_vertex, assembled.original_cell,
+                        std::vector<NamedGroup>{{Group::Of::faces, "baffle", {inside[4], on[2], inside[1]}},
+                                                {Group::Of::cells, "zone", {0}}});
+        writer.add_step(0, 0, 0,
+                        std::vector<ArrayValues>{{{"patch:p", Association::boundary_face, 1, "", ""}, values}});
+        writer.finish();
+        (void)rewrite(first, second, false, [](double) {});
+        const auto a = Dataset::open(first), b = Dataset::open(second);
+        const FaceMeshView faces = a->numbered_faces(0, 0), again = b->numbered_faces(0, 0);
+        EXPECT_THAT(again.owner, ElementsAreArray(faces.owner)) << named.name;
+        EXPECT_THAT(again.neighbour, ElementsAreArray(faces.neighbour)) << named.name;
+        for (Index face = 0; face < faces.face_count(); ++face) {
+            const std::multiset<Index> vertices(faces.loop(face).begin(), faces.loop(face).end());
+            EXPECT_EQ(std::multiset<Index>(again.loop(face).begin(), again.loop(face).end()), vertices) << named.name;
+        }
+        for (std::size_t i = 0; i < 2; ++i) EXPECT_THAT(b->groups(0)[i].ids, ElementsAreArray(a->groups(0)[i].ids));
+        EXPECT_THAT(b->values("patch:p", 0), ElementsAreArray(values));
+        EXPECT_NO_THROW(b->verify());
+    }
+}
+
+TEST_F(RewriteTest, OfFormat1WithBlocksHoldsTheSame) {
+    const fs::path with_blocks = scratch / "blocks.ciel";
+    test::write_box(with_blocks, test::box(3, 2, 2));
+    const auto before = Dataset::open(with_blocks);
+    const std::vector<Index> wall(before->groups(0)[0].ids.begin(), before->groups(0)[0].ids.end());
+    test::make_format_1(with_blocks, test::box(3, 2, 2));
+    (void)rewrite(with_blocks, made, false, progress);
+    EXPECT_THAT(Dataset::open(made)->groups(0)[0].ids, ElementsAreArray(wall));
+    EXPECT_EQ(Dataset::open(made)->info().format_version, 2);
+}
+
+TEST_F(RewriteTest, AMeshThatIsAddedMakesItFormat2) {
+    {
+        Writer writer = Writer::append(old);
+        const std::size_t mesh = writer.add_mesh(test::box(1, 1, 1), test::identity(8), test::identity(1), {});
+        writer.add_step(3, mesh, 0, std::vector<ArrayValues>{});
+        writer.finish();
+    }
+    const auto dataset = Dataset::open(old);
+    EXPECT_EQ(dataset->info().format_version, 2);
+    EXPECT_NO_THROW(dataset->verify());
+    EXPECT_EQ(dataset->boundary(0, 0).face_count(), 32U);
+    EXPECT_EQ(dataset->boundary(1, 0).face_count(), 6U);
 }
 
 TEST_F(RewriteTest, MayReplaceWhatItReads) {

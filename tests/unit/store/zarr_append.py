@@ -10,13 +10,14 @@ import zarr
 path = sys.argv[1]
 group = zarr.open_group(path, mode="r+")
 mesh = group["meshes/0"]
-assert group.attrs["ciel"]["format_version"] == 1
+assert group.attrs["ciel"]["format_version"] == 2
 assert mesh["positions"].shape == (1, 27, 3) and mesh["positions"][0, 26].tolist() == [2, 2, 2]
 assert mesh["cell_types"][:].tolist() == [12] * 8
-assert mesh["face_offset"][-1] == mesh["face_vertex"].shape[0] == 36 * 4
-assert (mesh["owner"][:] < mesh["neighbour"][:]).all()  # `none` is the largest integer
+faces = mesh["faces"]  # 24 on the boundary, and one of the wall inside the mesh
+assert faces["face_offset"][-1] == faces["face_vertex"].shape[0] == 25 * 4
+assert (faces["owner"][:] < faces["neighbour"][:]).all()  # `none` is the largest integer
 assert [g["name"] for g in mesh.attrs["ciel"]["groups"]] == ["wall", "inner/zone \u00e9"]
-assert mesh["groups/0"][:].tolist() == [0, 1, 2]
+assert mesh["groups/0"][:].tolist() == [0, 1, 24]
 
 arrays = {a.attrs["ciel"]["name"]: a for _, a in mesh["arrays"].arrays()}
 assert set(arrays) == {"p", "U", "cell:p"}

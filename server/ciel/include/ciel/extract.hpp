@@ -39,7 +39,7 @@ struct Surface {
     std::vector<Index> polygon_offset{0}; // polygons + 1, into polygon_vertex
     std::vector<Index> polygon_vertex;
     std::vector<Index> polygon_cell; // mesh cell that each polygon cuts
-    std::vector<Index> polygon_face; // mesh face of each polygon, for surfaces of mesh faces; else empty
+    std::vector<Index> polygon_face; // for surfaces of mesh faces: place in their list, or none; else empty
 
     // Consecutive polygons of one block: the unit of streaming and culling.
     struct Chunk {

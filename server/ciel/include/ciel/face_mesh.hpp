@@ -1,5 +1,5 @@
-// FaceMesh: a mesh as a list of faces, each with an owner and a neighbour cell. Datasets are stored in this form, and
-// Topology is built from it. It is the input of Algorithm 5 (paper, appendix A) after the faces have been matched.
+// FaceMesh: a mesh as a list of faces, each with an owner and a neighbour cell. An import makes this form, and Topology
+// is built from it. It is the input of Algorithm 5 (paper, appendix A) after the faces have been matched.
 #pragma once
 
 #include "ciel/checked_array.hpp"
@@ -18,7 +18,7 @@ namespace ciel {
 // any value is harmless. A face between two cells is stored once. Its loop is wound so that its normal (right hand)
 // points out of `owner` into `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids
 // in a loop (collapsed cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order.
-// Faces are sorted by owner, vertices by their first use in face_vertex; unused vertices come last.
+// Faces are sorted by owner; vertices by first use, unused last. The lists of numbered_faces.hpp may have other orders.
 struct FaceMeshView {
     using Offsets = CheckedArray<std::uint64_t>;
 

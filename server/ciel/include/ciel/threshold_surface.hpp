@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
-#include "ciel/boundary_faces.hpp"
 #include "ciel/extract.hpp"
 
 namespace ciel {
@@ -40,13 +39,12 @@ struct CellFace { // a face, seen from one of its two cells
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
 // Returns a surface of the same polygons, without the list of all faces: the boundary faces of kept cells, then the
-// faces inside the mesh, block by block. points: positions of the topology's vertices. boundary: of the mesh. boxes:
-// what block_boxes returned for these positions. Reads the blocks that have cells of both kinds, and those of kept
-// cells whose box touches such a block or one without kept cells. polygon_face is the id of a boundary face in the
-// whole mesh, `none` inside. Uses all threads of the parallel loop. Throws Error when the arguments have other numbers
-// of cells, vertices or blocks than the topology, and when a record is damaged.
-[[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& points,
-                                        const BoundaryFaces& boundary, const BlockBoxes& boxes,
+// faces inside the mesh, block by block. boundary: the boundary faces of the mesh. boxes: what block_boxes returned for
+// its positions. Reads the blocks that have cells of both kinds, and those of kept cells whose box touches such a block
+// or one without kept cells. polygon_face is the place in `boundary`, `none` inside. Uses all threads of the parallel
+// loop. Throws Error when the arguments have other numbers of cells, vertices or blocks than the topology, and when a
+// record is damaged.
+[[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                                         std::span<const std::uint8_t> kept);
 
 // Returns the polygons of `surface`, a cut through a mesh, whose cells are kept. `kept`: one flag per cell; throws

@@ -107,20 +107,19 @@ std::size_t count_cells_without_value(const Field& field, ValuesView values, boo
     return count;
 }
 
-Surface threshold_surface(const Topology& topology, const FaceMeshView& points, const BoundaryFaces& boundary,
-                          const BlockBoxes& boxes, std::span<const std::uint8_t> kept) {
-    const TopologyCounts& counts = topology.counts();
-    if (boundary.mesh.cell_count() != counts.cells || points.vertex_count() != counts.vertices)
-        fail("a threshold's boundary or positions are of another mesh than the topology");
+Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
+                          std::span<const std::uint8_t> kept) {
+    if (boundary.cell_count() != topology.counts().cells || boundary.vertex_count() != topology.counts().vertices)
+        fail("a threshold's boundary is of another mesh than the topology");
     const InnerFaces inner(topology, boxes, kept);
-    FacePolygons polygons(points);
+    FacePolygons polygons(boundary);
     std::vector<Index> loop;
-    for (Index number = 0; number < boundary.mesh.face_count(); ++number) {
-        const Index owner = boundary.mesh.owner[number];
+    for (Index number = 0; number < boundary.face_count(); ++number) {
+        const Index owner = boundary.owner[number];
         if (kept[owner] == 0) continue;
-        const Ids stored = boundary.mesh.loop(number);
+        const Ids stored = boundary.loop(number);
         loop.assign(stored.begin(), stored.end());
-        polygons.add(loop, owner, boundary.face[number]);
+        polygons.add(loop, owner, number);
     }
     inner.for_blocks([&](const InnerFaces::OfBlock& found) {
         for (std::size_t i = 0; i < found.cell.size(); ++i) polygons.add(found.loops.face(i), found.cell[i], none);
