@@ -28,9 +28,10 @@ FaceMesh copy_of(const FaceMeshView& view) {
 // Returns the vertices of a face, ascending, between its two cells.
 std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& mesh, Index face) {
     const Ids loop = mesh.loop(face);
-    std::vector<Index> vertices(loop.begin(), loop.end());
-    std::ranges::sort(vertices);
-    return {{mesh.owner[face], mesh.neighbour[face]}, std::move(vertices)};
+    std::pair<std::array<Index, 2>, std::vector<Index>> key{{mesh.owner[face], mesh.neighbour[face]},
+                                                            {loop.begin(), loop.end()}};
+    std::ranges::sort(key.second);
+    return key;
 }
 
 // Returns for each numbered face its id among all faces. Those of the boundary are there in the order of their numbers.

@@ -70,7 +70,7 @@ std::multiset<std::pair<Index, Corners>> polygons_of(const Surface& surface) {
             const Index point = surface.polygon_vertex[k];
             corners.emplace_back(surface.points[point].a, surface.positions[point]);
         }
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         all.emplace(surface.polygon_cell[i], corners);
     }
     return all;

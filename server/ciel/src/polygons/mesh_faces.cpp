@@ -21,7 +21,8 @@ std::vector<std::vector<Index>> sorted_faces(const CellLoops& cell) {
     std::vector<std::vector<Index>> faces;
     for (std::size_t i = 0; i < cell.count(); ++i) {
         faces.emplace_back(cell.face(i).begin(), cell.face(i).end());
-        std::ranges::rotate(faces.back(), std::ranges::min_element(faces.back()));
+        std::vector<Index>& face = faces.back();
+        std::rotate(face.begin(), std::ranges::min_element(face), face.end());
     }
     std::ranges::sort(faces);
     return faces;
