@@ -56,25 +56,21 @@ struct FaceMeshView {
     }
 };
 
-// Keepers that report damage in the arrays of a mesh; null for arrays that no other process can change.
-struct FaceMeshKeepers {
-    const ArrayKeeper *face_offset = nullptr, *face_vertex = nullptr, *owner = nullptr, *neighbour = nullptr;
-};
-
 // The positions of surfaces are relative to `origin`, too.
-[[nodiscard]] inline FaceMeshView
-face_mesh_view(Vec3d origin, ValuesView positions, std::span<const std::uint8_t> cell_types,
-               std::span<const std::uint64_t> face_offset, std::span<const Index> face_vertex,
-               std::span<const Index> owner, std::span<const Index> neighbour, const FaceMeshKeepers& keepers = {}) {
+[[nodiscard]] inline FaceMeshView face_mesh_view(Vec3d origin, ValuesView positions,
+                                                 std::span<const std::uint8_t> cell_types,
+                                                 std::span<const std::uint64_t> face_offset,
+                                                 std::span<const Index> face_vertex, std::span<const Index> owner,
+                                                 std::span<const Index> neighbour) {
     const auto vertices = static_cast<Index>(positions.size() / 3), cells = static_cast<Index>(cell_types.size());
     return {origin,
             origin,
             positions,
             cell_types,
-            {face_offset, face_vertex.size() + 1, keepers.face_offset},
-            {face_vertex, vertices, keepers.face_vertex},
-            {owner, cells, keepers.owner},
-            {neighbour, cells, keepers.neighbour},
+            {face_offset, face_vertex.size() + 1},
+            {face_vertex, vertices},
+            {owner, cells},
+            {neighbour, cells},
             {},
             nullptr};
 }
