@@ -2,7 +2,7 @@
 """Measures the bytes per triangle of streamed polygons.
 
 usage: polygons.py CIEL DATASET.ciel SCALAR COLOR [--size WxH]
-Starts a server. Shows an iso-surface of SCALAR colored by COLOR, a slice, both with the boundary, and then changes of one of them.
+Starts a server. Shows the boundary, an iso-surface of SCALAR colored by COLOR, a slice, all three, then changes of one of them.
 Prints one JSON line for each, with the bytes of complete frames.
 """
 
@@ -42,7 +42,8 @@ async def measure(options, port):
     target = scene["camera"]["target"]
     eye = [at + 0.1 * (from_ - at) for at, from_ in zip(target, scene["camera"]["position"])]
     steps = [
-        ("an iso-surface", {"layers": {"iso": iso, "far": None}}),
+        ("the boundary alone", {"layers": {"walls": {"type": "surface", "color": color}, "far": None}}),
+        ("an iso-surface", {"layers": {"walls": None, "iso": iso}}),
         ("of another value", {"layers": {"iso": {"values": [low + 0.31 * (high - low)]}}}),
         ("in one color", {"layers": {"iso": {"color": {"array": None}}}}),
         ("in all colors again", {"layers": {"iso": {"color": color}}}),
@@ -51,6 +52,7 @@ async def measure(options, port):
         ("and the boundary", {"layers": {"walls": {"type": "surface", "opacity": 0.2, "color": color}}}),
         ("ten times as near", {"camera": {"position": eye}}),
         ("a slice alone", {"layers": {"iso": None, "walls": None, "across": {"value": 0.9 * across["value"]}}}),
+        ("the boundary alone", {"layers": {"across": None, "walls": {"type": "surface", "color": color}}}),
     ]
     async with Stream(f"ws://127.0.0.1:{port}/ws") as stream:
         start = {"dataset": dataset, "camera": scene["camera"], "layers": {"far": {**across, "axis": "x", "value": 0.98 * bounds[1]}}}
