@@ -118,11 +118,11 @@ describe("company", { skip }, () => {
     const value = await client.value();
     await client.dragIso(0.3);
     await client.settled();
-    await client.page.emulateMedia({ colorScheme: "light" });
+    await client.taken(() => client.page.emulateMedia({ colorScheme: "light" }));
     await client.settled();
     assert.notEqual(await surface(), dark);
     assert.ok(distance((await client.picture()).at(3, 3), [255, 255, 255]) < 12);
-    await client.page.emulateMedia({ colorScheme: "dark" });
+    await client.taken(() => client.page.emulateMedia({ colorScheme: "dark" }));
     await client.settled();
     assert.equal(await surface(), dark);
     assert.ok(distance((await client.picture()).at(3, 3), [26, 31, 41]) < 12);

@@ -159,10 +159,13 @@ export class Client {
   }
 
   /**
-   * Waits until the picture of the newest scene is complete and nothing changes for 150 ms. A still is needed, or
-   * polygons.
+   * Waits until the picture of the newest scene is complete and nothing changes for 80 ms. A still is needed, or
+   * polygons. The page first draws two frames, so that it has sent what an action before this call changes.
    */
   async settled(stream = "image"): Promise<void> {
+    await this.page.evaluate(
+      () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(() => drawn(undefined)))),
+    );
     const deadline = Date.now() + 60_000;
     let last = -1;
     let since = Date.now();
@@ -173,7 +176,7 @@ export class Client {
       const current =
         stream === "geometry" ? !Number.isNaN(frame.wanted) : frame.still && frame.revision >= frame.wanted;
       const complete = frame.stream === stream && current;
-      if (complete && Date.now() - since > 150) return;
+      if (complete && Date.now() - since > 80) return;
       if (Date.now() > deadline) throw new Error(`no settled ${stream} picture: ${JSON.stringify(frame)}`);
       await this.page.waitForTimeout(30);
     }
@@ -209,6 +212,11 @@ export class Client {
       if (Date.now() > deadline) throw new Error(`the scene is still that of revision ${before}`);
       await this.page.waitForTimeout(30);
     }
+  }
+
+  /** Returns the revision of the page's scene; NaN while the server has not accepted the newest change. */
+  async wanted(): Promise<number> {
+    return (await this.shown()).wanted;
   }
 
   /** Waits until the page's address contains the newest scene. The page writes it after a pause. */
