@@ -88,6 +88,13 @@ std::uint64_t spare_address_space() {
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
+// Returns the bytes of this process's memory that no file holds: heap, stacks and what drivers allocate.
+std::uint64_t private_resident_memory() {
+    std::uint64_t size = 0, resident = 0, shared = 0;
+    std::ifstream("/proc/self/statm") >> size >> resident >> shared;
+    return (resident - std::min(resident, shared)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 } // namespace
 
 std::uint64_t machine_memory() {
@@ -98,15 +105,16 @@ std::uint64_t machine_memory() {
 }
 
 void give_back_free_memory() {
-    constexpr std::size_t worth_it = std::size_t{64} << 20;
-    static std::atomic<std::size_t> given_back{0}; // heap bytes free after the last trim
-    const auto free_bytes = [] { return ::mallinfo2().fordblks; };
-    if (free_bytes() < given_back + worth_it) {
-        given_back = std::min(given_back.load(), free_bytes());
-        return;
+    constexpr std::uint64_t worth_it = std::uint64_t{64} << 20;
+    // What malloc holds as free tells nothing about what was freed since: it includes what was returned before.
+    static std::atomic<std::uint64_t> after_last{0};
+    const std::uint64_t now = private_resident_memory();
+    if (::mallinfo2().fordblks >= worth_it && now >= after_last + worth_it) {
+        ::malloc_trim(0);
+        after_last = private_resident_memory();
+    } else {
+        after_last = std::min(after_last.load(), now);
     }
-    ::malloc_trim(0);
-    given_back = free_bytes();
 }
 
 SpareMemory spare_memory() {

@@ -107,6 +107,11 @@ class Server:
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
 
+    def private_kilobytes(self) -> int:
+        """Resident memory without the pages of mapped files."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"RssAnon:\s+(\d+)", status).group(1))
+
 
 class Frame:
     """A frame: the header of protocol/frame.md and its payload, of one message or of all its pieces."""
