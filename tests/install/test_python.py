@@ -81,6 +81,21 @@ def test_doubles_and_integers_are_not_rounded_to_floats(python):
     )
 
 
+def test_points_of_thin_cells_are_had_in_double_precision(python):
+    check(
+        python,
+        """
+        points, types, offsets, connectivity = box(6)
+        points[:, 2] = np.where(points[:, 2] < 3, 2e-6 * points[:, 2], 100 * points[:, 2])  # cells at a wall, a far field
+        mesh = cm.Mesh.from_cells(points, types, offsets, connectivity)
+        cut = cm.slice(mesh, (0, 0, 3e-6), (0, 0, 1))
+        heights = cm.interpolate(cut, mesh, points)[:, 2]
+        assert len(cut) == 36 and np.abs(heights - 3e-6).max() < 2e-9
+        assert np.abs(cut.points[:, 2] - 3e-6).max() > 2e-6  # floats from the middle of the mesh cannot tell
+        """,
+    )
+
+
 def test_a_slider_goes_on_through_time_and_moves(python):
     check(
         python,

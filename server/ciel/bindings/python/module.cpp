@@ -229,7 +229,10 @@ void add_mesh(py::module_& module) {
 
 void add_surface(py::module_& module) {
     py::class_<PySurface>(module, "Surface", "Polygons with shared points. Each array is made when it is asked for.")
-        .def_property_readonly("points", &PySurface::points, "(N, 3) float64")
+        .def_property_readonly(
+            "points", &PySurface::points,
+            "(N, 3) float64, rounded like float32 relative to the middle of the mesh. Where that is\n"
+            "not enough: interpolate(surface, mesh, points) of the mesh's own points.")
         .def_property_readonly(
             "normals", [](const PySurface& self) { return array_of<float>(std::vector(self.surface.normals), 3); },
             "(N, 3) float32, unit, towards higher values; (0, 3) where none were asked for")
