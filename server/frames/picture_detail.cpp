@@ -14,8 +14,9 @@ constexpr Level jpeg_levels[]{{{80, 1}, 1},      {{60, 1}, 0.68},    {{40, 1}, 0
                               {{40, 0.5}, 0.16}, {{40, 0.35}, 0.09}, {{40, 0.25}, 0.05}};
 constexpr Level png_levels[]{{{80, 1}, 1}, {{80, 0.7}, 0.55}, {{80, 0.5}, 0.3}, {{80, 0.35}, 0.17}, {{80, 0.25}, 0.09}};
 
-constexpr double fast_enough = 0.05; // seconds per picture: a higher rate is not worth less detail
-constexpr double margin = 0.8;       // fraction of the line that a finer picture may use
+constexpr double fast_enough = 1.0 / 30; // seconds per picture: a higher rate is not worth less detail
+// Fractions of the line: a picture that uses more makes later ones wait, a finer one must use less.
+constexpr double most = 0.9, margin = 0.8;
 constexpr unsigned before_coarser = 2, before_finer = 8;
 
 std::span<const Level> levels_of(wire::MovingCodec codec) {
@@ -36,7 +37,7 @@ void PictureDetail::sent(wire::MovingCodec codec, std::size_t bytes, double maki
     const double room = rate * std::max(making, fast_enough); // bytes that the line carries until the next picture
     const double finer = level_ == 0 ? 0 : static_cast<double>(bytes) * levels[level_ - 1].bytes / levels[level_].bytes;
     const bool is_slow = rate > 0;
-    too_long_ = is_slow && static_cast<double>(bytes) > room ? too_long_ + 1 : 0;
+    too_long_ = is_slow && static_cast<double>(bytes) > most * room ? too_long_ + 1 : 0;
     fitting_ = level_ > 0 && (!is_slow || finer < margin * room) ? fitting_ + 1 : 0;
     if (too_long_ >= before_coarser && level_ + 1 < levels.size()) {
         ++level_;

@@ -29,7 +29,7 @@ TEST(PictureDetail, QualityGoesBeforeSizeAndNoFurtherThanTheLineNeeds) {
     PictureDetail detail;
     send(detail, wire::MovingCodec::jpeg, 100, 60'000, 10 * mbit);
     EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{80, 1})) << "60 kB fit into 66 ms";
-    send(detail, wire::MovingCodec::jpeg, 100, 100'000, 10 * mbit);
+    send(detail, wire::MovingCodec::jpeg, 100, 95'000, 10 * mbit);
     EXPECT_EQ(detail.of(wire::MovingCodec::jpeg), (Detail{60, 1}));
     send(detail, wire::MovingCodec::jpeg, 100, 400'000, 10 * mbit);
     EXPECT_EQ(detail.of(wire::MovingCodec::jpeg).quality, 40);
@@ -41,6 +41,16 @@ TEST(PictureDetail, PicturesWithoutLossBecomeSmaller) {
     send(detail, wire::MovingCodec::png, 100, 250'000, 10 * mbit);
     EXPECT_EQ(detail.of(wire::MovingCodec::png), (Detail{80, 0.5}));
     EXPECT_LE(bytes_of(detail.of(wire::MovingCodec::png), 250'000), 10 * mbit * making);
+}
+
+TEST(PictureDetail, LetsAFastServerSendThirtyPicturesASecond) {
+    PictureDetail detail;
+    for (int i = 0; i < 100; ++i)
+        detail.sent(MovingCodec::png, bytes_of(detail.of(MovingCodec::png), 50'000), 0.02, 10 * mbit);
+    EXPECT_EQ(detail.of(MovingCodec::png), (Detail{80, 0.7}));
+    for (int i = 0; i < 100; ++i)
+        detail.sent(MovingCodec::png, bytes_of(detail.of(MovingCodec::png), 30'000), 0.02, 10 * mbit);
+    EXPECT_EQ(detail.of(MovingCodec::png), (Detail{80, 1}));
 }
 
 TEST(PictureDetail, StaysWhereItIsWhereTheNextFinerWouldNotFit) {
