@@ -23,14 +23,16 @@ constexpr std::size_t most_frames = 64;
 void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time now) {
     if (still) {
         newest_still_ = frame;
-        on_the_way_.push_back({frame, 0, false, now, 0});
+        on_the_way_.push_back({frame, 0, false, now, now, 0});
         return;
     }
     const bool is_behind_still =
         !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged yet
+    // Acknowledgements come in bursts, so what left since the last one may have arrived already.
+    const Time since = on_the_way_.empty() ? now : std::max(on_the_way_.front().sent, last_acknowledged_);
     sent_bytes_ += bytes;
     last_bytes_ = bytes;
-    on_the_way_.push_back({frame, bytes, !is_behind_still, now, bytes_on_the_way()});
+    on_the_way_.push_back({frame, bytes, !is_behind_still, now, since, bytes_on_the_way()});
 }
 
 bool FrameWindow::has_room() const {
@@ -47,6 +49,7 @@ bool FrameWindow::acknowledged(std::uint32_t frame, Time now) {
         on_the_way_.pop_front();
     }
     if (!newest) return false;
+    last_acknowledged_ = now;
     if (newest->measures) {
         if (!window_) window_ = static_cast<double>(unknown_line_ * newest->bytes);
         learn(*newest, now);
@@ -64,25 +67,25 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     if (rate_ && now - rate_->at > rate_lasts) rate_.reset();
     const double more_bytes = frame.bytes > soonest_bytes_ ? static_cast<double>(frame.bytes - soonest_bytes_) : 0;
     const double late = took - soonest_->value - (rate_ ? more_bytes / rate_->value : 0);
-    const double delivered = static_cast<double>(frame.bytes_on_the_way) / took; // bytes per second, by Little's law
-    const double best = proven(delivered, now);
+    const auto bytes = static_cast<double>(frame.bytes_on_the_way);
+    const bool is_old = held_back_ && now - best_since_ > best_lasts; // only a full window measures the line
+    if (is_old) best_since_ = now;
+    delivered_.add(bytes / took, is_old); // by Little's law; what has arrived but is not acknowledged counts twice
+    const double carried = bytes / Seconds(now - frame.since).count();
+    carried_.add(carried, is_old);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
     if (late_frames_ >= late_in_a_row || late > very_late)
-        shrink(frame, delivered, best, late, now);
+        shrink(frame, carried, late, now);
     else if (late_frames_ == 0 && held_back_ && took < longest_route)
         grow(frame.bytes);
 }
 
-double FrameWindow::proven(double rate, Time now) {
-    if (held_back_ && now - best_since_ > best_lasts) { // only a full window measures the line
-        best_before_ = std::exchange(best_, 0);
-        best_since_ = now;
-    }
-    best_ = std::max(best_, rate);
-    return std::max(best_, best_before_);
+void FrameWindow::Highest::add(double rate, bool begins) {
+    if (begins) before = std::exchange(now, 0);
+    now = std::max(now, rate);
 }
 
-void FrameWindow::shrink(const Frame& frame, double delivered, double proven, double late, Time now) {
+void FrameWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late as well
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
@@ -92,8 +95,8 @@ void FrameWindow::shrink(const Frame& frame, double delivered, double proven, do
     }
     // A busy browser acknowledges late even with few bytes in flight. So the window stays large enough for the highest
     // rate that the line has reached.
-    window_ = std::max(proven * (soonest_->value + tolerance), bytes);
-    if (delivered >= full * proven && (!rate_ || delivered >= rate_->value)) rate_ = {delivered, now};
+    window_ = std::max(delivered_.value() * (soonest_->value + tolerance), bytes);
+    if (carried >= full * carried_.value() && (!rate_ || carried >= rate_->value)) rate_ = {carried, now};
 }
 
 void FrameWindow::grow(std::size_t bytes) {

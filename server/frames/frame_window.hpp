@@ -42,6 +42,7 @@ private:
         std::size_t bytes;
         bool measures; // false for a still and for frames behind one
         Time sent;
+        Time since;                   // when `bytes_on_the_way` began to be delivered
         std::size_t bytes_on_the_way; // in flight when this frame was sent, its own bytes included
     };
     struct Known {
@@ -49,20 +50,26 @@ private:
         Time at;
     };
 
+    struct Highest { // rate of this period and of the one before, bytes per second
+        double now = 0, before = 0;
+        void add(double rate, bool begins); // `begins`: a period begins with this rate
+        [[nodiscard]] double value() const { return now > before ? now : before; }
+    };
+
     void learn(const Frame& frame, Time now);
-    // Records the delivery rate of a frame. Returns the highest rate of the last seconds.
-    double proven(double rate, Time now);
-    void shrink(const Frame& frame, double delivered, double proven, double late, Time now);
+    void shrink(const Frame& frame, double carried, double late, Time now);
     void grow(std::size_t bytes);
 
     std::uint64_t unknown_line_;
     std::deque<Frame> on_the_way_;
     std::uint32_t newest_still_ = 0;
     std::size_t sent_bytes_ = 0, delivered_bytes_ = 0, last_bytes_ = 0;
+    Time last_acknowledged_{};
     std::optional<Known> soonest_; // shortest time to an acknowledgement, in seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
-    double best_ = 0, best_before_ = 0; // highest delivery rates of this period and of the one before, bytes per second
+    Highest delivered_; // may be too high, so that the window is never too small
+    Highest carried_;   // of the line
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};
