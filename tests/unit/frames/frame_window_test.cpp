@@ -15,6 +15,7 @@ struct Line {
     double present = 0.01; // seconds from the arrival of a frame to its display
     double jitter = 0;     // additional seconds for every seventh frame
     double busy = 0;       // upper limit of random additional seconds for each frame
+    double animation = 0;  // seconds between the animation frames in which the browser shows what has arrived
     double swing = 0;      // period in seconds in which the frame size goes from full to a quarter and back
     bool acknowledges = true;
 };
@@ -66,6 +67,7 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
         free = std::max(free, now) + static_cast<double>(size) / line.rate;
         shown = std::max(shown, free + line.round_trip / 2 + line.present + (frame % 7 == 0 ? line.jitter : 0) +
                                     line.busy * static_cast<double>(random()) / std::minstd_rand::max());
+        if (line.animation > 0) shown = std::ceil(shown / line.animation) * line.animation;
         if (line.acknowledges) acknowledgements[shown + line.round_trip / 2] = frame;
     }
     result.rate = window.rate();
@@ -98,6 +100,16 @@ TEST(FrameWindow, AFullLineDoesNotQueueAndIsMeasured) {
         }
 }
 
+TEST(FrameWindow, AcknowledgementsInBurstsDoNotMakeTheLineFaster) {
+    for (const double round_trip : {0.0, 0.02, 0.05, 0.2})
+        for (const std::size_t bytes : {50'000U, 60'000U, 70'000U, 100'000U}) {
+            Line line{round_trip, 10 * mbit, 0.01, 0, 0.02};
+            line.animation = 1.0 / 30;
+            const Outcome full = run(line, 0.02, bytes);
+            EXPECT_NEAR(full.rate / line.rate, 1, 0.25) << round_trip << ' ' << bytes;
+        }
+}
+
 TEST(FrameWindow, ABrowserThatStumblesCostsFewFrames) {
     const Outcome far = run({0.2, 10 * mbit, 0.01, 0.04}, 0.066, 40'000);
     EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066);
@@ -117,7 +129,7 @@ TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
 TEST(FrameWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
     for (const double round_trip : {0.05, 0.2})
         for (const double busy : {0.03, 0.06, 0.09}) {
-            const Outcome far = run({round_trip, 10 * mbit, 0.01, 0, busy, 4}, 0.05, 45'000, 60);
+            const Outcome far = run({round_trip, 10 * mbit, 0.01, 0, busy, 0, 4}, 0.05, 45'000, 60);
             EXPECT_GE(static_cast<double>(far.frames), 0.85 * 60 / 0.05) << round_trip << ' ' << busy;
         }
 }
