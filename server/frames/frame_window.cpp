@@ -14,7 +14,7 @@ constexpr unsigned late_in_a_row = 5; // late frames in a row that count: a queu
 constexpr double longest_route = 1;   // seconds; a frame that takes longer is large, so the window must not grow
 constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured anew: the route may have become longer
 constexpr seconds rate_lasts{30};
-constexpr seconds best_lasts{2}; // period of best_: a rate counts for 2 to 4 seconds
+constexpr seconds best_lasts{2}; // period of Highest: a rate counts for 2 to 4 seconds
 constexpr double full = 0.9;     // fraction of the best rate: a slower late frame did not wait for the line
 constexpr std::size_t most_frames = 64;
 

@@ -42,7 +42,7 @@ private:
         std::size_t bytes;
         bool measures; // false for a still and for frames behind one
         Time sent;
-        Time since;                   // when `bytes_on_the_way` began to be delivered
+        Time since;                   // since when `bytes_on_the_way` are delivered, nearly
         std::size_t bytes_on_the_way; // in flight when this frame was sent, its own bytes included
     };
     struct Known {

@@ -106,14 +106,18 @@ std::uint64_t machine_memory() {
 
 void give_back_free_memory() {
     constexpr std::uint64_t worth_it = std::uint64_t{64} << 20;
-    // What malloc holds as free tells nothing about what was freed since: it includes what was returned before.
-    static std::atomic<std::uint64_t> after_last{0};
-    const std::uint64_t now = private_resident_memory();
-    if (::mallinfo2().fordblks >= worth_it && now >= after_last + worth_it) {
+    // What malloc counts as free includes what was returned before. So used and freed again between two calls, memory
+    // shows in the process's size alone; in use at the last call, it shows in what is free alone.
+    static std::atomic<std::uint64_t> free_after{0}, size_after{0};
+    const auto free_bytes = []() -> std::uint64_t { return ::mallinfo2().fordblks; };
+    const std::uint64_t free_now = free_bytes(), size_now = private_resident_memory();
+    if (free_now >= free_after + worth_it || (free_now >= worth_it && size_now >= size_after + worth_it)) {
         ::malloc_trim(0);
-        after_last = private_resident_memory();
+        free_after = free_bytes();
+        size_after = private_resident_memory();
     } else {
-        after_last = std::min(after_last.load(), now);
+        free_after = std::min(free_after.load(), free_now);
+        size_after = std::min(size_after.load(), size_now);
     }
 }
 

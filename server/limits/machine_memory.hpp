@@ -16,9 +16,8 @@ struct SpareMemory {
 };
 [[nodiscard]] SpareMemory spare_memory();
 
-// Returns freed heap memory to the system; malloc would keep it. Does nothing if the heap has less than 64 MiB of free
-// memory, or if the process has grown by less than that since the last return. A return takes some milliseconds.
-// Thread-safe.
+// Returns freed heap memory to the system if 64 MiB or more seem to have been freed since the last return; malloc would
+// keep it. A return takes some milliseconds. Thread-safe.
 void give_back_free_memory();
 
 } // namespace ciel::limits

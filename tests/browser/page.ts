@@ -159,14 +159,14 @@ export class Client {
   }
 
   /**
-   * Waits until the picture of the newest scene is complete and nothing changes for 80 ms. A still is needed, or
+   * Waits until the picture of the newest scene is complete and nothing changes for 150 ms. A still is needed, or
    * polygons. The page first draws two frames, so that it has sent what an action before this call changes.
    */
   async settled(stream = "image"): Promise<void> {
+    const deadline = Date.now() + 60_000;
     await this.page.evaluate(
       () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(() => drawn(undefined)))),
     );
-    const deadline = Date.now() + 60_000;
     let last = -1;
     let since = Date.now();
     for (;;) {
@@ -176,7 +176,7 @@ export class Client {
       const current =
         stream === "geometry" ? !Number.isNaN(frame.wanted) : frame.still && frame.revision >= frame.wanted;
       const complete = frame.stream === stream && current;
-      if (complete && Date.now() - since > 80) return;
+      if (complete && Date.now() - since > 150) return;
       if (Date.now() > deadline) throw new Error(`no settled ${stream} picture: ${JSON.stringify(frame)}`);
       await this.page.waitForTimeout(30);
     }

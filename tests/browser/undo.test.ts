@@ -85,13 +85,17 @@ describe("undo", { skip }, () => {
     }
   }
 
-  /** Returns the scene after its revision has changed. After 400 ms without a change, returns it unchanged. */
+  /** Returns the scene after its revision has changed and settled. After 400 ms without a change, returns it unchanged. */
   async function moved(from: number): Promise<{ revision: number; scene: string }> {
     const deadline = Date.now() + 400;
     let now = await agreed();
     while (now.revision === from && Date.now() < deadline) {
       await client.page.waitForTimeout(20);
       now = await agreed();
+    }
+    for (let last = -1; last !== now.revision; now = await agreed()) {
+      last = now.revision;
+      await client.page.waitForTimeout(60);
     }
     return now;
   }
@@ -157,6 +161,7 @@ describe("undo", { skip }, () => {
         if (!(await leadsTo("Undo", was.scene))) wrong.push(`${name}: undone is not what it was`);
         if (!(await leadsTo("Redo", then.scene))) wrong.push(`${name}: done again is not what it became`);
         if (!(await leadsTo("Undo", was.scene))) wrong.push(`${name}: undone once more is not what it was`);
+        assert.equal(await section.locator(CONTROLS).count(), count, `${name}: the controls are those that were`);
       }
       assert.deepEqual(wrong, []);
       assert.ok(changed >= least, `${changed} controls changed the scene, of ${count}`);

@@ -112,6 +112,10 @@ class Server:
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return int(re.search(r"RssAnon:\s+(\d+)", status).group(1))
 
+    def maps(self) -> str:
+        """The mapped files, as the system lists them."""
+        return pathlib.Path(f"/proc/{self.process.pid}/maps").read_text()
+
 
 class Frame:
     """A frame: the header of protocol/frame.md and its payload, of one message or of all its pieces."""

@@ -1,13 +1,13 @@
 """What a large dataset or view used is given back to the system once it is gone. The server looks every ten seconds."""
 
 import asyncio
-import os
 import pathlib
 import subprocess
 
 import numpy as np
 import pytest
 
+from program import CIEL
 from serve_process import PATIENCE, Server, client, until
 
 
@@ -25,30 +25,33 @@ def boxes(tmp_path_factory):
     folder = tmp_path_factory.mktemp("data")
     for name, n in (("small", 4), ("large", 96)):
         write_box(folder / f"{name}.vtk", n)
-        subprocess.run([os.environ["CIEL_BINARY"], "import", folder / f"{name}.vtk", "-o", folder / f"{name}.ciel"],
+        subprocess.run([CIEL, "import", folder / f"{name}.vtk", "-o", folder / f"{name}.ciel"],
                        check=True, capture_output=True, timeout=4 * PATIENCE)
     return folder / "small.ciel", folder / "large.ciel"
 
 
-def show(running: Server, dataset: str, layers: dict, **view) -> None:
-    """Opens a session with a view, waits for its still and ends the session."""
+def show(running: Server, dataset: str, layers: dict) -> int:
+    """Opens a session with a view, waits for its still and ends the session. Returns the private
+    kilobytes while it was open."""
     async def shown():
         async with client(running) as caller:
             session = (await caller.call("session.open", scene={"dataset": dataset, "layers": layers}))["session"]
-            await caller.call("view.open", session=session, width=320, height=200, **view)
+            await caller.call("view.open", session=session, width=320, height=200)
             await caller.frame(still=True)
+            used = running.private_kilobytes()
             await caller.call("session.close", session=session)
-    asyncio.run(asyncio.wait_for(shown(), PATIENCE))
+            return used
+    return asyncio.run(asyncio.wait_for(shown(), PATIENCE))
 
 
 def test_a_dataset_that_is_gone_leaves_little_behind(boxes):
     layers = {"iso": {"type": "iso", "array": "r", "values": [0.2, 0.5, 0.8, 1.1, 1.4]}, "walls": {"type": "surface"}}
     with Server(*boxes, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "1"}) as running:
         show(running, "small", layers)
-        before = running.resident_kilobytes()
-        show(running, "large", layers)
-        assert running.resident_kilobytes() > before + 120_000
-        until(lambda: running.resident_kilobytes() < before + 80_000)
+        before = running.private_kilobytes()
+        assert show(running, "large", layers) > before + 60_000
+        until(lambda: running.private_kilobytes() < before + 30_000)
+        until(lambda: str(boxes[1]) not in running.maps())
         show(running, "large", layers)  # it is read again
 
 
@@ -58,6 +61,6 @@ def test_a_view_that_is_gone_leaves_little_behind(boxes):
         show(running, "large", {"iso": {"type": "iso", "array": "r", "values": values[:1]}})
         before = running.private_kilobytes()
         for _ in range(2):
-            show(running, "large", {"iso": {"type": "iso", "array": "r", "values": values}})
-            assert running.private_kilobytes() > before + 120_000
+            used = show(running, "large", {"iso": {"type": "iso", "array": "r", "values": values}})
+            assert used > before + 120_000
             until(lambda: running.private_kilobytes() < before + 80_000)

@@ -62,6 +62,19 @@ TEST(PictureDetail, StaysWhereItIsWhereTheNextFinerWouldNotFit) {
     }
 }
 
+TEST(PictureDetail, StaysWhereItIsAtAnySize) {
+    for (const MovingCodec codec : {MovingCodec::png, MovingCodec::jpeg})
+        for (double bytes = 20'000; bytes < 1e6; bytes *= 1.005) {
+            PictureDetail detail;
+            send(detail, codec, 200, bytes, 10 * mbit);
+            const Detail found = detail.of(codec);
+            for (int i = 0; i < 40; ++i) {
+                send(detail, codec, 1, bytes, 10 * mbit);
+                ASSERT_EQ(detail.of(codec), found) << bytes << ' ' << i;
+            }
+        }
+}
+
 TEST(PictureDetail, ComesBackOnAFasterLine) {
     PictureDetail detail;
     send(detail, wire::MovingCodec::jpeg, 100, 400'000, 2 * mbit);

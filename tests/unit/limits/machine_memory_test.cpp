@@ -25,26 +25,46 @@ std::uint64_t resident() {
 
 constexpr std::size_t piece = 64 << 10, pieces = 4096; // 256 MiB, in pieces that malloc takes from its heap
 
-// Allocates and frees, but keeps the last piece, so that the heap does not shrink at its end. Returns the peak.
-std::uint64_t use_and_free(std::vector<std::unique_ptr<char[]>>& kept) {
-    std::vector<std::unique_ptr<char[]>> all;
+using Pieces = std::vector<std::unique_ptr<char[]>>;
+
+// Allocates 256 MiB. `kept` gets the last piece, so that the heap does not shrink at its end.
+Pieces use(Pieces& kept) {
+    Pieces all;
     for (std::size_t i = 0; i < pieces; ++i) {
         all.push_back(std::make_unique_for_overwrite<char[]>(piece));
         std::memset(all.back().get(), 1, piece);
     }
     kept.push_back(std::move(all.back()));
-    return resident();
+    return all;
 }
+
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
 TEST(machine_memory, what_was_freed_is_given_back_each_time) {
     if (own_heap) GTEST_SKIP() << "the sanitizer's malloc keeps what is freed";
-    std::vector<std::unique_ptr<char[]>> kept;
+    Pieces kept;
     for (int turn = 0; turn < 3; ++turn) {
         const std::uint64_t before = resident();
-        const std::uint64_t peak = use_and_free(kept);
-        ASSERT_GT(peak, before + (std::uint64_t{200} << 20)) << turn;
+        Pieces used = use(kept);
+        ASSERT_GT(resident(), before + 200 * mebibyte) << turn;
+        used.clear();
         give_back_free_memory();
-        EXPECT_LT(resident(), before + (std::uint64_t{32} << 20)) << turn;
+        EXPECT_LT(resident(), before + 32 * mebibyte) << turn;
+    }
+}
+
+TEST(machine_memory, what_is_in_use_at_a_return_is_given_back_when_it_is_freed) {
+    if (own_heap) GTEST_SKIP() << "the sanitizer's malloc keeps what is freed";
+    Pieces kept;
+    for (int turn = 0; turn < 3; ++turn) {
+        const std::uint64_t before = resident();
+        Pieces first = use(kept), second = use(kept);
+        second.clear();
+        give_back_free_memory();
+        EXPECT_LT(resident(), before + 300 * mebibyte) << turn;
+        first.clear();
+        give_back_free_memory();
+        EXPECT_LT(resident(), before + 32 * mebibyte) << turn;
     }
 }
 
