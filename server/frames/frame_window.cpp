@@ -10,6 +10,7 @@ using std::chrono::seconds;
 
 constexpr double tolerance = 0.03;    // seconds: jitter of a browser's animation frames and decoder
 constexpr double very_late = 0.2;     // seconds: longer than any jitter of a browser
+constexpr double queued = 0.1;        // seconds: five frames in a row that are later wait in a queue
 constexpr unsigned late_in_a_row = 5; // late frames in a row that count: a queue delays all frames, a busy browser some
 constexpr double longest_route = 1;   // seconds; a frame that takes longer is large, so the window must not grow
 constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured anew: the route may have become longer
@@ -89,7 +90,7 @@ void FrameWindow::shrink(const Frame& frame, double carried, double late, Time n
     if (now < may_shrink_) return; // frames sent before the last shrink are late as well
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= very_late) { // doubling does not always fill the line: no rate
+    if (std::exchange(doubles_, false) && late <= queued) { // doubling does not always fill the line: no rate
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
