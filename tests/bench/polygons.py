@@ -52,7 +52,7 @@ async def measure(options, port):
         ("and the boundary", {"layers": {"walls": {"type": "surface", "opacity": 0.2, "color": color}}}),
         ("ten times as near", {"camera": {"position": eye}}),
         ("a slice alone", {"layers": {"iso": None, "walls": None, "across": {"value": 0.9 * across["value"]}}}),
-        ("the boundary alone", {"layers": {"across": None, "walls": {"type": "surface", "color": color}}}),
+        ("the boundary alone, near", {"layers": {"across": None, "walls": {"type": "surface", "color": color}}}),
     ]
     async with Stream(f"ws://127.0.0.1:{port}/ws") as stream:
         start = {"dataset": dataset, "camera": scene["camera"], "layers": {"far": {**across, "axis": "x", "value": 0.98 * bounds[1]}}}
