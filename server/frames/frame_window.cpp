@@ -82,8 +82,8 @@ void FrameWindow::learn(const Frame& frame, Time now) {
 }
 
 void FrameWindow::Highest::add(double rate, bool begins) {
-    if (begins) before = std::exchange(now, 0);
-    now = std::max(now, rate);
+    if (begins) before = std::exchange(current, 0);
+    current = std::max(current, rate);
 }
 
 void FrameWindow::shrink(const Frame& frame, double carried, double late, Time now) {

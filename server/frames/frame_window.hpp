@@ -51,9 +51,9 @@ private:
     };
 
     struct Highest { // rate of this period and of the one before, bytes per second
-        double now = 0, before = 0;
+        double current = 0, before = 0;
         void add(double rate, bool begins); // `begins`: a period begins with this rate
-        [[nodiscard]] double value() const { return now > before ? now : before; }
+        [[nodiscard]] double value() const { return current > before ? current : before; }
     };
 
     void learn(const Frame& frame, Time now);
