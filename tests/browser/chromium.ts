@@ -1,4 +1,5 @@
-// Starts Debian's Chromium by playwright-core, which is installed in webclient/node_modules.
+// Starts Debian's Chromium by playwright-core, which is installed in webclient/node_modules. The default is the program
+// without windows, which has the same engine and takes a quarter less CPU time. CIEL_CHROMIUM: another program.
 import { createRequire } from "node:module";
 import type * as Playwright from "playwright-core";
 
@@ -18,19 +19,10 @@ const FLAGS = [
 ];
 
 export function launch({ args = [], ...more }: Playwright.LaunchOptions = {}): Promise<Playwright.Browser> {
-  const executablePath = process.env.CIEL_CHROMIUM ?? "/usr/bin/chromium";
+  const executablePath = process.env.CIEL_CHROMIUM ?? "/usr/bin/chromium-headless-shell";
   return playwright.chromium.launch({
     executablePath,
     args: [...FLAGS, "--enable-unsafe-swiftshader", ...args],
     ...more,
   });
-}
-
-/**
- * Connects to the browser of with_chromium.ts if there is one, otherwise launches a new one. Closing the connection
- * leaves the shared browser running.
- */
-export function browser(): Promise<Playwright.Browser> {
-  const shared = process.env.CIEL_CHROMIUM_ADDRESS ?? "";
-  return shared === "" ? launch() : playwright.chromium.connectOverCDP(shared);
 }

@@ -205,10 +205,14 @@ export class Client {
 
   /** Performs an action and waits until the server has accepted the resulting scene. */
   async taken(act: () => Promise<unknown>): Promise<void> {
-    const { wanted: before } = await this.shown();
-    await act();
     const deadline = Date.now() + 60_000;
-    for (let { wanted } = await this.shown(); !(wanted > before); { wanted } = await this.shown()) {
+    let before = await this.wanted();
+    for (; Number.isNaN(before); before = await this.wanted()) {
+      if (Date.now() > deadline) throw new Error("the server does not accept the change before");
+      await this.page.waitForTimeout(30);
+    }
+    await act();
+    while (!((await this.wanted()) > before)) {
       if (Date.now() > deadline) throw new Error(`the scene is still that of revision ${before}`);
       await this.page.waitForTimeout(30);
     }

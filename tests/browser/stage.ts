@@ -1,6 +1,6 @@
 // Stage: a server, a browser and pages for a test suite.
 import { after, before } from "node:test";
-import { browser, type Browser } from "./chromium.ts";
+import { launch, type Browser } from "./chromium.ts";
 import { fragmentOf } from "./link.ts";
 import { Client, type PageOptions } from "./page.ts";
 import { datasets, nameOf, Server, type ServerOptions } from "./server.ts";
@@ -48,14 +48,15 @@ export class Stage {
 
   /**
    * Registers start and end of server and browser with the surrounding suite. `options`: for the page that same()
-   * returns.
+   * returns. Several files run at once, each with its own browser: clients of one browser see and change each other's
+   * pages.
    */
   constructor(options: PageOptions = {}, { large = false, ...server }: StageOptions = {}) {
     this.options = options;
     before(async () => {
       const wanted = large ? datasets("CIEL_BROWSER_LARGE") : [];
       this.server = await Server.started(wanted.length > 0 ? wanted : data, server);
-      this.browser = await browser();
+      this.browser = await launch();
     });
     after(async () => {
       await this.browser.close();
