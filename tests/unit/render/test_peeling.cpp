@@ -147,6 +147,8 @@ TEST_P(PeelingTest, ThirtyTwoLayersAreSeen) {
 }
 
 TEST_P(PeelingTest, NothingIsSaidOfLayersThatWouldNotBeSeen) {
+    frame.width = 80;
+    frame.height = 60;
     for (int i = 0; i < 32; ++i) add(square(-0.9 + 0.045 * i), {0, 0, 1}, 0.02);
     renderer.draw(frame, image);
     EXPECT_TRUE(renderer.remarks().empty()) << "as many as there may be";

@@ -160,11 +160,11 @@ TEST(ConstantVolume, IsAlmostRightWhereARayIsInItMoreThanEightTimes) {
     }
 }
 
-// Light that a ray collects inside the unit cube, by numerical integration in 2000 steps. The function returns color
+// Light that a ray collects inside the unit cube, by numerical integration in 500 steps. The function returns color
 // and extinction at a point.
 double integral(const Ray& ray, const std::function<std::array<double, 2>(const Vec3d&)>& color_and_extinction) {
     const auto [from, to] = inside_box(ray, {0, 0, 0}, {1, 1, 1});
-    constexpr int steps = 2000;
+    constexpr int steps = 500;
     const double length = (to - from) / steps;
     double light = 0, left = 1;
     for (int i = 0; i < steps && to > from; ++i) {
