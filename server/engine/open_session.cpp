@@ -12,12 +12,13 @@ OpenSession::OpenSession(std::string id, const Services& services, std::shared_p
       scene_geometry_(services.extraction), surfaces_(services.memory, limits::Held::surfaces) {}
 
 std::shared_ptr<const geometry::Geometry> OpenSession::geometry(const sessions::SceneVersion& version,
-                                                                const std::stop_token& stop, bool moving) {
+                                                                const std::stop_token& stop, bool moving,
+                                                                const geometry::LayersMade& layers_made) {
     const std::scoped_lock lock(geometry_mutex_);
     const std::uint64_t own = services_.limits.session_memory_bytes;
     const std::uint64_t left = surfaces_.bytes() + services_.memory.room();
     try {
-        auto made = scene_geometry_.update(version.checked, stop, std::min(own, left), moving);
+        auto made = scene_geometry_.update(version.checked, stop, std::min(own, left), moving, layers_made);
         charge_surfaces();
         return made;
     } catch (const limits::LimitReached&) {

@@ -22,9 +22,11 @@ public:
                 const sessions::Steps& steps = {});
 
     // Returns the geometry of `version`, made on the calling thread. Concurrent calls wait. Returns null when `stop`
-    // was requested. `moving`: see SceneGeometry::update. Throws Error, LimitReached.
+    // was requested. `moving`, `layers_made`: see
+    // SceneGeometry::update. Throws Error, LimitReached.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
-                                                                     const std::stop_token& stop, bool moving = false);
+                                                                     const std::stop_token& stop, bool moving = false,
+                                                                     const geometry::LayersMade& layers_made = {});
     void release_geometry(); // frees the geometry of a session without viewers
     [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // query state and surfaces
 

@@ -8,6 +8,7 @@
 #include "geometry/layer_update.hpp"
 #include "geometry/viewpoint.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -37,7 +38,8 @@ SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
 SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
 
 std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene& checked, const std::stop_token& stop,
-                                                      std::size_t most_bytes, bool moving) {
+                                                      std::size_t most_bytes, bool moving,
+                                                      const LayersMade& layers_made) {
     const scene::Scene& scene = checked.scene();
     const auto& loaded = checked.loaded();
     if (loaded != loaded_) {
@@ -69,11 +71,20 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     forget_all_but(scene); // first, to free memory for new state
     LayerUpdate run{extraction_, loaded, dataset, stop,       *geometry,      cuts_,          boundaries_,
                     volumes_,    camera, moving,  most_bytes, memory_bytes(), capping(scene), slab_direction(scene)};
+    const auto visible =
+        std::count_if(scene.layers.begin(), scene.layers.end(), [](const auto& one) { return one.visible; });
+    std::size_t done = 0;
+    const auto tell = [&] {
+        if (layers_made) layers_made(done, static_cast<std::size_t>(visible));
+    };
     for (const scene::Layer& layer : scene.layers) {
         if (!layer.visible) continue;
+        tell();
         const auto make = [&](const auto& kind) { return run(layer, kind); };
         if (!std::visit(make, layer.kind)) return nullptr;
+        ++done;
     }
+    tell();
     const std::vector<EmptyLayer> empty = empty_layers(*geometry, scene, *dataset);
     geometry->empty.insert(geometry->empty.end(), empty.begin(), empty.end());
     dataset->check_intact();

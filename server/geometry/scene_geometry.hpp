@@ -4,6 +4,7 @@
 #include "geometry/geometry.hpp"
 #include "scene/checked_scene.hpp"
 
+#include <functional>
 #include <map>
 #include <stop_token>
 
@@ -12,6 +13,9 @@ namespace ciel::geometry {
 struct Cut; // cut.hpp
 struct Boundary;
 struct VolumeCut;
+
+// Called before each visible layer is made, and after the last, with the numbers of layers made and of all.
+using LayersMade = std::function<void(std::size_t done, std::size_t of)>;
 
 // Not thread-safe.
 class SceneGeometry {
@@ -26,7 +30,8 @@ public:
     // a picture that others follow at once.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
                                                          const std::stop_token& stop = {},
-                                                         std::size_t most_bytes = SIZE_MAX, bool moving = false);
+                                                         std::size_t most_bytes = SIZE_MAX, bool moving = false,
+                                                         const LayersMade& layers_made = {});
     [[nodiscard]] std::size_t memory_bytes() const; // query state and surfaces
 
 private:

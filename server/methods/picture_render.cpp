@@ -1,5 +1,6 @@
 #include "frames/picture.hpp"
 #include "methods/base64.hpp"
+#include "methods/progress.hpp"
 #include "methods/scene_source.hpp"
 #include "wire/pictures/png.hpp"
 
@@ -13,15 +14,18 @@ constexpr std::size_t copies_of_a_picture = 5;
 protocol::PictureRenderResult picture_render(Context& context, const protocol::PictureRenderParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
+    Progress progress(context, params.progress, params.session);
     const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     charge.change(pixel_bytes);
     // Makes the geometry on this thread, because the worker serves other calls meanwhile.
-    const auto geometry = source.geometry();
+    const auto geometry = source.geometry([&](std::size_t done, std::size_t of) { progress.layers(done, of); });
+    progress.begin("waiting");
     std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](engine::Worker& worker) {
         context.check_wanted();
+        progress.begin("drawing");
         render::Image drawn;
         render::Frame frame = frames::picture_of(*geometry, source.version().scene(), size, worker.still_samples());
         frame.check_wanted = [&] { context.check_wanted(); };
@@ -30,6 +34,7 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
         return drawn;
     });
     context.check_wanted();
+    progress.begin("writing");
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     charge.change(pixel_bytes + copies_of_a_picture * png.size());

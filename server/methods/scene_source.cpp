@@ -15,18 +15,19 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
     if (scene) session_ = nullptr; // the given scene gets separate geometry: it would replace the session's
 }
 
-std::shared_ptr<const geometry::Geometry> SceneSource::geometry() {
-    auto made = session_ ? session_->geometry(*version_, context_.stop) : geometry_of_scene();
+std::shared_ptr<const geometry::Geometry> SceneSource::geometry(const geometry::LayersMade& layers_made) {
+    auto made =
+        session_ ? session_->geometry(*version_, context_.stop, false, layers_made) : geometry_of_scene(layers_made);
     context_.check_wanted();
     return made;
 }
 
-std::shared_ptr<const geometry::Geometry> SceneSource::geometry_of_scene() {
+std::shared_ptr<const geometry::Geometry> SceneSource::geometry_of_scene(const geometry::LayersMade& layers_made) {
     const engine::Services& services = context_.server.services();
     const std::uint64_t own = services.limits.session_memory_bytes, left = services.memory.room();
     try {
         geometry::SceneGeometry geometry(services.extraction);
-        auto made = geometry.update(version_->checked, context_.stop, std::min(own, left));
+        auto made = geometry.update(version_->checked, context_.stop, std::min(own, left), false, layers_made);
         surfaces_.change(geometry.memory_bytes());
         return made;
     } catch (const limits::LimitReached&) {

@@ -16,12 +16,12 @@ public:
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
     // Returns the geometry of the scene. A session's geometry is shared with its views. The geometry of a given scene
-    // is made for this call, and its memory is counted as long as the SceneSource lives. Throws LimitReached, and Error
-    // if the connection ends meanwhile.
-    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry();
+    // is made for this call, and its memory is counted as long as the SceneSource lives. `layers_made`: see
+    // SceneGeometry. Throws LimitReached, and Error if the connection ends meanwhile.
+    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const geometry::LayersMade& layers_made = {});
 
 private:
-    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry_of_scene();
+    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry_of_scene(const geometry::LayersMade& layers_made);
 
     const Context& context_;
     std::shared_ptr<engine::OpenSession> session_;

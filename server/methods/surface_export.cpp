@@ -1,6 +1,7 @@
 #include "geometry/clip.hpp"
 #include "geometry/places.hpp"
 #include "methods/base64.hpp"
+#include "methods/progress.hpp"
 #include "methods/scene_source.hpp"
 #include "wire/files/joined_surface.hpp"
 #include "wire/files/surface_files.hpp"
@@ -77,8 +78,10 @@ struct File {
 File file_of(const Context& context, SceneSource& source, limits::Memory::Charge& charge,
              const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
-    const auto geometry = source.geometry();
+    Progress progress(context, params.progress, params.session);
+    const auto geometry = source.geometry([&](std::size_t done, std::size_t of) { progress.layers(done, of); });
     geometry::require_complete(*geometry);
+    progress.begin("writing");
     const wire::JoinedSurface surface =
         joined(context, *geometry, *source.version().checked.dataset(), params.layer, format, params.triangles);
     charge.change(copies_of_a_file *

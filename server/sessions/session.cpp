@@ -78,6 +78,14 @@ void Session::tell_others(std::uint64_t author) const {
     }
 }
 
+void Session::tell(const std::string& notification) const {
+    const std::scoped_lock lock(mutex_);
+    for (const auto connection_id : subscribers_) {
+        const auto connection = services_.connections.find(connection_id);
+        if (connection && connection->send_text) connection->send_text(notification);
+    }
+}
+
 SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
     auto next = make_version(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);

@@ -54,6 +54,7 @@ public:
     SessionStatus undo(std::uint64_t author); // returns the current status if there is nothing to undo
     SessionStatus redo(std::uint64_t author);
 
+    void tell(const std::string& notification) const; // sends it to all subscribed connections
     void subscribe(std::uint64_t connection);
     void add_viewer(std::uint32_t id, Viewer viewer); // offers it the newest version; throws LimitReached
     void remove_viewer(std::uint32_t id);

@@ -173,6 +173,33 @@ describe("defaults", { skip }, () => {
     await client.button("Pictures of other sizes").click();
   });
 
+  test("a picture tells how far it is, and is given up by Cancel", async () => {
+    await client.page.evaluate(() => {
+      const words = new Set<string>();
+      Object.assign(window, { heardWords: words });
+      new MutationObserver(() => {
+        words.add(document.querySelector(".busy")?.textContent ?? "");
+      }).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
+    const [saved] = await Promise.all([
+      client.page.waitForEvent("download"),
+      client.button("Save a picture").first().click(),
+    ]);
+    assert.match(saved.suggestedFilename(), /\.png$/);
+    const heard = await client.page.evaluate(() => [...(window as unknown as { heardWords: Set<string> }).heardWords]);
+    assert.ok(heard.includes("Drawing the picture: drawingCancel"), heard.join("; "));
+
+    stage.server.pause();
+    await client.button("Save a picture").first().click();
+    await client.page.locator(".busy", { hasText: "Drawing the picture" }).waitFor();
+    await client.button("Cancel", true).click();
+    await client.page.locator(".busy", { hasText: "Drawing the picture" }).waitFor({ state: "detached" });
+    assert.equal(await client.page.locator(".toast").count(), 0);
+    stage.server.goOn();
+    await client.connected();
+    await client.settled();
+  });
+
   test("the values of a probe are copied with all their digits", async () => {
     await client.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     const box = await client.canvas.boundingBox();

@@ -260,6 +260,7 @@ class AsyncCalls:
         scene: Scene | None = None,
         width: int = 1280,
         height: int = 720,
+        progress: str | None = None,
     ) -> PictureRenderResult:
         """A lossless still picture.
 
@@ -267,8 +268,9 @@ class AsyncCalls:
         scene: the scene to be used in place of a session's; nothing is kept of it
         width: width times height may be at most 33554432
         height: in pixels; text and lines grow with it
+        progress: a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
         """
-        return await self.call("picture.render", session=session, scene=scene, width=width, height=height)
+        return await self.call("picture.render", session=session, scene=scene, width=width, height=height, progress=progress)
 
     async def probe_point(
         self,
@@ -370,6 +372,7 @@ class AsyncCalls:
         scene: Scene | None = None,
         triangles: bool = False,
         origin: bool = False,
+        progress: str | None = None,
     ) -> SurfaceExportResult:
         """A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it.
 
@@ -379,8 +382,9 @@ class AsyncCalls:
         scene: the scene to be used in place of a session's; nothing is kept of it
         triangles: true: polygons are cut into triangles; STL has triangles in any case
         origin: true: coordinates are relative to an origin that is the same for all surfaces of the dataset; STL is so in any case where its floats would lose digits
+        progress: a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
         """
-        return await self.call("surface.export", layer=layer, format=format, session=session, scene=scene, triangles=triangles, origin=origin)
+        return await self.call("surface.export", layer=layer, format=format, session=session, scene=scene, triangles=triangles, origin=origin, progress=progress)
 
     async def append_begin(
         self,

@@ -578,6 +578,7 @@ class PictureRenderParams(TypedDict):
     scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     width: NotRequired[int]  # width times height may be at most 33554432
     height: NotRequired[int]  # in pixels; text and lines grow with it
+    progress: NotRequired[str]  # a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
 
 
 PictureRenderResult = Picture
@@ -661,6 +662,7 @@ class SurfaceExportParams(TypedDict):
     scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
     triangles: NotRequired[bool]  # true: polygons are cut into triangles; STL has triangles in any case
     origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset; STL is so in any case where its floats would lose digits
+    progress: NotRequired[str]  # a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
 
 
 class SurfaceExportResult(TypedDict):
@@ -747,6 +749,15 @@ class ViewLackingParams(TypedDict):
     sentences: list[str]  # for the user
     empty: list[EmptyLayer]  # layers that are switched on and show nothing
     missing: list[str]  # layers whose colors have places without a value
+
+
+class CallProgressParams(TypedDict):
+    """call.progress: How far a call is that gave a `progress`. The first comes when the call has had its turn."""
+
+    progress: str  # as the call gave it
+    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # waiting: for another picture to be drawn
+    done: int  # layers made, of the stage surfaces
+    of: int  # layers of the stage surfaces; 0: not counted
 
 
 class AppendRefusedParams(TypedDict):

@@ -6,6 +6,10 @@ import type { Links } from "./links";
 export type ExportFormat = "ply" | "stl" | "vtp";
 
 export class FileCommands {
+  private calls = 0;
+  /** Cancels the call that the model tells of. */
+  private canceller: AbortController | null = null;
+
   constructor(
     private readonly deps: Deps,
     private readonly links: Links,
@@ -14,16 +18,18 @@ export class FileCommands {
   /** Downloads a picture. `size`: in pixels; default: size of the view. */
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
     const { server } = this.deps;
-    await this.whileBusy("Drawing the picture", "The picture cannot be saved", async () => {
-      const picture = await server.session.call("picture.render", { session: server.tab.id, ...size });
+    await this.whileBusy("Drawing the picture", "The picture cannot be saved", async (progress, signal) => {
+      const call = { session: server.tab.id, progress, ...size };
+      const picture = await server.session.call("picture.render", call, signal);
       download(`${server.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
     });
   }
 
   async exportSurface(layer: string, format: ExportFormat, triangles: boolean): Promise<void> {
     const { server } = this.deps;
-    await this.whileBusy("Writing the surface", "The surface cannot be exported", async () => {
-      const file = await server.session.call("surface.export", { session: server.tab.id, layer, format, triangles });
+    await this.whileBusy("Writing the surface", "The surface cannot be exported", async (progress, signal) => {
+      const call = { session: server.tab.id, progress, layer, format, triangles };
+      const file = await server.session.call("surface.export", call, signal);
       download(file.name, file.mime, file.data);
       const origin = file.origin.some((c) => c !== 0) ? `; relative to the origin ${file.origin.join(" ")}` : "";
       this.deps.tell(`${file.name}: ${file.polygons} polygons, ${file.vertices} vertices${origin}`);
@@ -48,16 +54,31 @@ export class FileCommands {
     }
   }
 
-  /** Shows `words` as status during `work`. `failed`: start of the message if the connection is lost. */
-  private async whileBusy(words: string, failed: string, work: () => Promise<void>): Promise<void> {
-    const { busy } = this.deps.model;
-    busy.value = words;
+  /** Cancels the picture or file that was asked for last, if it is not here yet. */
+  cancel(): void {
+    this.canceller?.abort();
+  }
+
+  /**
+   * Shows `words` and the progress of the call during `work`. `failed`: start of the message if the connection is lost.
+   */
+  private async whileBusy(
+    words: string,
+    failed: string,
+    work: (progress: string, signal: AbortSignal) => Promise<void>,
+  ): Promise<void> {
+    const { longCall } = this.deps.model;
+    // Other pages of the session hear of the call too, and must not take it for one of theirs.
+    const name = `${++this.calls} ${Math.random()}`;
+    const canceller = new AbortController();
+    this.canceller = canceller;
+    longCall.value = { words, name, progress: null };
     try {
-      await work();
+      await work(name, canceller.signal);
     } catch (error) {
-      this.deps.unanswered(error, failed);
+      if (!canceller.signal.aborted) this.deps.unanswered(error, failed);
     } finally {
-      busy.value = null;
+      if (longCall.peek()?.name === name) longCall.value = null;
     }
   }
 }

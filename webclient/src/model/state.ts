@@ -5,6 +5,7 @@ import type {
   DatasetDescription,
   EmptyLayer,
   Methods,
+  Notifications,
   ProbeResult,
   Range,
   Scene,
@@ -66,6 +67,14 @@ export interface Histogram {
   cells?: CellExtremes | undefined;
 }
 
+/** A picture or file that the server makes. */
+export interface LongCall {
+  words: string;
+  /** Name of the call in call.progress. */
+  name: string;
+  progress: Notifications["call.progress"] | null;
+}
+
 export interface PageState {
   connection: ConnectionState;
   draining: boolean;
@@ -115,7 +124,7 @@ export interface PageState {
   playing: boolean;
   playRate: number;
   loop: boolean;
-  busy: string | null;
+  longCall: LongCall | null;
   helpOpen: boolean;
   panelOpen: boolean;
   theme: Theme;
@@ -176,7 +185,7 @@ export const initialState: PageState = {
   playing: false,
   playRate: 10,
   loop: true,
-  busy: null,
+  longCall: null,
   helpOpen: false,
   panelOpen: true,
   theme: "system",

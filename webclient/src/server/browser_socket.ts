@@ -25,8 +25,8 @@ export function openSocket(address: URL): SocketLike {
 
 export function postTo(base: string): Post {
   const headers = { "Content-Type": "application/json" };
-  return async (body) => {
-    const answer = await fetch(new URL("rpc", base), { method: "POST", headers, body }).catch(() => {
+  return async (body, signal) => {
+    const answer = await fetch(new URL("rpc", base), { method: "POST", headers, body, signal }).catch(() => {
       throw new Disconnected();
     });
     const text = await answer.text();

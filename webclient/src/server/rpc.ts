@@ -26,8 +26,8 @@ export class Disconnected extends Error {
   }
 }
 
-/** Sends a JSON-RPC request by HTTP POST and returns the text of the answer. */
-export type Post = (request: string) => Promise<string>;
+/** Sends a JSON-RPC request by HTTP POST and returns the text of the answer. `signal` cancels the call. */
+export type Post = (request: string, signal?: AbortSignal) => Promise<string>;
 
 interface Pending {
   method: MethodName;
@@ -66,8 +66,9 @@ export class Rpc {
     private readonly post: Post,
   ) {}
 
-  call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
-    if (BY_POST.has(method)) return this.byPost(method, params) as Promise<Result<M>>;
+  /** `signal` cancels a call that is made by POST. */
+  call<M extends MethodName>(method: M, params: Params<M>, signal?: AbortSignal): Promise<Result<M>> {
+    if (BY_POST.has(method)) return this.byPost(method, params, signal) as Promise<Result<M>>;
     const id = this.nextId++;
     return new Promise<Result<M>>((resolve, reject) => {
       this.pending.set(id, { method, params, resolve: resolve as (result: unknown) => void, reject });
@@ -93,8 +94,8 @@ export class Rpc {
     else settle(message, call);
   }
 
-  private async byPost(method: MethodName, params: unknown): Promise<unknown> {
-    const text = await this.post(JSON.stringify({ jsonrpc: "2.0", id: this.nextId++, method, params }));
+  private async byPost(method: MethodName, params: unknown, signal?: AbortSignal): Promise<unknown> {
+    const text = await this.post(JSON.stringify({ jsonrpc: "2.0", id: this.nextId++, method, params }), signal);
     return new Promise((resolve, reject) => settle(JSON.parse(text) as Message, { resolve, reject }));
   }
 

@@ -85,9 +85,9 @@ export class Session {
     this.connection.lost();
   }
 
-  /** Calls a method of the server. Rejects with Disconnected while there is no connection. */
-  call<M extends MethodName>(method: M, params: Params<M>): Promise<Result<M>> {
-    return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params);
+  /** Calls a method of the server. Rejects with Disconnected while there is no connection. `signal`: see Rpc. */
+  call<M extends MethodName>(method: M, params: Params<M>, signal?: AbortSignal): Promise<Result<M>> {
+    return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params, signal);
   }
 
   acknowledge(view: number, frame: number): void {

@@ -115,6 +115,10 @@ function notificationHandlers(server: Core): Handlers {
       showToast(server.model, message, "error");
     },
     "view.lacking": ({ sentences, empty, missing }) => update(server.model, { lacking: sentences, empty, missing }),
+    "call.progress": (progress) => {
+      const call = server.model.longCall.peek();
+      if (call?.name === progress.progress) update(server.model, { longCall: { ...call, progress } });
+    },
     "append.refused": ({ reason }) => showToast(server.model, reason, "error"),
     "server.draining": () => update(server.model, { draining: true }),
   };

@@ -4,6 +4,7 @@ import { useEffect, useState } from "preact/hooks";
 import { openingIn } from "../../model/model";
 import type { EmptyLayer, Scene } from "../../generated/protocol";
 import { formatCount } from "../../model/numbers";
+import { wordsOf } from "../../model/long_call";
 import { layerNames } from "../../model/layer_names";
 import { layersInOrder } from "../../model/layer_order";
 import { useLasting } from "../controls/lasting";
@@ -160,14 +161,30 @@ function useLate(): boolean {
 }
 
 export function Busy(): JSX.Element | null {
-  const busy = useModel((model) => model.busy.value);
+  const commands = useCommands();
+  const call = useModel((model) => model.longCall.value);
   const connected = useModel((model) => model.connection.value.kind === "open");
   const opening = useModel(openingIn);
   const first = useModel((model) => model.readout.value.stream === "none" && model.fatal.value === null);
   const late = useLate();
-  const words =
-    busy ??
-    (!connected ? null : opening !== null ? `Opening ${opening}` : first ? "Opening" : late ? "Updating" : null);
+  if (call !== null)
+    return (
+      <div class="busy" role="status">
+        {wordsOf(call)}
+        <button type="button" class="button small" onClick={() => commands.files.cancel()}>
+          Cancel
+        </button>
+      </div>
+    );
+  const words = !connected
+    ? null
+    : opening !== null
+      ? `Opening ${opening}`
+      : first
+        ? "Opening"
+        : late
+          ? "Updating"
+          : null;
   if (words === null) return null;
   return (
     <div class="busy" role="status">

@@ -1,0 +1,95 @@
+// call.progress: the stages of pictures and exports, and who hears of them.
+#include "methods.hpp"
+
+#include <gmock/gmock.h>
+
+namespace ciel::test {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+using testing::Field;
+using testing::StrEq;
+
+struct Told {
+    std::string name, stage;
+    int done, of;
+};
+
+class CallProgress : public Methods {
+protected:
+    // Returns what a client is told up to the stage "writing", the last one.
+    static std::vector<Told> heard_by(Client& listener) {
+        std::vector<Told> all;
+        do {
+            const json text = listener.next_text();
+            if (text["method"] != "call.progress") continue;
+            const json& told = text["params"];
+            all.push_back({told["progress"], told["stage"], told["done"], told["of"]});
+        } while (all.empty() || all.back().stage != "writing");
+        return all;
+    }
+    static std::vector<std::string> stages(const std::vector<Told>& all) {
+        std::vector<std::string> names;
+        for (const Told& one : all)
+            if (names.empty() || names.back() != one.stage) names.push_back(one.stage);
+        return names;
+    }
+    static json picture(json params) {
+        params.update({{"width", 16}, {"height", 16}, {"progress", "mine"}});
+        return params;
+    }
+};
+
+TEST_F(CallProgress, OfAPictureHasItsStagesAndLayers) {
+    client.call("picture.render", picture(in_session({})));
+    const std::vector<Told> told = heard_by(client);
+    EXPECT_THAT(stages(told), ElementsAre("surfaces", "waiting", "drawing", "writing"));
+    EXPECT_THAT(told, Each(Field(&Told::name, StrEq("mine"))));
+    EXPECT_EQ(told[0].done, 0);
+    EXPECT_EQ(told[0].of, 3) << "the layers that are visible";
+    EXPECT_EQ(told.back().of, 0);
+}
+
+TEST_F(CallProgress, OfAnExportHasItsStages) {
+    client.call("surface.export", in_session({{"layer", "iso"}, {"format", "ply"}, {"progress", "mine"}}));
+    EXPECT_THAT(stages(heard_by(client)), ElementsAre("surfaces", "writing"));
+}
+
+TEST_F(CallProgress, IsToldToTheCallerOfAGivenScene) {
+    json scene = scene_with_iso();
+    scene["layers"]["surface"]["visible"] = false;
+    client.call("picture.render", picture({{"scene", scene}}));
+    EXPECT_EQ(heard_by(client)[0].of, 2);
+}
+
+TEST_F(CallProgress, OfAPostIsToldToAllOfItsSession) {
+    Client other(server, true), stranger(server, true), script(server, false);
+    other.call("session.open", {{"session", session}});
+    script.call("picture.render", picture(in_session({})));
+    EXPECT_THAT(stages(heard_by(client)), ElementsAre("surfaces", "waiting", "drawing", "writing"));
+    EXPECT_THAT(stages(heard_by(other)), ElementsAre("surfaces", "waiting", "drawing", "writing"));
+    json own = picture({{"scene", {{"dataset", "box"}}}});
+    own["progress"] = "own";
+    stranger.call("picture.render", own);
+    EXPECT_THAT(heard_by(stranger), Each(Field(&Told::name, StrEq("own"))));
+}
+
+TEST_F(CallProgress, IsNotToldUnlessAskedFor) {
+    client.call("picture.render", in_session({{"width", 16}, {"height", 16}}));
+    json named = picture(in_session({}));
+    named["progress"] = "second";
+    client.call("picture.render", named);
+    EXPECT_THAT(heard_by(client), Each(Field(&Told::name, StrEq("second"))));
+}
+
+TEST_F(CallProgress, HasANameOfAtMost64Characters) {
+    for (const std::string& name : {std::string(), std::string(65, 'x')}) {
+        json call = picture(in_session({}));
+        call["progress"] = name;
+        EXPECT_EQ(client.error_code("picture.render", call), -32602) << name.size();
+    }
+}
+
+} // namespace
+} // namespace ciel::test
