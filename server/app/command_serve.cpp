@@ -101,13 +101,17 @@ std::string token_in(const fs::path& file) {
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
-    if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) token = given;
+    if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) {
+        token = given;
+        if (token.empty()) throw Error("CIEL_TOKEN is empty; give it a long random text, or unset it");
+    }
 }
 
-// Prints the server's address: the only line on stdout, for which scripts wait.
-void print_address(const gateway::Listening& listening) {
-    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix
-              << "/?token=" << listening.token << std::endl;
+// Prints the server's address: the only line on stdout, for which scripts wait. Only a token made at this start is
+// shown: stdout of a service goes to its log, where a token that lasts must not stand.
+void print_address(const gateway::Listening& listening, bool token_is_given) {
+    std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
+              << (token_is_given ? "" : "?token=" + listening.token) << std::endl;
 }
 
 void log_renderer(engine::Server& server) {
@@ -122,6 +126,7 @@ int serve(ServeOptions& options) {
     logging::start_log(options.log_level,
                        options.log_format == "json" ? logging::LogFormat::json : logging::LogFormat::text);
     complete_token(options);
+    const bool token_is_given = !options.gateway.token.empty();
     set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty())
@@ -151,7 +156,7 @@ int serve(ServeOptions& options) {
         for (const auto& entry : server.catalog().list())
             entry.problem.empty() ? spdlog::info("dataset {}", entry.name)
                                   : spdlog::error("dataset {}: {}", entry.name, entry.problem);
-        print_address(listening);
+        print_address(listening, token_is_given);
     });
 }
 

@@ -19,7 +19,8 @@ namespace ciel::engine {
 namespace {
 
 constexpr std::chrono::seconds readiness_lasts{1};
-// How long readiness_by_now() waits: probes of /readyz expect an answer within a second.
+// How long readiness_by_now() waits for a test picture from when it is asked for. Probes of /readyz expect an answer
+// within a second, and calls after that time get the last result at once.
 constexpr std::chrono::milliseconds readiness_patience{500};
 
 frames::Readiness tested(Worker& worker) {
@@ -48,6 +49,7 @@ struct Server::State {
     std::condition_variable readiness_known;
     std::optional<frames::Readiness> last_readiness;
     bool readiness_asked = false;                     // a test picture waits for a worker, or is being drawn
+    Clock::time_point asked_since;                    // time at which readiness_asked was set
     std::optional<Clock::time_point> readiness_since; // time of last_readiness
     std::shared_ptr<void> watch;
     std::jthread housekeeping; // the last member: its thread uses the others
@@ -191,11 +193,13 @@ frames::Readiness Server::readiness_by_now() {
     const bool is_fresh = state.readiness_since && Clock::now() - *state.readiness_since < readiness_lasts;
     if (!is_fresh && !state.readiness_asked) {
         state.readiness_asked = true;
+        state.asked_since = Clock::now();
         lock.unlock();
         state.test_readiness();
         lock.lock();
     }
-    state.readiness_known.wait_for(lock, readiness_patience, [&] { return !state.readiness_asked; });
+    state.readiness_known.wait_until(lock, state.asked_since + readiness_patience,
+                                     [&] { return !state.readiness_asked; });
     return state.last_readiness.value_or(
         frames::Readiness{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }

@@ -165,13 +165,15 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     lock.unlock();
     if (bytes == 0) return;
     services_.metrics.count_frame(request.still, bytes, times);
-    if (times.extract + times.draw + times.encode > (request.still ? slow_still_ms : slow_frame_ms))
+    const double made_ms = times.extract + times.draw + times.encode;
+    if (made_ms > (request.still ? slow_still_ms : slow_frame_ms))
         logging::log_event(logging::LogLevel::warning, "slow frame",
                            {{"session", logging::short_id(session_->id())},
                             {"view", id_},
                             {"kind", request.still ? "still" : "interactive"},
                             {"user", connection_->user},
                             {"remote", connection_->remote},
+                            {"ms", times.wait + made_ms},
                             {"wait_ms", times.wait},
                             {"extract_ms", times.extract},
                             {"draw_ms", times.draw},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gateway/access.hpp"
+#include "gateway/asio.hpp"
 #include "gateway/connections.hpp"
 #include "gateway/peer_owner.hpp"
 #include "gateway/remote_address.hpp"
@@ -33,6 +34,7 @@ struct Context {
     std::size_t most_files; // file descriptor limit of the process
     logging::LogLimiter log_limiter;
     PeerOwners owners;
+    asio::thread_pool probe_thread{1};             // answers /readyz and /metrics, however many methods are slow
     std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens that are being delayed
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};

@@ -50,6 +50,7 @@ public:
         threads.clear();
         if (!drained_) abandon();
         context_.owners.join();
+        context_.probe_thread.join();
         workers_.join();
         return 0;
     }

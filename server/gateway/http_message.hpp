@@ -1,6 +1,7 @@
 // HTTP requests and responses as plain data, without Beast. Routes use only these.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,11 @@ struct Request {
     std::string address; // without the port
     bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
     bool is_proxied = false;     // has a header that proxies add
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now(); // its head was complete
+
+    [[nodiscard]] double milliseconds() const { // since then
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    }
 };
 
 struct Response {

@@ -95,13 +95,14 @@ private:
 
     // Waits for the first bytes of a request. Returns false if the peer has gone or was idle too long; such a peer gets
     // no answer.
+    // Blank lines do not prolong the time.
     asio::awaitable<bool> request_begins() {
         error_code error;
+        start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
+                                 : limits_.keep_alive_seconds);
         for (int skipped = 0; skipped < blank_lines && !error; skipped += skip_blank_line()) {
             if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // maybe pipelined
             if (buffer_.size() >= blank_line.size()) continue;
-            start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
-                                     : limits_.keep_alive_seconds);
             const std::size_t bytes = co_await stream_.async_read_some(
                 buffer_.prepare(first_read_bytes), asio::redirect_error(asio::use_awaitable, error));
             buffer_.commit(bytes);
@@ -200,6 +201,7 @@ private:
                             {"remote", request.address},
                             {"user", request.user},
                             {"request", request.id},
+                            {"ms", request.milliseconds()},
                             {"note", "further refusals for this address are not logged for a minute"}});
     }
 
@@ -211,6 +213,7 @@ private:
                                {{"remote", request.address},
                                 {"user", request.user},
                                 {"request", request.id},
+                                {"ms", request.milliseconds()},
                                 {"note", "further refusals for this address are not logged for a minute"}});
         if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
             guess_pause_.expires_after(std::chrono::seconds(limits_.wrong_token_seconds));
@@ -267,10 +270,10 @@ private:
         const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
         if (kind == Route::Kind::rpc)
             response = co_await rpc_call(stream_, request, resolved.claim == Claim::token, context_, workers_);
-        else if (kind != Route::Kind::on_worker)
+        else if (kind == Route::Kind::quick || kind == Route::Kind::websocket)
             response = respond(context_, request, resolved);
         else
-            co_await on_worker(workers_, [&] {
+            co_await on_worker(context_.probe_thread, [&] {
                 response = respond(context_, request, resolved);
                 return std::string();
             });

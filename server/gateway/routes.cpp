@@ -11,8 +11,8 @@ constexpr std::array<Route, 6> table{{
     {"/ws", "GET", true, Route::Kind::websocket, websocket_expected},
     {"/rpc", "POST", true, Route::Kind::rpc, nullptr},
     {"/healthz", "GET", false, Route::Kind::quick, healthz},
-    {"/readyz", "GET", false, Route::Kind::on_worker, readyz},
-    {"/metrics", "GET", true, Route::Kind::on_worker, metrics},
+    {"/readyz", "GET", false, Route::Kind::probe, readyz},
+    {"/metrics", "GET", true, Route::Kind::probe, metrics},
     {"*", "GET", false, Route::Kind::quick, static_file}, // every other path
 }};
 
@@ -119,6 +119,7 @@ Response respond(Context& context, const Request& request, const Resolved& resol
                                 {"path", resolved.target.path},
                                 {"reason", error.what()},
                                 {"request", request.id},
+                                {"ms", request.milliseconds()},
                                 {"remote", request.remote}});
             response = sentence(500, "The request failed; the log of the server names the reason.");
         }

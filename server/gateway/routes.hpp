@@ -16,7 +16,7 @@ struct Route {
     std::string_view path;
     std::string_view method; // GET includes HEAD
     bool needs_token;        // false for the web client's files and the probes: they hold no data
-    enum class Kind { quick, on_worker, rpc, websocket } kind;
+    enum class Kind { quick, probe, rpc, websocket } kind;
     Handler handler; // null for rpc: see rpc_call.hpp
 };
 

@@ -44,6 +44,7 @@ describe("choosing another dataset", { skip }, () => {
     const client = await onFirst({ before: heldOpening, width: 1280, height: 800 });
     const summary = client.page.locator(".dataset-summary");
     assert.match((await summary.textContent()) ?? "", new RegExp(`^${first}.* cells .* time steps .* arrays`));
+    assert.equal(await summary.locator(".hint").textContent(), "from ciel demo");
     const top = await summary.evaluate((element) => element.getBoundingClientRect().bottom);
     assert.ok(top < 200, `what the dataset is ends at ${top} pixels`);
     assert.match(await visibleNumbers(client), /triangles/);

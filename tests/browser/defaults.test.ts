@@ -74,6 +74,12 @@ describe("defaults", { skip }, () => {
     assert.notEqual(first.color?.solid, second.color?.solid);
     await undo();
     await undo();
+    await rpc("scene.patch", { patch: { layers: { wall: { type: "surface" } } } });
+    const { wall } = await layers();
+    const another = await added("Add another layer of the boundary");
+    assert.notEqual(another.color?.solid, wall?.color?.solid);
+    await undo();
+    await undo();
   });
 
   test("a volume's first opacity is low where most of the values are", async () => {

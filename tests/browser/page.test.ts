@@ -97,6 +97,12 @@ describe("page", { skip }, () => {
     await client.connected();
     await client.settled();
     assert.equal(await client.value(), moved);
+    // The page has handed its steps to the new server.
+    await client.button("Undo").click();
+    await client.reached(value);
+    await client.button("Redo").click();
+    await client.reached(moved);
+    await client.settled();
     await client.isoValue.focus();
     await client.page.getByLabel("Iso-value", { exact: true }).fill(String(value));
     await client.page.keyboard.press("Enter");

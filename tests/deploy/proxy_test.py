@@ -136,6 +136,20 @@ class TheProxy(unittest.TestCase):
         self.assertRegex(log, r"(?m)^\d{4}-\d\d-\d\dT\S+ 127\.0\.0\.1 GET /some/page 200 ")
         self.assertNotIn("secret", log)
 
+    def test_no_error_is_logged_with_a_query(self):
+        with socket.socket() as unused:
+            unused.bind(("127.0.0.1", 0))  # nobody listens, so that each request fails
+            proxy = Proxy(self.folder, "localhost", unused.getsockname()[1])
+            proxy.get("/some/page?token=secret")
+            log = proxy.stop()
+        self.assertRegex(log, r"GET /some/page 502 ")
+        self.assertNotIn("secret", log)
+
+    def test_a_client_cannot_name_its_user(self):
+        with running(self.folder, "localhost", self.upstream) as proxy:
+            headers = json.loads(proxy.get("/", **{"X-Forwarded-User": "root"})[1])["headers"]
+        self.assertNotIn("X-Forwarded-User", headers)
+
     def test_the_last_forwarded_address_is_the_peers(self):
         with running(self.folder, "localhost", self.upstream) as proxy:
             headers = json.loads(proxy.get("/", **{"X-Forwarded-For": "192.0.2.66"})[1])["headers"]

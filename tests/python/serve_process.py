@@ -53,7 +53,7 @@ class Server:
         self.base = f"http://127.0.0.1:{self.port}"
         self.path = match.group(3)
         token = re.search(r"\?token=(\S+)$", self.line)
-        self.token = token.group(1) if token else ""
+        self.token = token.group(1) if token else (environment or {}).get("CIEL_TOKEN", "")
 
     def __enter__(self) -> "Server":
         return self

@@ -1,5 +1,6 @@
 """Errors of the command line: missing, unknown or excess arguments give one line that says what to do."""
 
+import os
 import re
 
 import pytest
@@ -38,6 +39,11 @@ def test_wrong_usage_is_one_line_and_exit_code_two(arguments, words):
     assert result.stderr.startswith("ciel: ") and result.stderr.count("\n") == 1, result.stderr
     for word in words:
         assert word in result.stderr, result.stderr
+
+
+def test_an_empty_token_of_the_environment_is_refused(tmp_path):
+    result = ciel("serve", tmp_path, env={**os.environ, "CIEL_TOKEN": ""})
+    assert result.returncode != 0 and "CIEL_TOKEN is empty" in result.stderr, result.stderr
 
 
 def test_help_is_everywhere_and_names_the_exit_codes():

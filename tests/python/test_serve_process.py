@@ -236,6 +236,30 @@ def test_a_dataset_truncated_while_it_is_shown_is_named_and_comes_back(tmp_path)
         assert running.stop() == 0
 
 
+def test_another_dataset_copied_over_a_served_one_is_a_sentence_and_then_served(tmp_path):
+    """As by cp -r other.ciel/. served.ciel/, which rewrites each file in place."""
+    dataset = box_dataset.write_box(tmp_path / "served.ciel", n=12)
+    other = box_dataset.write_box(tmp_path / "other.ciel", n=20)
+    asked = [("picture.render", {"width": 64, "height": 64}), ("surface.export", {"layer": "iso", "format": "ply"}),
+             ("probe.point", {"pixel": [32, 32], "width": 64, "height": 64})]
+
+    def answers(running: Server) -> list[dict]:
+        calls = [{"jsonrpc": "2.0", "id": i, "method": method,
+                  "params": {"scene": {"dataset": "served", **iso(0.4)}, **params}} for i, (method, params) in enumerate(asked)]
+        return requests.post(running.base + "/rpc", timeout=PATIENCE, json=calls).json()
+
+    with Server(dataset) as running:
+        cells = running.call("dataset.describe", dataset="served")["mesh"]["cells"]["hexahedron"]
+        assert all("result" in answer for answer in answers(running))
+        shutil.copytree(other, dataset, dirs_exist_ok=True)
+        for answer in answers(running):
+            assert "result" in answer or len(answer["error"]["data"]["reason"]) > 20, answer
+        assert running.get("/healthz").status_code == 200
+        until(lambda: running.call("dataset.describe", dataset="served")["mesh"]["cells"]["hexahedron"] > cells)
+        assert all("result" in answer for answer in answers(running))
+        assert running.stop() == 0
+
+
 def test_one_bad_file_does_not_take_the_others_with_it(box, tmp_path):
     (tmp_path / "bad.vtu").write_text("<VTKFile type='UnstructuredGrid'>")
     with Server(box, tmp_path / "bad.vtu", "--data-dir", tmp_path / "imported", log=tmp_path / "log") as running:

@@ -14,6 +14,7 @@ const facts: StreamFacts = {
   pictureBytes: 40_000,
   pictureMs: 60,
   polygonBytes: 1_800_000,
+  changeBytes: 1_800_000,
   extractMs: 20,
   drawMs: null,
   hardware: true,
@@ -60,6 +61,16 @@ describe("the automatic stream", () => {
       stream: "geometry",
     },
     { what: "a pause in which they come", change: {}, stream: "geometry" },
+    {
+      what: "a value whose change is small, all is here",
+      change: { gesture: "value", current: "geometry", changeBytes: 400 },
+      stream: "geometry",
+    },
+    {
+      what: "a value whose change is small, all would come first",
+      change: { gesture: "value", changeBytes: 400 },
+      stream: "image",
+    },
     { what: "a pause that is too short for them", change: { polygonBytes: 50_000_000 }, stream: "image" },
     { what: "a browser without a graphics card", change: { hardware: false, polygonBytes: 10 }, stream: "image" },
     {

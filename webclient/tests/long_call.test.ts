@@ -6,7 +6,8 @@ const at = (stage: "surfaces" | "waiting" | "drawing" | "writing", done = 0, of 
   wordsOf({ ...call, progress: { progress: "1", stage, done, of } });
 
 describe("words of a long call", () => {
-  test("before the server has begun it", () => expect(wordsOf({ ...call, progress: null })).toBe("Drawing the picture"));
+  test("before the server has begun it", () =>
+    expect(wordsOf({ ...call, progress: null })).toBe("Drawing the picture"));
   test("of a stage", () => {
     expect(at("waiting")).toBe("Drawing the picture: waiting for another picture");
     expect(at("drawing")).toBe("Drawing the picture: drawing");

@@ -2,6 +2,7 @@
 
 #include "ciel/types.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -16,8 +17,10 @@ namespace {
 
 // For file systems without O_TMPFILE: creates a file with a name and unlinks it at once.
 Descriptor make_named(const std::filesystem::path& directory) {
-    const std::string name = (directory / (".upload.new-" + std::to_string(::getpid()))).string();
-    Descriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+    static std::atomic<std::uint64_t> last{0}; // two threads must not open one file
+    const std::string name =
+        (directory / (".upload-" + std::to_string(++last) + ".new-" + std::to_string(::getpid()))).string();
+    Descriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
     if (file.get() >= 0) ::unlink(name.c_str());
     return file;
 }

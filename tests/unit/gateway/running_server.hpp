@@ -58,11 +58,12 @@ private:
 class Socket {
 public:
     // `receive_buffer`: size of SO_RCVBUF, for clients that do not read; 0 keeps the default.
-    explicit Socket(const RunningServer& server, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    explicit Socket(const RunningServer& server, int receive_buffer = 0) : Socket(server.port(), receive_buffer) {}
+    explicit Socket(unsigned short port, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
         if (receive_buffer > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
         sockaddr_in address{};
         address.sin_family = AF_INET;
-        address.sin_port = htons(server.port());
+        address.sin_port = htons(port);
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
         // A server that neither answers nor closes in this time fails the test.

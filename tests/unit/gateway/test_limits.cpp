@@ -126,6 +126,22 @@ TEST(HeadSeconds, EndAHeadThatTricklesInAndAConnectionThatNeverBegins) {
     EXPECT_FALSE(body.is_answered()) << "a body has its own time";
 }
 
+// One line at a time, because a few blank lines are allowed. Each arrives before the time of the one before has ended.
+TEST(HeadSeconds, AreNotProlongedByBlankLines) {
+    limits::Limits limits = patient();
+    limits.head_seconds = short_time;
+    const RunningServer server(limits);
+    Socket blank(server);
+    int sent = 0;
+    for (const char byte : std::string("\r\n\r\n\r\n\r\n\r\n\r\n\r\n")) {
+        if (blank.is_answered() || !blank.send(std::string(1, byte))) break;
+        ++sent;
+        std::this_thread::sleep_for(std::chrono::milliseconds(500 * short_time - 100));
+    }
+    EXPECT_LT(sent, 6) << "the connection was kept from one blank line to the next";
+    EXPECT_EQ(blank.receive_all(), "");
+}
+
 // Idle and slow connections are closed when new ones need their places.
 TEST(Connections, ThatSayNothingMakeRoomForNewOnes) {
     limits::Limits limits = patient();

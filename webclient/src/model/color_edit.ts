@@ -44,6 +44,12 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   return { range: [-reach, reach] };
 }
 
+/** Sets a range of values of the data. A logarithmic scale begins above zero there, where the values do not. */
+export function withDataRange(coloring: Coloring, values: Range): ColoringChange | string {
+  const isOneSided = coloring.log === true && coloring.symmetric !== true;
+  return withRange(coloring, ...(isOneSided ? rangeAboveZero(values) : values));
+}
+
 /**
  * Sets one end of the shown range. The other end follows if the order would be reversed; a symmetric scale moves both.
  */

@@ -16,8 +16,10 @@ export interface StreamFacts {
   /** Bytes of a moving picture. `pictureMs`: server time for it in milliseconds, including extraction. */
   pictureBytes: number;
   pictureMs: number;
-  /** Bytes of all polygons of the scene. `extractMs`: server time to extract them, in milliseconds. */
+  /** Bytes of all polygons of the scene, which come first after a switch from pictures. */
   polygonBytes: number;
+  /** Bytes of the polygons that a change of a value makes. `extractMs`: server time to extract them, in milliseconds. */
+  changeBytes: number;
   extractMs: number;
   /** Milliseconds from request to drawn polygons in this browser; null if not measured. */
   drawMs: number | null;
@@ -69,8 +71,9 @@ export function chooseStream(facts: StreamFacts): Choice {
     );
   const line = `${amount(lineRate)}/s`;
   if (facts.gesture === "value") {
-    const change = Math.max(facts.extractMs / 1000, fetch) + draw / 1000;
-    const compared = `a change takes ${seconds(change)} with polygons (${amount(polygonBytes)} at ${line}) and ${seconds(picture)} with pictures`;
+    const bytes = current === "geometry" ? facts.changeBytes : polygonBytes;
+    const change = Math.max(facts.extractMs / 1000, bytes / lineRate) + draw / 1000;
+    const compared = `a change takes ${seconds(change)} with polygons (${amount(bytes)} at ${line}) and ${seconds(picture)} with pictures`;
     const border = current === "geometry" ? picture * BETTER : picture / BETTER;
     return change <= border ? { stream: "geometry", why: compared } : pictures(compared);
   }

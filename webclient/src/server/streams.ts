@@ -5,6 +5,7 @@ import { layersOf } from "../model/scalars";
 import { chooseStream, hasHardwareWebGL, type Gesture, type Kind } from "./choose_stream";
 import { DrawPace } from "./draw_pace";
 import { LineRate } from "./line_rate";
+import { PolygonBytes } from "./polygon_bytes";
 import type { StreamWish } from "./session";
 import type { Core } from "./core";
 
@@ -12,7 +13,6 @@ import type { Core } from "./core";
 const REST_MS = 600;
 /** Estimated cost of pictures and polygons until the first frame of each kind has arrived. */
 const USUAL_PICTURE = { bytesOfPixel: 0.07, ms: 60 };
-const USUAL_TRIANGLE_BYTES = 8;
 /** Draw times up to this limit are not scaled by the number of triangles. */
 const SMOOTH_MS = 33;
 
@@ -29,7 +29,7 @@ export class Streams {
    */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
-  private polygons: { bytes: number; triangles: number } | null = null;
+  private readonly polygons = new PolygonBytes();
 
   constructor(private readonly server: Core) {}
 
@@ -46,7 +46,7 @@ export class Streams {
 
   presented({ kind, still, triangles, drawMs, encodeMs }: FrameHeader, bytes: number): void {
     const ms = drawMs + encodeMs;
-    if (kind !== FrameKind.image) this.polygons = { bytes, triangles };
+    if (kind !== FrameKind.image) this.polygons.presented(bytes, triangles);
     else if (still) this.still = { ms };
     else this.picture = { bytes, ms };
     this.reconsider();
@@ -55,6 +55,7 @@ export class Streams {
   /** The scene has changed, in this page or another one. */
   changed(before: Scene | null, now: Scene | null): void {
     if (before === null || now === null || before === now) return;
+    if (before.dataset !== now.dataset) this.polygons.forget();
     const keys = new Set([...Object.keys(before), ...Object.keys(now)]) as Set<keyof Scene>;
     const others = [...keys].some((key) => key !== "camera" && before[key] !== now[key]);
     this.gesture = others ? "value" : "camera";
@@ -86,7 +87,6 @@ export class Streams {
     const readout = this.server.model.readout.peek();
     const { width, height } = this.server.size.pixels();
     const { triangles, extractMs } = readout;
-    const held = this.polygons;
     this.hardware ??= hasHardwareWebGL();
     const { stream, why } = chooseStream({
       current: this.asked?.stream ?? "image",
@@ -96,10 +96,8 @@ export class Streams {
       roundTripMs: readout.roundTripMs,
       pictureBytes: this.picture?.bytes ?? USUAL_PICTURE.bytesOfPixel * width * height,
       pictureMs: extractMs + this.pictureMs(),
-      polygonBytes:
-        held === null || held.triangles === 0
-          ? USUAL_TRIANGLE_BYTES * triangles
-          : (held.bytes / held.triangles) * triangles,
+      polygonBytes: this.polygons.all(triangles),
+      changeBytes: this.polygons.change(triangles),
       extractMs,
       drawMs: this.drawMs(triangles),
       hardware: this.hardware,
@@ -126,7 +124,7 @@ export class Streams {
    */
   private drawMs(triangles: number): number | null {
     const { milliseconds } = this.pace;
-    const drawn = this.polygons?.triangles ?? 0;
+    const drawn = this.polygons.triangles;
     if (milliseconds === null || milliseconds <= SMOOTH_MS || drawn === 0) return milliseconds;
     return (milliseconds * triangles) / drawn;
   }

@@ -9,7 +9,7 @@ import {
   pointsOf,
   withLog,
   withMap,
-  withRange,
+  withDataRange,
   withRangeEnd,
   withSymmetric,
   withSymmetricLog,
@@ -51,13 +51,7 @@ function RangeFields({ of, coloring, data, change }: Props & { change: Change })
     else change(changed);
   };
   const setData = (to: Range | null): void => {
-    if (to !== null)
-      set(
-        withRange(
-          coloring,
-          ...(coloring.log === true && coloring.symmetric !== true ? rangeOf({ log: true }, to) : to),
-        ),
-      );
+    if (to !== null) set(withDataRange(coloring, to));
   };
   const everywhere = rangeOfAllSteps(description, coloring.array);
   return (

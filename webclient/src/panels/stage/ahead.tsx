@@ -1,4 +1,5 @@
-// Draws changes of the scene that the shown picture lacks over it, if the newer picture is late.
+// Draws changes of the scene that the shown picture lacks over it, if the newer picture is late. Polygons lag behind
+// values only: the page turns them itself.
 import type { JSX } from "preact";
 import { ahead } from "../../model/ahead";
 import { cameraOf } from "../../model/model";
@@ -15,12 +16,13 @@ export function Ahead(): JSX.Element | null {
   const bounds = useModel((model) => model.description.value?.bounds);
   const size = useModel((model) => model.canvasSize.value);
   const newest = useModel((model) => (model.pending.value ? -1 : model.revision.value));
-  const differs = stream === "image" && revision > 0 && newest !== revision;
+  const differs = revision > 0 && newest !== revision;
   const isLate = useLasting(differs, BEHIND_MS, frame);
   const shown = differs && (isLate || (latencyMs ?? 0) > BEHIND_MS) ? shownScene : null;
   const camera = useModel(cameraOf);
   if (shown === null || wanted === null || bounds === undefined || camera === null) return null;
-  const { lines, words } = ahead(shown, wanted, camera, bounds, size);
+  const known = stream === "geometry" ? { ...shown, camera: wanted.camera } : shown;
+  const { lines, words } = ahead(known, wanted, camera, bounds, size);
   if (lines.length + words.length === 0) return null;
   return (
     <svg class="ahead" aria-hidden="true">

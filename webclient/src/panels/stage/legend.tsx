@@ -5,8 +5,9 @@ import { colorsAlong, hasWidth, type ColorScale } from "../../model/color_scale"
 import { barHeight, legendText } from "../../model/overlay_room";
 import type { Range } from "../../generated/protocol";
 import type { Size } from "../../model/camera";
-import { withRangeEnd } from "../../model/color_edit";
+import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
 import { rangeOf, scaleOf } from "../../model/color_range";
+import { equal } from "../../model/merge_patch";
 import { colorTicks, exponentOf, labelOn, type ColorTick } from "../../wasm/color_ticks";
 import { clamp, formatNumber } from "../../model/numbers";
 import { cellsText, extremesText } from "../../model/cell_extremes";
@@ -146,16 +147,19 @@ function OneValue({ value }: { value: number }): JSX.Element {
 }
 
 /** Where the range comes from: data of this step, data of all steps, or chosen by the user ("held"). */
-function rangeWords({ range }: ScaledColoring, everywhere: Range | null): string {
-  if (!range) return "this step";
-  const isOfAll = everywhere !== null && everywhere[0] === range[0] && everywhere[1] === range[1];
-  return isOfAll ? "all steps" : "held";
+function rangeWords(coloring: ScaledColoring, everywhere: Range | null): string {
+  if (!coloring.range) return "this step";
+  const ofAll = everywhere === null ? "" : withDataRange(coloring, everywhere);
+  return typeof ofAll === "object" && equal(ofAll.range, coloring.range) ? "all steps" : "held";
 }
 
 function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
-  const set = (to: Range | undefined): void => commands.colors.set(of, { range: to });
+  const set = (change: ColoringChange | string): void => {
+    if (typeof change === "string") commands.tell(change, "error");
+    else commands.colors.set(of, change);
+  };
   const reach = Math.max(-range[0], range[1]);
   const name = coloring.array;
   const hasSteps = (description?.times.length ?? 0) > 1;
@@ -167,7 +171,7 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
           icon="reset"
           label={`Range of the data for ${name}`}
           help="The ends are held. Follow the lowest and the highest value of each step again"
-          onClick={() => set(undefined)}
+          onClick={() => set({ range: undefined })}
         />
       )}
       {!coloring.range && hasSteps && (
@@ -175,14 +179,14 @@ function RangeButtons({ coloring, of, range }: Entry & { range: Range }): JSX.El
           icon="hold"
           label={`The same range at every step for ${name}`}
           help={`The ends are the lowest and the highest value of this step. Hold the range of ${everywhere === null ? "this step" : "the whole dataset"} at every step`}
-          onClick={() => set(everywhere ?? range)}
+          onClick={() => set(withDataRange(coloring, everywhere ?? range))}
         />
       )}
       {range[0] < 0 && range[1] > 0 && range[0] !== -range[1] && (
         <IconButton
           icon="symmetric"
           label={`Range symmetric about zero for ${name}`}
-          onClick={() => set([-reach, reach])}
+          onClick={() => set({ range: [-reach, reach] })}
         />
       )}
       {(hasSteps || coloring.range) && <small class="range-of">{rangeWords(coloring, everywhere)}</small>}
