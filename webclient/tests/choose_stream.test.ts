@@ -90,7 +90,7 @@ describe("the automatic stream", () => {
   });
 
   test("a scene at the border does not flip", () => {
-    const border = { gesture: "value", polygonBytes: 60_000, pictureMs: 66 } as const;
+    const border = { gesture: "value", polygonBytes: 60_000, changeBytes: 60_000, pictureMs: 66 } as const;
     expect(chosen({ ...border, current: "image" })).toBe("image");
     expect(chosen({ ...border, current: "geometry" })).toBe("geometry");
   });
