@@ -14,9 +14,9 @@ using testing::HasSubstr;
 constexpr unsigned never = 100'000;
 constexpr int as_expected = 7;
 
-// Drawn completely in software, this picture takes minutes.
+// Drawn completely in software, this picture takes more than half a minute.
 const std::string heavy_picture =
-    R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":1000,"height":1000,"scene":{"dataset":"box",)"
+    R"({"jsonrpc":"2.0","id":1,"method":"picture.render","params":{"width":4000,"height":4000,"scene":{"dataset":"box",)"
     R"("layers":{"lines":{"type":"edges","width":32,"opacity":0.3}}}}})";
 
 class Stopping {
