@@ -198,6 +198,7 @@ describe("defaults", { skip }, () => {
     stage.server.pause();
     await client.button("Save a picture").first().click();
     await client.page.locator(".busy", { hasText: "Drawing the picture" }).waitFor();
+    await client.keep("picture-to-cancel");
     await client.button("Cancel", true).click();
     await client.page.locator(".busy", { hasText: "Drawing the picture" }).waitFor({ state: "detached" });
     assert.equal(await client.page.locator(".toast").count(), 0);

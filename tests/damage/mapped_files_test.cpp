@@ -26,15 +26,18 @@ constexpr unsigned patience = 120; // seconds after which a case counts as hangi
 struct Data {
     std::string name, cells;
     void (*write)(const fs::path& directory);
+    bool is_format_1 = false;
 };
 const std::array<Data, 3> datasets{
     Data{"kinds", "cell:q", write_small_dataset}, // all kinds of cells, files smaller than a page
     Data{"pages", "cell:p", [](const fs::path& directory) { write_box(directory, box(14, 14, 14)); }},
-    Data{"format_1", "cell:p", [](const fs::path& directory) {
+    Data{"format_1", "cell:p",
+         [](const fs::path& directory) {
              write_box(directory, box(3, 2, 2));
              make_format_1(directory, box(3, 2, 2));
              remove_blocks(directory);
-         }}};
+         },
+         true}};
 
 // Runs `body` in a child process. Returns its result, or how the process ended. The parent has no threads.
 std::string in_child(const std::function<std::string()>& body) {
@@ -116,11 +119,17 @@ std::string run_case(const Data& data, const fs::path& directory, const fs::path
         damager.begin();
     else
         damager.once();
+    bool is_named = false;
     for (int round = 0; round < (moment == Moment::all_the_time ? 4 : 1); ++round)
-        for (const Told& told : uses.run())
+        for (const Told& told : uses.run()) {
             if (told.sentence.empty()) return told.use + " was refused without a sentence";
+            is_named = is_named || told.sentence.find(named(file)) != std::string::npos;
+        }
     damager.end();
-    if (moment == Moment::all_the_time || !holds_indices(file) || !damager.has_changed()) return {};
+    if (moment == Moment::all_the_time || !damager.has_changed()) return {};
+    // Values that are in memory already are right. Values of format 1 have no checksums.
+    if (!holds_indices(file))
+        return is_named || moment == Moment::after_first_touch || data.is_format_1 ? "" : "nobody noticed the values";
     try {
         opened->check_unchanged();
         return "nobody noticed";
