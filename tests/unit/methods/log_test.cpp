@@ -117,6 +117,26 @@ TEST_F(Logged, a_call_that_waits_for_long_is_called_slow) {
     EXPECT_FALSE(lines[0]["request"].get<std::string>().empty());
 }
 
+TEST_F(Logged, a_frame_that_takes_long_is_called_slow) {
+    std::string session;
+    {
+        engine::Server server(options());
+        if (server.readiness().gl_renderer.find("llvmpipe") == std::string::npos)
+            GTEST_SKIP() << "a graphics card draws this frame too fast";
+        Client client(server, true);
+        const json scene = {{"dataset", "box"},
+                            {"layers", {{"lines", {{"type", "edges"}, {"width", 32}, {"opacity", 0.3}}}}}};
+        session = client.call("session.open", {{"scene", scene}})["session"];
+        client.call("view.open", {{"session", session}, {"width", 4000}, {"height", 4000}});
+        client.next_frame();
+    } // the line is written after the frame is sent
+    const auto lines = of(end(), "slow frame");
+    ASSERT_GE(lines.size(), 1U) << whole;
+    EXPECT_EQ(lines[0]["session"], session.substr(0, 8));
+    EXPECT_EQ(lines[0]["view"], 1);
+    EXPECT_GE(lines[0]["ms"].get<double>(), 1000);
+}
+
 class Readiness : public Service {};
 
 TEST_F(Readiness, is_told_from_the_last_result_while_the_worker_draws_for_others) {
