@@ -155,6 +155,11 @@ class TheProxy(unittest.TestCase):
             headers = json.loads(proxy.get("/", **{"X-Forwarded-For": "192.0.2.66"})[1])["headers"]
         self.assertEqual(headers["X-Forwarded-For"].split(", ")[-1], "127.0.0.1")
 
+    def test_compose_trusts_the_network_of_its_own_proxy(self):
+        compose = (ROOT / "deploy/compose.yaml").read_text(encoding="utf-8")
+        trusted = re.search(r'"--trusted-proxy", "([^"]+)"', compose).group(1)
+        self.assertEqual(trusted, re.search(r"subnet: ([\d./]+)", compose).group(1))
+
     def test_the_proxy_gives_up_idle_connections_before_the_server_does(self):
         """Otherwise a request could use a connection that the server is closing, and its user would get status 502."""
         limits = (ROOT / "server/limits/limits.hpp").read_text(encoding="utf-8")
