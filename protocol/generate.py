@@ -44,6 +44,7 @@ def main() -> int:
         write(arguments.typescript / "protocol.ts", typescript.emit(contract))
         write(arguments.typescript / "frame_header.ts", frame_header.emit_typescript(header))
     if arguments.python:
+        write(arguments.python / "schemas.py", python.emit_schemas(contract))
         write(arguments.python / "types.py", python.emit(contract))
         write(arguments.python / "calls.py", python_calls.emit(contract, is_async=False))
         write(arguments.python / "async_calls.py", python_calls.emit(contract, is_async=True))

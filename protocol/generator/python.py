@@ -52,19 +52,34 @@ def method_types(types: Types, method: Method) -> None:
             types.definitions.append(f"{name} = {result}\n")
 
 
-def emit(contract: Contract) -> str:
+HEAD = '"""Generated from protocol/openrpc.json; do not edit."""\n\nfrom typing import Any, Literal, NotRequired, TypedDict\n\n'
+
+
+def schemas_of(contract: Contract) -> Types:
     types = Types()
     for name, schema in contract.schemas.items():
         if "properties" in schema:
             types.typed_dict(name, fields_of(schema), schema.get("description", ""))
         else:
             types.definitions.append(f"{name} = {types.type_of(schema, name)}\n")
+    return types
+
+
+def emit_schemas(contract: Contract) -> str:
+    """The types that several methods share: the scene and what it consists of, descriptions, states."""
+    return HEAD + "\n\n".join(schemas_of(contract).definitions)
+
+
+def emit(contract: Contract) -> str:
+    """Parameters and results of each method. The shared types can be imported from here, too."""
+    types = Types()
     for method in contract.methods + contract.notifications:
         method_types(types, method)
+    shared = "".join(f"    {name} as {name},\n" for name in sorted(contract.schemas))
     codes = "".join(f'    "{name}": {code},\n' for name, (code, _) in contract.errors.items())
     return (
-        '"""Generated from protocol/openrpc.json; do not edit."""\n\n'
-        "from typing import Any, Literal, NotRequired, TypedDict\n\n"
+        HEAD
+        + f"from .schemas import (\n{shared})\n\n\n"
         + "\n\n".join(types.definitions)
         + "\n\nPROTOCOL = {{\"major\": {}, \"minor\": {}}}  # the version of the contract\n".format(*contract.protocol)
         + f"ERROR_CODES: dict[str, int] = {{\n{codes}}}\n"
