@@ -49,7 +49,7 @@ def test_a_dataset_that_is_gone_leaves_little_behind(boxes):
     with Server(*boxes, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "1"}) as running:
         show(running, "small", layers)
         before = running.private_kilobytes()
-        assert show(running, "large", layers) > before + 60_000
+        assert show(running, "large", layers) > before + 45_000
         until(lambda: running.private_kilobytes() < before + 30_000)
         until(lambda: str(boxes[1]) not in running.maps())
         show(running, "large", layers)  # it is read again
