@@ -124,8 +124,9 @@ TEST_F(Logged, a_frame_that_takes_long_is_called_slow) {
         if (server.readiness().gl_renderer.find("llvmpipe") == std::string::npos)
             GTEST_SKIP() << "a graphics card draws this frame too fast";
         Client client(server, true);
-        const json scene = {{"dataset", "box"},
-                            {"layers", {{"lines", {{"type", "edges"}, {"width", 32}, {"opacity", 0.3}}}}}};
+        json scene = {{"dataset", "box"}};
+        for (int i = 0; i < 4; ++i) // each takes most of a second
+            scene["layers"]["lines" + std::to_string(i)] = {{"type", "edges"}, {"width", 32}, {"opacity", 0.3}};
         session = client.call("session.open", {{"scene", scene}})["session"];
         client.call("view.open", {{"session", session}, {"width", 4000}, {"height", 4000}});
         client.next_frame();
