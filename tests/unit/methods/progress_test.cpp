@@ -1,4 +1,4 @@
-// call.progress: the stages of pictures and exports, and who hears of them.
+// Tests call.progress: its stages, and the connections that receive it.
 #include "methods.hpp"
 
 #include <gmock/gmock.h>
