@@ -22,8 +22,7 @@ public:
                 const sessions::Steps& steps = {});
 
     // Returns the geometry of `version`, made on the calling thread. Concurrent calls wait. Returns null when `stop`
-    // was requested. `moving`, `layers_made`: see
-    // SceneGeometry::update. Throws Error, LimitReached.
+    // was requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error, LimitReached.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});

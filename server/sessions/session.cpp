@@ -31,6 +31,19 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
     }
 }
 
+// Sends a text to the connections `to` except one (0: to all). Makes the text only if one of them is open.
+void send(const Connections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
+          const std::function<std::string()>& make_text) {
+    std::string text;
+    for (const auto id : to) {
+        if (id == except) continue;
+        const auto connection = connections.find(id);
+        if (!connection || !connection->send_text) continue;
+        if (text.empty()) text = make_text();
+        connection->send_text(text);
+    }
+}
+
 } // namespace
 
 Session::Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
@@ -68,22 +81,12 @@ SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, History 
 }
 
 void Session::tell_others(std::uint64_t author) const {
-    std::string text;
-    for (const auto connection_id : subscribers_) {
-        if (connection_id == author) continue;
-        const auto connection = services_.connections.find(connection_id);
-        if (!connection || !connection->send_text) continue;
-        if (text.empty()) text = scene_changed(id_, *version_);
-        connection->send_text(text);
-    }
+    send(services_.connections, subscribers_, author, [this] { return scene_changed(id_, *version_); });
 }
 
 void Session::tell(const std::string& notification) const {
     const std::scoped_lock lock(mutex_);
-    for (const auto connection_id : subscribers_) {
-        const auto connection = services_.connections.find(connection_id);
-        if (connection && connection->send_text) connection->send_text(notification);
-    }
+    send(services_.connections, subscribers_, 0, [&] { return notification; });
 }
 
 SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
