@@ -5,12 +5,6 @@
 #include <vector>
 
 namespace ciel::gateway {
-namespace {
-
-constexpr std::size_t refusals_at_once = 32; // refused connections that may be open at once; further ones get no answer
-
-} // namespace
-
 Connections::Ticket::~Ticket() {
     const std::lock_guard lock(connections_.mutex_);
     connections_.entries_.erase(id_);
@@ -75,7 +69,7 @@ std::shared_ptr<Connections::Ticket> Connections::open(const std::string& key, b
     entry.is_refused = !make_room(key, needs_room);
     const auto refused =
         std::count_if(entries_.begin(), entries_.end(), [](const auto& each) { return each.second.is_refused; });
-    if (entry.is_refused && (needs_room || static_cast<std::size_t>(refused) >= refusals_at_once)) return nullptr;
+    if (entry.is_refused && (needs_room || static_cast<std::size_t>(refused) >= rules_.refused)) return nullptr;
     std::shared_ptr<Ticket> ticket(new Ticket(*this, next_id_, entry.is_refused));
     entries_.emplace(next_id_++, std::move(entry));
     return ticket;

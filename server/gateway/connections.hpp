@@ -15,6 +15,7 @@ struct ConnectionRules {
     // How many of `most` connections are kept for authorized ones (token or own user); at most half of `most`.
     std::size_t reserved = 32;
     std::size_t of_address = 64; // most connections per counting_key(); connections with an empty key are not counted
+    std::size_t refused = 32;    // most refused connections that are open at once; further ones get no answer
 };
 
 // Callbacks of one connection, called from any thread. They must not block or call Connections: `cut` is called with
@@ -59,7 +60,7 @@ public:
 
     // Registers a connection. `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another
     // connection must be closed. Returns null if the connection is refused and must be closed without an answer:
-    // because needs_room is set, or 32 refused connections are still open.
+    // because needs_room is set, or ConnectionRules::refused refused connections are still open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
     [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet

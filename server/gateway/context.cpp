@@ -14,7 +14,7 @@ namespace {
 constexpr rlim_t enough_files = 65536;
 
 ConnectionRules rules_of(const limits::Limits& limits) {
-    return {limits.connections, limits.reserved_connections, limits.connections_of_address};
+    return {limits.connections, limits.reserved_connections, limits.connections_of_address, limits.refused_connections};
 }
 
 std::string own_user_name() {

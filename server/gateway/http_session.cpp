@@ -25,7 +25,6 @@ namespace http = beast::http;
 using Parser = http::request_parser<http::string_body>;
 
 constexpr std::size_t first_read_bytes = 4096;
-constexpr std::chrono::seconds linger_time{2};
 
 constexpr std::string_view blank_line = "\r\n";
 constexpr int blank_lines = 8; // skipped before a request; RFC 9112, 2.2, requires at least one
@@ -320,12 +319,12 @@ private:
         co_return !error;
     }
 
-    // Discards input until the peer closes or linger_time has passed. Closing while the peer still sends would reset
-    // the connection, and the answer would be lost.
+    // Discards input until the peer closes or linger_seconds have passed. Closing while the peer still sends would
+    // reset the connection, and the answer would be lost.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
-        stream_.expires_after(linger_time);
+        stream_.expires_after(std::chrono::seconds(limits_.linger_seconds));
         std::array<char, 16384> sink;
         while (!error)
             co_await stream_.async_read_some(asio::buffer(sink), asio::redirect_error(asio::use_awaitable, error));

@@ -16,8 +16,6 @@ namespace {
 
 using asio::ip::tcp;
 
-// File descriptors that connections must leave free for datasets, child processes and libraries.
-constexpr std::size_t reserved_files = 24;
 // Pause after an accept while file descriptors are short: lets connections that were closed for the new one end.
 constexpr std::chrono::milliseconds pause_when_short{10};
 
@@ -26,12 +24,12 @@ std::size_t count_files() {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// Returns whether fewer than reserved_files descriptors are left. The kernel gives a new socket the lowest free number,
-// so all lower numbers are in use. Other connections may hold higher numbers, so they are counted too.
+// Returns whether fewer descriptors are left than the limit reserved_files. The kernel gives a new socket the lowest
+// free number, so all lower numbers are in use. Other connections may hold higher numbers, so they are counted too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
-    if (used + reserved_files <= context.most_files) return false;
+    if (used + context.service.limits().reserved_files <= context.most_files) return false;
     if (context.log_limiter.allows("files"))
         spdlog::warn("{} of {} file descriptors are in use; the oldest idle connections are closed for new ones. Raise "
                      "the limit (ulimit -n)",

@@ -22,6 +22,8 @@ struct Limits {
     std::uint64_t connections = 128;
     std::uint64_t reserved_connections = 32;
     std::uint64_t connections_of_address = 64;
+    std::uint64_t refused_connections = 32;
+    std::uint64_t reserved_files = 24;
     std::uint64_t sessions = 64;
     std::uint64_t views_per_session = 8;
     std::uint64_t layers = 64;
@@ -50,6 +52,7 @@ struct Limits {
     std::uint64_t keep_alive_seconds = 30;
     std::uint64_t head_seconds = 5;
     std::uint64_t request_seconds = 30;
+    std::uint64_t linger_seconds = 2;
     std::uint64_t wrong_token_seconds = 1;
     std::uint64_t wrong_tokens_waiting = 16;
     std::uint64_t waiting_call_bytes = 4 << 20;

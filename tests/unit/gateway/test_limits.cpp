@@ -175,6 +175,57 @@ TEST(Connections, OfWebSocketsAndRequestsUnderWayStay) {
     EXPECT_EQ(viewer.receive_frame().first, pong);
 }
 
+// Two of two places are taken, so that further connections are refused.
+struct FullServer {
+    explicit FullServer(const limits::Limits& limits) : server(limits), viewer(server), busy(server) {
+        busy.send(half_a_body);
+        EXPECT_EQ(busy.receive(go_on.size()), go_on);
+    }
+    static limits::Limits limits_of(std::uint64_t linger_seconds) {
+        limits::Limits limits = patient();
+        limits.connections = 2;
+        limits.refused_connections = 1;
+        limits.linger_seconds = linger_seconds;
+        return limits;
+    }
+    RunningServer server;
+    HandMade viewer;
+    Socket busy;
+};
+
+TEST(RefusedConnections, GetNoAnswerBeyondTheirNumber) {
+    FullServer full(FullServer::limits_of(600));
+    Socket refused(full.server);
+    refused.send(healthz);
+    EXPECT_THAT(refused.receive_all(), StartsWith("HTTP/1.1 503 "));
+    Socket another(full.server);
+    another.send(healthz);
+    EXPECT_EQ(another.receive_all(), "") << "the first refused connection is still open";
+}
+
+TEST(LingerSeconds, EndARefusedConnectionThatTheClientKeeps) {
+    FullServer full(FullServer::limits_of(short_time));
+    Socket refused(full.server);
+    refused.send(healthz);
+    EXPECT_THAT(refused.receive_all(), StartsWith("HTTP/1.1 503 "));
+    std::string answer;
+    while (answer.empty()) { // until the server has closed the first
+        Socket another(full.server);
+        another.send(healthz);
+        answer = another.receive_all();
+    }
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+}
+
+TEST(ReservedFiles, AreNotGivenToConnections) {
+    limits::Limits limits = patient();
+    limits.reserved_files = 1'000'000; // more than there are
+    const RunningServer server(limits);
+    Socket refused(server);
+    refused.send(healthz);
+    EXPECT_EQ(refused.receive_all(), "");
+}
+
 TEST(KeepAliveSeconds, EndAConnectionThatSaysNothing) {
     limits::Limits limits = patient();
     limits.keep_alive_seconds = short_time;
