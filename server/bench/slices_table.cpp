@@ -1,4 +1,4 @@
-// Measures the paper's table 4: 100 slices with the property at their points, as its volume rendering blends them.
+// Measures the paper's table 4: makes the 100 slices that volume rendering blends, with the property at their points.
 #include "bench/case.hpp"
 #include "ciel/sweep_sinks.hpp"
 

@@ -43,8 +43,9 @@ public:
 
         [[nodiscard]] bool is_refused() const { return is_refused_; } // true: to be answered with 503 and closed
 
-        // Call when the head of a request is complete. `let_in`: the request is authorized. A non-empty `key` also
-        // counts the connection for that address until the request ends. Returns false if the address is at its limit.
+        // Call when the head of a request is complete. `let_in`: the request is authorized, so the connection is not
+        // closed for another one. `key`: counting_key() of a client behind a proxy; if it is not empty, the connection
+        // counts for that client, too, until the request ends. Returns false if the client is at its limit.
         [[nodiscard]] bool begin_request(bool let_in, const std::string& key);
         void end_request(); // for a WebSocket: call it when the WebSocket has closed
 

@@ -1,4 +1,5 @@
-// Writes a dataset again as this version writes it. Earlier versions stored all faces, or no blocks and ranges.
+// Rewrites a dataset of an earlier version in the current format. Earlier versions stored the faces of all cells, and
+// no blocks and ranges.
 #pragma once
 
 #include <filesystem>

@@ -78,7 +78,7 @@ void EveryUse::show_layers() {
             [&] { (void)probe::probe(*dataset_, 0, *loaded->locator(0), place_inside(dataset_->info().meshes[0])); });
 }
 
-// Uses the server's own copy of the dataset.
+// Calls the server's methods. They use the dataset as the server has opened it, not the one of this test.
 void EveryUse::ask_methods() {
     Client client(server_, false);
     const auto ask = [&](const std::string& method, const json& params) {

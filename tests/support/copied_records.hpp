@@ -62,7 +62,7 @@ inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind 
     return found;
 }
 
-// Looks for the cells at some vertices, and for what is known of places in these.
+// Calls the point location of a topology at some vertices, so that the records it needs are read.
 inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
     const CellLocator locator(topology, mesh,
                               std::make_shared<const BlockBoxes>(block_boxes(topology, mesh.positions)));

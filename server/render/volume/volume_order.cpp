@@ -81,7 +81,9 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// Returns the slab whose slice represents a place along the normal; none outside all slabs.
+// Returns the slab that contains `place`; none outside all slabs. `place` and `eye` are distances along the normal. A
+// slab is drawn at its middle, so the result is moved by one where that middle and `place` are on different sides of
+// the eye.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

@@ -20,8 +20,8 @@ public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;
     // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Reads no array. Throws
-    // Error that names the file when one is missing, has a wrong size, or is not of this dataset.
-    // `access`: to the records.
+    // Error that names the file when one is missing, has a wrong size, or is not of this dataset. `any_lost`: whether
+    // any mapped file has changed since. `access`: whether the records are mapped or copied.
     MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }

@@ -14,9 +14,9 @@
 
 namespace ciel::store {
 
-// Thread-safe. Topologies that are made from it keep it alive. A file that is truncated or rewritten in place is lost:
-// check_intact throws. Its records that were read before stay as they are; mapped ones show zeros or the new content,
-// with which a topology does nothing that is not in bounds (RecordSource).
+// Thread-safe. Topologies that are made from it keep it alive. After its file was truncated or rewritten in place,
+// check_intact throws. Copied records stay as they are; mapped ones may then read as zeros or as the new content, and a
+// topology stays in bounds with any content (RecordSource).
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
     // Reads the index of the mesh and opens the files of records; reads nothing of them. Throws Error that names the

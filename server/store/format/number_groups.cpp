@@ -18,7 +18,7 @@ NumberedGroups number_groups(const FaceMeshView& mesh, std::span<const std::vect
     sort_once(all);
     if (!all.empty() && all.back() >= mesh.face_count())
         throw Error("a group names the face " + std::to_string(all.back()) + ", but the mesh has only " +
-                    std::to_string(mesh.face_count()));
+                    std::to_string(mesh.face_count()) + " faces");
     const std::vector<Index> on_boundary = boundary_numbers(mesh, all);
     for (std::size_t i = 0; i < all.size(); ++i)
         if (on_boundary[i] == none) inner.push_back(all[i]);

@@ -1,4 +1,4 @@
-// What a scene asks for and does not get is said, whoever looks at it.
+// Tests the remarks of a scene: each thing that it asks for and that cannot be drawn has one.
 #include "geometry/scene_geometry.hpp"
 #include "store/catalog.hpp"
 #include "support/small_dataset/small_dataset.hpp"

@@ -10,9 +10,10 @@
 
 namespace ciel {
 
-// Holds the least squares of polyhedra, each made at its first use: about 125 bytes for a cell of a Voronoi mesh.
-// Standard cells gain nothing from it. Belongs to the positions with which the first field that shares it
-// (Field::set_cell_fits) is cut; a field that is cut with others does not use it. Thread-safe.
+// Keeps the least-squares matrices for the gradients in polyhedra, each made at its first use: about 125 bytes for a
+// cell of a Voronoi mesh. Standard cells are not kept, since theirs are cheap. The matrices are of the positions with
+// which the first field that shares them (Field::set_cell_fits) is cut; a field that is cut with other positions does
+// not use them. Thread-safe.
 class CellFits {
 public:
     // From `most_bytes` on, the fits of further blocks are not kept. The topology must outlive this object.

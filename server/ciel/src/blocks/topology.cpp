@@ -14,9 +14,10 @@ namespace ciel {
 
 namespace {
 
-// Returns the first cell of each block, then the number of cells. Local ids of each block fit 16 bits, except for a
-// block of one giant cell. Standard cells need ids for their half-edges. Polyhedra need ids only for corners of faces,
-// which two cells usually share.
+// Divides the cells into blocks of at most `cells_per_block`. Returns the first cell of each block, then the number of
+// cells. A block has fewer cells where its local ids would not fit 16 bits: one id for each half-edge of a standard
+// cell, and one for each corner of a polyhedron's face, even if two cells share the face. Only a block of one giant
+// cell may have more.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};

@@ -178,7 +178,8 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
     const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
     const Index after = entry + 1 == end ? begin : entry + 1;
     if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
-    // A face that collapsed to a line is entered and left over the same edge. The edge may belong to no other face.
+    // The contour enters and leaves a face that collapsed to a line over the same edge. No other face need have that
+    // edge, so it is activated here.
     activate(entry, after);
     scratch_.returning.push_back(edge_[entry]);
     return true;

@@ -19,7 +19,7 @@ struct FittedPolyhedron {
     std::span<const Local> vertices; // the distinct local vertices of the cell
 };
 
-// `sample`: BlockSampler::Typed. `scratch`: for stretched cells.
+// `sample`: BlockSampler::Typed. `scratch`: a buffer that stretched cells need.
 template <class Local, class Sampler>
 [[nodiscard]] CellGradient fitted_gradient(const FittedPolyhedron<Local>& polyhedron, const Sampler& sample,
                                            std::vector<Sample>& scratch) {

@@ -13,7 +13,8 @@ struct FoamFieldInfo {
 };
 using FoamFieldInfos = std::map<std::string, FoamFieldInfo>; // by name
 
-// Lists the fields of all times and regions of the first part. Reads only the first 4 KiB of each file.
+// Lists the fields of all times and regions, of the first processor of a decomposed case. Reads only the first 4 KiB of
+// each file.
 [[nodiscard]] FoamFieldInfos list_foam_fields(const FoamCase& foam);
 
 struct FoamArrays { // of one field
