@@ -16,6 +16,9 @@ struct Legend { // one color bar
     std::string layers{};             // second line, distinguishes legends of the same name; usually empty
     bool missing = false;             // some colored places have no value: the legend also shows their color
     std::vector<std::string> lines{}; // more lines below `layers`
+    bool both_ends = false; // a number at both ends even if the scale has no width; else one number stands for both
+    // Pixels kept free at the lower end for controls of the page.
+    double control_width = 0, control_height = 0;
 };
 
 // Text is arbitrary UTF-8. Characters missing in the font come from another font of the machine, else a box is drawn.

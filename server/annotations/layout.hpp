@@ -42,6 +42,7 @@ public:
     // Returns whether the box is inside the picture and overlaps no taken box or line.
     [[nodiscard]] bool is_free(const Box& box) const;
     void take(const Box& box) { taken_.push_back(box); }
+    [[nodiscard]] const std::vector<Box>& taken() const { return taken_; }
     // Draws the parts of a line outside all taken boxes, and takes them.
     void draw_line(const Place& from, const Place& to);
 
@@ -62,7 +63,9 @@ private:
 
 // Each of these functions draws one part of picture.annotations where there is room, never over parts drawn before.
 // Call them in this order. Captions that do not fit are left out. Legends that do not fit are left out, the last ones
-// first, and a note says how many; no legend begins in the left third of the picture. The triad is drawn whole or not
+// first, and a note says how many; no legend begins in the left third of the picture. Legend i has the handles
+// "legend i", around all of it, "legend i low" and "legend i high", around the numbers at its ends unless one number
+// stands for both, and "legend i controls" if it keeps place for them. The triad is drawn whole or not
 // at all. Of the axes, single numbers, names and parts of lines may be left out.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);

@@ -29,14 +29,16 @@ struct Mark {
 
 struct Entry {
     const Legend& legend;
+    std::string id; // of its handle
     std::string title;
     std::vector<std::string> lines; // below the title
     std::vector<Mark> ends;
     double width = 0;
 };
 
-std::vector<Mark> end_marks(const color::ColorScale& scale) {
-    if (!color::has_width(scale)) return {{0.5, label_on(scale, scale.range[0])}};
+std::vector<Mark> end_marks(const Legend& legend) {
+    const color::ColorScale& scale = legend.scale;
+    if (!color::has_width(scale) && !legend.both_ends) return {{0.5, label_on(scale, scale.range[0])}};
     return {{0, label_on(scale, scale.range[0])}, {1, label_on(scale, scale.range[1])}};
 }
 
@@ -58,10 +60,15 @@ std::vector<std::string> lines_of(const Legend& legend) {
     return lines;
 }
 
-Entry entry_of(Layout& layout, const Legend& legend) {
+Entry entry_of(Layout& layout, const Annotations& annotations, std::size_t index) {
+    const Legend& legend = annotations.legends[index];
     const TextSize& size = layout.text();
     const double widest = widest_title * layout.width();
-    Entry entry{legend, layout.shortened(title_of(legend), size, widest), {}, end_marks(legend.scale)};
+    Entry entry{legend,
+                "legend " + std::to_string(index),
+                layout.shortened(title_of(legend), size, widest),
+                {},
+                end_marks(legend)};
     for (const std::string& line : lines_of(legend)) entry.lines.push_back(layout.shortened(line, size, widest));
     int labels = 0;
     for (const auto& marks : {entry.ends, inner_marks(legend.scale, most_ticks)})
@@ -71,7 +78,7 @@ Entry entry_of(Layout& layout, const Legend& legend) {
     for (const std::string& line : entry.lines) words = std::max(words, layout.width_of(line, size));
     const double missing =
         legend.missing ? (bar_width + tick_end + gap) * layout.em() + layout.width_of(missing_text, size) : 0;
-    entry.width = std::max<double>({scale, static_cast<double>(words), missing});
+    entry.width = std::max<double>({scale, static_cast<double>(words), missing, legend.control_width});
     return entry;
 }
 
@@ -124,21 +131,36 @@ void draw_tick(Layout& layout, const Box& bar, double y) {
                                       layout.ink()});
 }
 
-void draw_marks(Layout& layout, const std::vector<Mark>& marks, const Box& bar) {
+// Returns the box of the label; nothing if it has no room, and then draws nothing.
+std::optional<Box> draw_mark(Layout& layout, const Mark& mark, const Box& bar) {
     const TextSize& size = layout.text();
     const int x = static_cast<int>(std::lround(bar.right + (tick_end + gap) * layout.em()));
-    for (const Mark& mark : marks) {
-        const double y = bar.bottom - mark.share * bar.height();
-        if (mark.label.empty()) {
-            draw_tick(layout, bar, y);
-            continue;
-        }
-        const int base = static_cast<int>(std::lround(y + size.metrics.digit / 2.0));
-        const Box box = layout.box_of(mark.label, size, x, base);
-        if (!layout.is_free(box)) continue;
-        layout.take(box);
-        layout.write(mark.label, size, x, base, layout.ink());
-        draw_tick(layout, bar, y);
+    const double y = bar.bottom - mark.share * bar.height();
+    const int base = static_cast<int>(std::lround(y + size.metrics.digit / 2.0));
+    const Box box = layout.box_of(mark.label, size, x, base);
+    if (!layout.is_free(box)) return {};
+    layout.take(box);
+    layout.write(mark.label, size, x, base, layout.ink());
+    draw_tick(layout, bar, y);
+    return box;
+}
+
+void draw_ends(Layout& layout, const Entry& entry, const Box& bar) {
+    constexpr std::array<const char*, 2> names{" low", " high"};
+    for (std::size_t i = 0; i < entry.ends.size(); ++i) {
+        const auto box = draw_mark(layout, entry.ends[i], bar);
+        if (box && entry.ends.size() == names.size()) layout.overlay.handles.push_back({entry.id + names[i], *box});
+    }
+}
+
+void draw_inner_marks(Layout& layout, const color::ColorScale& scale, const Box& bar) {
+    const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * layout.text().line())), 1, most_ticks);
+    const int most_marks = 1 + static_cast<int>(bar.height() / (mark_spacing * layout.stroke_width()));
+    for (const Mark& mark : inner_marks(scale, most, most_marks)) {
+        if (mark.label.empty())
+            draw_tick(layout, bar, bar.bottom - mark.share * bar.height());
+        else
+            (void)draw_mark(layout, mark, bar);
     }
 }
 
@@ -172,22 +194,26 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
                   start + std::round(bar_height)};
     draw_bar(layout, entry.legend.scale, bar);
     layout.take(bar);
-    draw_marks(layout, entry.ends, bar); // before inner marks, which must not overlap them
-    const int most = std::clamp(static_cast<int>(bar.height() / (tick_spacing * size.line())), 1, most_ticks);
-    const int most_marks = 1 + static_cast<int>(bar.height() / (mark_spacing * layout.stroke_width()));
-    draw_marks(layout, inner_marks(entry.legend.scale, most, most_marks), bar);
-    const double end =
-        entry.legend.missing ? draw_missing(layout, entry.legend.scale, bar) : bar.bottom + 0.5 * size.line();
+    draw_ends(layout, entry, bar); // before inner marks, which must not overlap them
+    draw_inner_marks(layout, entry.legend.scale, bar);
+    double end = entry.legend.missing ? draw_missing(layout, entry.legend.scale, bar) : bar.bottom + 0.5 * size.line();
+    if (entry.legend.control_height > 0) {
+        const double start_of_controls = end + gap * layout.em();
+        end = start_of_controls + entry.legend.control_height;
+        layout.overlay.handles.push_back(
+            {entry.id + " controls", {static_cast<double>(left), start_of_controls, left + entry.width, end}});
+    }
     const Box all{left - border_width(layout), std::round(top), left + entry.width, end};
     layout.back(all);
     layout.take(all);
+    layout.overlay.handles.push_back({entry.id, all});
 }
 
 // Returns the height of a column of legends in pixels. In a narrow picture, legends that do not all fit into its upper
 // part are limited to that part.
 double height_for(Layout& layout, const Annotations& annotations, double least) {
     const double whole = layout.room.height();
-    const bool is_narrow = entry_of(layout, annotations.legends.front()).width > wide_legend * layout.width();
+    const bool is_narrow = entry_of(layout, annotations, 0).width > wide_legend * layout.width();
     const double upper = layout.height() * upper_part - layout.room.top;
     const auto count = static_cast<double>(annotations.legends.size());
     if (!is_narrow || count * least <= upper || upper < least) return whole;
@@ -195,7 +221,7 @@ double height_for(Layout& layout, const Annotations& annotations, double least) 
 }
 
 // Writes how many legends were left out, if there is room.
-void note_left_out(Layout& layout, Place corner, std::ptrdiff_t count) {
+void note_left_out(Layout& layout, Place corner, std::size_t count) {
     const TextSize& size = layout.text();
     const std::string text = "+ " + std::to_string(count) + " more";
     const std::string fitting = layout.shortened(text, size, layout.room.right - corner.x);
@@ -212,20 +238,25 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = layout.em();
     const double line = layout.text().line();
-    // A legend without its bar has the title, the lines below the title, half a line at each end of the bar, and the
-    // patch for missing values.
+    // A legend without its bar has the title, the lines below the title, half a line at each end of the bar, the patch
+    // for missing values, and the page's controls.
     std::size_t most_lines = 0;
-    for (const Legend& legend : annotations.legends) most_lines = std::max(most_lines, lines_of(legend).size());
+    double controls = 0;
+    for (const Legend& legend : annotations.legends) {
+        most_lines = std::max(most_lines, lines_of(legend).size());
+        if (legend.control_height > 0) controls = std::max(controls, gap * em + legend.control_height);
+    }
     const auto is_missing = [](const Legend& legend) { return legend.missing; };
     const bool any_missing = std::any_of(annotations.legends.begin(), annotations.legends.end(), is_missing);
-    const double around = (2 + static_cast<double>(most_lines) + (any_missing ? missing_line : 0)) * line;
+    const double around = (2 + static_cast<double>(most_lines) + (any_missing ? missing_line : 0)) * line + controls;
     const double least = around + (least_bar + between) * em;
     const double height = height_for(layout, annotations, least);
     double right = layout.room.right;
-    auto next = annotations.legends.begin();
+    const std::size_t legends = annotations.legends.size();
+    std::size_t next = 0;
     Place below{}; // the lower left corner of the last column
-    while (next != annotations.legends.end()) {
-        const auto left_over = static_cast<double>(annotations.legends.end() - next);
+    while (next < legends) {
+        const auto left_over = static_cast<double>(legends - next);
         const double fitting = std::floor((height + between * em) / least);
         const double count = std::min(left_over, fitting);
         if (count < 1) break;
@@ -233,26 +264,24 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
         const double bar_height = std::min(most_bar * em, block - around - between * em);
         std::vector<Entry> column;
         double width = 0;
-        for (int i = 0; i < static_cast<int>(count); ++i) {
-            column.push_back(entry_of(layout, *(next + i)));
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            column.push_back(entry_of(layout, annotations, next + i));
             width = std::max(width, column.back().width);
         }
         const int left = static_cast<int>(std::floor(right - width));
         double top = layout.room.top;
         const Box all{static_cast<double>(left), top, right, top + count * block - between * em};
-        const bool is_first = next == annotations.legends.begin();
-        const double leftmost = (is_first ? leftmost_first : leftmost_other) * layout.width();
+        const double leftmost = (next == 0 ? leftmost_first : leftmost_other) * layout.width();
         if (left < leftmost || !layout.is_free(all)) break;
         for (const Entry& entry : column) {
             draw_entry(layout, entry, left, top, bar_height);
             top += around + bar_height + between * em;
         }
-        next += static_cast<std::ptrdiff_t>(count);
+        next += static_cast<std::size_t>(count);
         below = {static_cast<double>(left), top - between * em};
         right = left - between * em;
     }
-    if (next != annotations.legends.begin() && next != annotations.legends.end())
-        note_left_out(layout, below, annotations.legends.end() - next);
+    if (next > 0 && next < legends) note_left_out(layout, below, legends - next);
 }
 
 } // namespace ciel::annotations

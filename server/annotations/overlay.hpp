@@ -58,12 +58,19 @@ struct Label {
     Box box; // around the text, with the font's full ascent and descent
 };
 
+// A place of the drawing where the page puts a field or buttons. `id`: what stands there, such as "legend 0 low".
+struct Handle {
+    std::string id;
+    Box box;
+};
+
 struct Overlay {
     std::vector<Plate> plates;
     std::vector<Fill> fills;
     std::vector<Stroke> strokes;
     std::vector<Triangle> triangles;
     std::vector<Label> labels;
+    std::vector<Handle> handles;
     Ink halo{}; // outline of letters and strokes, visible on any background
 };
 

@@ -5,7 +5,7 @@
 #include "annotations/ticks.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace ciel::page {
 namespace {
@@ -67,6 +67,12 @@ void write(Writer& to, const annotations::Plate& plate) {
     write(to, middle);
 }
 
+void write(Writer& to, const annotations::Fill& fill) {
+    write(to, fill.box);
+    write(to, fill.top);
+    write(to, fill.bottom);
+}
+
 void write(Writer& to, const annotations::Stroke& stroke) {
     to.numbers(std::array{stroke.from.x, stroke.from.y, stroke.to.x, stroke.to.y, stroke.width});
     write(to, stroke.ink);
@@ -84,6 +90,11 @@ void write(Writer& to, const annotations::Label& label) {
     write(to, label.box);
 }
 
+void write(Writer& to, const annotations::Handle& handle) {
+    to.text(handle.id);
+    write(to, handle.box);
+}
+
 template <class Item>
 void write_list(Writer& to, const std::vector<Item>& items) {
     to.number(static_cast<double>(items.size()));
@@ -92,9 +103,11 @@ void write_list(Writer& to, const std::vector<Item>& items) {
 
 void write(Writer& to, const annotations::Overlay& overlay) {
     write_list(to, overlay.plates);
+    write_list(to, overlay.fills);
     write_list(to, overlay.strokes);
     write_list(to, overlay.triangles);
     write_list(to, overlay.labels);
+    write_list(to, overlay.handles);
     write(to, overlay.halo);
 }
 
@@ -106,7 +119,71 @@ color::ColorScale color_scale(Reader& from) {
     return scale;
 }
 
+color::Rgb8 bytes(Reader& from) {
+    color::Rgb8 rgb{};
+    for (std::uint8_t& channel : rgb) channel = static_cast<std::uint8_t>(from.integer());
+    return rgb;
+}
+
+std::optional<color::Rgb8> bytes_if_any(Reader& from) {
+    return from.flag() ? std::optional(bytes(from)) : std::nullopt;
+}
+
+template <class Read>
+auto list(Reader& from, const Read& read) {
+    std::vector<decltype(read(from))> items;
+    for (int count = from.integer(); count > 0; --count) items.push_back(read(from));
+    return items;
+}
+
+std::string text(Reader& from) { return from.text(); }
+
+annotations::Legend legend(Reader& from) {
+    annotations::Legend legend;
+    legend.name = from.text();
+    legend.units = from.text();
+    legend.scale = color_scale(from);
+    legend.scale.map = from.text();
+    legend.scale.points = list(from, [](Reader& each) {
+        const double at = each.number();
+        return color::ColorPoint{at, bytes(each)};
+    });
+    legend.scale.reverse = from.flag();
+    legend.scale.nan = bytes(from);
+    legend.scale.below = bytes_if_any(from);
+    legend.scale.above = bytes_if_any(from);
+    legend.layers = from.text();
+    legend.missing = from.flag();
+    legend.both_ends = from.flag();
+    legend.lines = list(from, text);
+    legend.control_width = from.number();
+    legend.control_height = from.number();
+    return legend;
+}
+
 } // namespace
+
+void lay_texts(Reader& arguments, annotations::TextMeasure& measure, Writer& results) {
+    annotations::AnnotatedPicture shown;
+    shown.width = arguments.integer();
+    shown.height = arguments.integer();
+    shown.annotations.scale = annotations::scale_for_text(shown.width, shown.height, arguments.number());
+    shown.background_top = color(arguments);
+    shown.background_bottom = color(arguments);
+    shown.annotations.title = arguments.text();
+    shown.annotations.captions = list(arguments, text);
+    shown.annotations.legends = list(arguments, legend);
+    if (shown.width <= 0 || shown.height <= 0) {
+        write(results, annotations::Overlay{});
+        return write_list(results, std::vector<Box>{});
+    }
+    annotations::Layout layout(shown, measure);
+    annotations::lay_title(layout, shown.annotations);
+    annotations::lay_captions(layout, shown.annotations);
+    annotations::lay_legends(layout, shown.annotations);
+    write(results, layout.overlay);
+    write_list(results, layout.taken());
+}
 
 void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& results) {
     const annotations::AnnotatedPicture shown = picture(arguments);
@@ -122,18 +199,6 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
     }
     write(results, triad);
     write(results, axes);
-}
-
-void color_ticks(Reader& arguments, Writer& results) {
-    const color::ColorScale scale = color_scale(arguments);
-    const int most = arguments.integer(), most_marks = arguments.integer();
-    const auto ticks = annotations::color_ticks(scale, most, most_marks);
-    results.number(static_cast<double>(ticks.size()));
-    for (const annotations::ColorTick& tick : ticks) {
-        results.number(tick.value);
-        results.number(tick.at);
-        results.text(tick.label);
-    }
 }
 
 void label_on(Reader& arguments, Writer& results) {

@@ -47,7 +47,10 @@ std::size_t call(Function function) {
     PageText measure;
     return call([&](auto& in, auto& out) { ciel::page::lay_out(in, measure, out); });
 }
-[[clang::export_name("color_ticks")]] std::size_t color_ticks() { return call(ciel::page::color_ticks); }
+[[clang::export_name("lay_texts")]] std::size_t lay_texts() {
+    PageText measure;
+    return call([&](auto& in, auto& out) { ciel::page::lay_texts(in, measure, out); });
+}
 [[clang::export_name("label_on")]] std::size_t label_on() { return call(ciel::page::label_on); }
 [[clang::export_name("number_alone")]] std::size_t number_alone() { return call(ciel::page::number_alone); }
 [[clang::export_name("exponent_of")]] std::size_t exponent_of() { return call(ciel::page::exponent_of); }

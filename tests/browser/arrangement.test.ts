@@ -40,7 +40,10 @@ describe("the arrangement of layers and legends", { skip }, () => {
   }
 
   const names = (client: Client): Promise<string[]> => client.page.locator(".layer-row").allTextContents();
-  const legends = (client: Client): Promise<string[]> => client.page.locator(".legend-of").allTextContents();
+  const legends = (client: Client): Promise<string[]> =>
+    client.page
+      .locator(".legend")
+      .evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")?.split(", ")[1] ?? ""));
 
   test("layers are moved by keys, buttons and a drag, and the legends with them; each is one step of undo", async () => {
     const client = await crowded(1280, 900);
@@ -75,15 +78,19 @@ describe("the arrangement of layers and legends", { skip }, () => {
   });
 
   async function boxes(client: Client): Promise<Box[]> {
-    const seen = ".captions h2, .captions p, .legend, .triad, .box-axes text";
-    return client.page.locator(seen).evaluateAll((all) =>
-      all
-        .filter((element) => getComputedStyle(element).visibility === "visible")
-        .map((element) => {
+    const boxesOf = (seen: string): Promise<Box[]> =>
+      client.page.locator(seen).evaluateAll((all) =>
+        all.map((element) => {
           const { left, top, right, bottom } = element.getBoundingClientRect();
-          return { what: element.textContent.slice(0, 30), left, top, right, bottom };
+          const what = element.getAttribute("aria-label") ?? element.textContent;
+          return { what: what.slice(0, 30), left, top, right, bottom };
         }),
+      );
+    const legends = await boxesOf(".legend");
+    const captions = (await boxesOf(".texts text")).filter(
+      ({ left, top }) => !legends.some((one) => left >= one.left - 1 && top >= one.top - 1),
     );
+    return [...captions, ...legends, ...(await boxesOf(".triad, .box-axes text"))];
   }
 
   for (const [width, height] of [

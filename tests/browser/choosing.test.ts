@@ -37,7 +37,9 @@ describe("choosing another dataset", { skip }, () => {
     client.page.waitForFunction((wanted) => (globalThis as unknown as { held: unknown }).held === wanted, what);
   const pass = (client: Client): Promise<void> => client.page.evaluate("globalThis.pass()");
   const numbers = (client: Client): Promise<string[]> =>
-    client.page.locator(":is(.legend, .histogram-ends, .status-bar span, .time-bar output):visible").allInnerTexts();
+    client.page
+      .locator(":is(.texts text, .histogram-ends, .status-bar span, .time-bar output):visible")
+      .allTextContents();
   const visibleNumbers = async (client: Client): Promise<string> => (await numbers(client)).join(" ").trim();
 
   test("no number stands beside the other dataset's name, and the picture is dim, until the first picture", async () => {
@@ -63,7 +65,7 @@ describe("choosing another dataset", { skip }, () => {
     await heldNow(client, "picture");
     assert.equal(await opening.textContent(), "Opening cube");
     assert.equal(await client.page.locator(".stage.opening").count(), 1);
-    assert.equal(await client.page.locator(".legend, .status-bar span:visible").count(), 0);
+    assert.equal(await client.page.locator(".legend, .texts text, .status-bar span:visible").count(), 0);
     assert.match((await summary.textContent()) ?? "", /^cube1 cell · 1 time step/);
     await client.keep("opening-picture");
 
@@ -84,7 +86,7 @@ describe("choosing another dataset", { skip }, () => {
     await client.page.evaluate("globalThis.holding = true");
     await client.button("Undo").click();
     await client.page.getByText(`Opening ${first}`).first().waitFor();
-    assert.equal(await client.page.locator(".legend, .status-bar span:visible").count(), 0);
+    assert.equal(await client.page.locator(".legend, .texts text, .status-bar span:visible").count(), 0);
     await client.page.evaluate("globalThis.holding = false");
     await pass(client);
     await client.settled();

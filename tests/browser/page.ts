@@ -235,7 +235,7 @@ export class Client {
   /** Returns the picture on the canvas, without overlays. */
   async picture(): Promise<Picture> {
     const hidden =
-      ".ahead, .triad, .box-axes, .captions, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
+      ".ahead, .triad, .box-axes, .texts, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
     return decodePng(await this.canvas.screenshot({ style: hidden }));
   }
 

@@ -210,15 +210,16 @@ describe("view", { skip }, () => {
     assert.ok((await axes.locator("text").count()) > 5, "numbers and names");
     await client.page.getByLabel("Title").fill("Wake, \u00b5");
     await client.page.getByLabel("Title").press("Enter");
-    await client.page.getByRole("heading", { name: "Wake, \u00b5" }).waitFor();
+    await client.page.locator(".texts text", { hasText: "Wake, \u00b5" }).waitFor();
     await client.page.getByRole("checkbox", { name: "Time", exact: true }).check();
-    await client.page.locator(".captions").getByText("Time: ").waitFor();
+    await client.page.locator(".texts text", { hasText: "Time: " }).waitFor();
     await client.settled();
     await client.keep("annotations");
     assert.ok(difference(before, await client.picture()) < 0.005);
     for (let step = 0; step < 3; step += 1) await client.button("Undo").click();
     await client.settled();
-    assert.equal((await axes.count()) + (await client.page.locator(".captions").count()), 0, "each is a step of undo");
+    const captions = client.page.locator(".texts text", { hasText: /^Wake|^Time/ });
+    assert.equal((await axes.count()) + (await captions.count()), 0, "each is a step of undo");
   });
 
   test("a click reads the values, a double click centres", async () => {

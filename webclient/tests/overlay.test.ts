@@ -1,8 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { complete, project, type Bounds, type FullCamera } from "../src/model/camera";
-import { overlaps } from "../src/model/overlay_room";
 import type { Vec3 } from "../src/model/vector";
 import { layOut, type AnnotatedView, type Box, type Overlay } from "../src/wasm/overlay";
+
+const overlaps = (a: Box, b: Box): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 const size = { width: 800, height: 600 };
 const bounds: Bounds = [-1, 1, -1, 1, -1, 1];

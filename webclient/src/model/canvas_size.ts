@@ -1,4 +1,5 @@
 // Size of the canvas, in CSS pixels for pointer positions and in device pixels for pictures.
+import { clamp } from "./numbers";
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
 
 // Side of a view in pixels: limits of the contract (protocol/openrpc.json).
@@ -7,6 +8,19 @@ export const LARGEST = 8192;
 
 /** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
+
+/**
+ * Size of text in CSS pixels: USUAL_TEXT from a picture height of USUAL_HEIGHT on, less in smaller pictures. Text may be
+ * smaller than in saved pictures, since a page is read from close up.
+ */
+const USUAL_TEXT = 12;
+const SMALLEST_TEXT = 9;
+const USUAL_HEIGHT = 560;
+
+/** Size of text over the canvas in CSS pixels. It also depends on the width, because text would fill a narrow picture. */
+export function textPixels({ width, height }: Size): number {
+  return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
+}
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };

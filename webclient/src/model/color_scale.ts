@@ -1,6 +1,7 @@
 // Maps a scalar to a color, by the rules of server/color/color_scale.hpp. The legend and the shaders of the polygon
 // stream use the same rules. tests/support/color_cases.json tests server and page.
 import type { ColorPoint, Range } from "../generated/protocol";
+import type { ScaleInBytes } from "../wasm/overlay";
 import { colorMap } from "./color_maps";
 
 export type Rgb8 = readonly [number, number, number];
@@ -26,6 +27,17 @@ export function bytesOf(hex: string): Rgb8 {
 
 export const hexOf = (color: readonly number[]): string =>
   `#${color.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+
+const bytesIfAny = (hex: string | null): Rgb8 | null => (hex === null ? null : bytesOf(hex));
+
+/** The same scale for the layout of a legend. */
+export const inBytes = ({ points, nan, below, above, ...rest }: ColorScale): ScaleInBytes => ({
+  ...rest,
+  points: points.map(({ at, color }) => ({ at, color: bytesOf(color) })),
+  nan: bytesOf(nan),
+  below: bytesIfAny(below),
+  above: bytesIfAny(above),
+});
 
 function between(a: Rgb8, b: Rgb8, share: number): Rgb8 {
   return a.map((channel, k) => Math.round(channel + share * ((b[k] ?? 0) - channel))) as unknown as Rgb8;

@@ -1,11 +1,11 @@
-// Loads the WebAssembly module of server/page: the server's own layout of axes, ticks and numbers. The page and its
+// Loads the WebAssembly module of server/page: the server's own layout of annotations and numbers. The page and its
 // saved pictures therefore show the same marks.
 import { messageOf, ResultReader, type Item } from "./message";
 import { textMeasure, type TextMeasure } from "./text_measure";
 
 type Call = () => number;
 type FunctionName =
-  "lay_out" | "color_ticks" | "label_on" | "number_alone" | "exponent_of" | "times_power_of_ten" | "pretty_units";
+  "lay_out" | "lay_texts" | "label_on" | "number_alone" | "exponent_of" | "times_power_of_ten" | "pretty_units";
 type Exports = Record<FunctionName, Call> & {
   memory: WebAssembly.Memory;
   _initialize: () => void;

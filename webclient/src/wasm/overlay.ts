@@ -1,7 +1,7 @@
-// The layout of axes and triad over the canvas, by server/annotations/layout.hpp. Coordinates are CSS pixels from the
-// upper left corner of the stage.
+// The layout of annotations over the canvas, by server/annotations/layout.hpp. Coordinates are CSS pixels from the upper
+// left corner of the stage.
 import { call } from "./layout_module";
-import type { ResultReader } from "./message";
+import type { Item, ResultReader } from "./message";
 
 export interface Place {
   x: number;
@@ -21,6 +21,12 @@ export interface Plate {
   box: Box;
   edge: number;
   ink: Ink;
+}
+/** A vertical gradient. */
+export interface Fill {
+  box: Box;
+  top: Ink;
+  bottom: Ink;
 }
 export interface Stroke {
   from: Place;
@@ -42,12 +48,20 @@ export interface Label {
   box: Box;
 }
 
+/** A place of the drawing for a field or buttons. `id`: what stands there, such as "legend 0 low". */
+export interface Handle {
+  id: string;
+  box: Box;
+}
+
 /** A flat drawing, painted in this order. */
 export interface Overlay {
   plates: Plate[];
+  fills: Fill[];
   strokes: Stroke[];
   triangles: Triangle[];
   labels: Label[];
+  handles: Handle[];
   /** Color around letters, for any background. */
   halo: Ink;
 }
@@ -59,10 +73,15 @@ export interface Annotations {
 
 type Numbers = readonly number[];
 
-export interface AnnotatedView {
+interface Picture {
   size: { width: number; height: number };
   /** Text size in CSS pixels. */
   text: number;
+  /** RGB from 0 to 1 at the top and the bottom. */
+  background: { top: Numbers; bottom: Numbers };
+}
+
+export interface AnnotatedView extends Picture {
   camera: {
     position: Numbers;
     target: Numbers;
@@ -73,8 +92,6 @@ export interface AnnotatedView {
   };
   /** Low and high along x, y and z. */
   bounds: readonly [number, number, number, number, number, number];
-  /** RGB from 0 to 1 at the top and the bottom. */
-  background: { top: Numbers; bottom: Numbers };
   triad: boolean;
   axes: boolean;
   lengthUnits: string;
@@ -99,6 +116,7 @@ const box = (results: ResultReader): Box => ({
 function overlay(results: ResultReader): Overlay {
   return {
     plates: results.list(() => ({ box: box(results), edge: results.number(), ink: ink(results) })),
+    fills: results.list(() => ({ box: box(results), top: ink(results), bottom: ink(results) })),
     strokes: results.list(() => ({
       from: place(results),
       to: place(results),
@@ -113,6 +131,7 @@ function overlay(results: ResultReader): Overlay {
       ink: ink(results),
       box: box(results),
     })),
+    handles: results.list(() => ({ id: results.text(), box: box(results) })),
     halo: ink(results),
   };
 }
@@ -129,4 +148,68 @@ export function layOut(view: AnnotatedView): Annotations {
     [taken.length, taken.map(({ left, top, right, bottom }) => [left, top, right, bottom])],
   );
   return { triad: overlay(results), axes: overlay(results) };
+}
+
+/** A color scale whose colors are red, green and blue from 0 to 255. */
+export interface ScaleInBytes {
+  map: string;
+  points: readonly { at: number; color: Numbers }[];
+  range: readonly [number, number];
+  reverse: boolean;
+  log: boolean;
+  steps: number;
+  nan: Numbers;
+  below: Numbers | null;
+  above: Numbers | null;
+}
+
+export interface LegendText {
+  array: string;
+  units: string;
+  scale: ScaleInBytes;
+  /** Name of the layers that use the scale. Empty if the array has one legend. */
+  layers: string;
+  /** Whether some colored places have no value, so that their color is shown. */
+  missing: boolean;
+  /** Whether both ends have a number even if the scale has no width. Else one number stands for both. */
+  bothEnds: boolean;
+  /** More lines below `layers`. */
+  lines: readonly string[];
+  /** Space kept free for controls below the bar. */
+  controls: { width: number; height: number };
+}
+
+export interface AnnotatedTexts extends Picture {
+  title: string;
+  captions: readonly string[];
+  legends: readonly LegendText[];
+}
+
+export interface Texts {
+  overlay: Overlay;
+  /** Boxes that the texts cover. */
+  taken: Box[];
+}
+
+const listed = <T>(items: readonly T[], itemOf: (item: T) => Item): Item => [items.length, items.map(itemOf)];
+const colorIfAny = (color: Numbers | null): Item => (color === null ? 0 : [1, color]);
+
+function legendItem({ array, units, scale, layers, missing, bothEnds, lines, controls }: LegendText): Item {
+  const { range, log, steps, map, points, reverse, nan, below, above } = scale;
+  const colors = [listed(points, ({ at, color }) => [at, color]), reverse, nan];
+  return [
+    [array, units, range, log, steps, map, colors, colorIfAny(below), colorIfAny(above)],
+    [layers, missing, bothEnds, listed(lines, (line) => line), controls.width, controls.height],
+  ];
+}
+
+/** Lays out title, captions and legends. Legends without room are left out: they have no handles. */
+export function layTexts({ size, text, background, title, captions, legends }: AnnotatedTexts): Texts {
+  const results = call(
+    "lay_texts",
+    [Math.round(size.width), Math.round(size.height), text],
+    [background.top, background.bottom],
+    [title, listed(captions, (caption) => caption), listed(legends, legendItem)],
+  );
+  return { overlay: overlay(results), taken: results.list(() => box(results)) };
 }

@@ -5,10 +5,8 @@ import { openingIn } from "../../model/model";
 import { isBright, paperAt } from "../../model/background";
 import { Ahead } from "./ahead";
 import { Annotations } from "./annotations";
-import { Captions } from "./captions";
 import { useCommands, useModel } from "../context";
-import { keepApart } from "./keep_apart";
-import { Legends } from "./legend";
+import { Texts } from "./texts";
 import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "../shell/notice";
 import { ProbeCard } from "./probe_card";
 
@@ -33,13 +31,8 @@ export function Stage(): JSX.Element {
     const observer = new ResizeObserver(measure);
     observer.observe(element);
     commands.listenTo(element);
-    const stage = element.parentElement;
-    const end = stage === null ? null : keepApart(stage, (taken) => commands.page.covered(taken));
     void commands.page.attach(images.current, geometry.current);
-    return () => {
-      observer.disconnect();
-      end?.();
-    };
+    return () => observer.disconnect();
   }, [commands]);
   return (
     <main
@@ -63,8 +56,7 @@ export function Stage(): JSX.Element {
         <>
           <Ahead />
           <Annotations />
-          <Captions />
-          <Legends />
+          <Texts />
           <ProbeCard />
         </>
       )}

@@ -1,0 +1,269 @@
+// Title, captions and legends over the canvas, with the fields and buttons of the legends. Frames contain no text
+// (Annotations in protocol/openrpc.json). The layout is that of saved pictures (../../wasm/overlay.ts).
+import type { JSX } from "preact";
+import { useEffect, useMemo } from "preact/hooks";
+import { backgroundColors } from "../../model/background";
+import { textPixels } from "../../model/canvas_size";
+import { hasWidth, inBytes, type ColorScale } from "../../model/color_scale";
+import type { Range } from "../../generated/protocol";
+import type { Size } from "../../model/camera";
+import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
+import { rangeOf, scaleOf } from "../../model/color_range";
+import { equal } from "../../model/merge_patch";
+import { exponentOf, labelOn } from "../../wasm/color_labels";
+import { layTexts, type Box, type LegendText, type Overlay } from "../../wasm/overlay";
+import { cellsText, extremesText } from "../../model/cell_extremes";
+import { arrayOf, legendsOf, rangeOfAllSteps, shownTime, unitsOf, type LegendOf } from "../../model/scalars";
+import { legendTitle } from "../../model/legend_names";
+import { numberAlone } from "../../wasm/numbers_as_text";
+import { IconButton, NumberField } from "../controls/controls";
+import { useCommands, useModel } from "../context";
+import { Drawing } from "./drawing";
+
+/** CSS pixels kept free between the bounding box and a legend. */
+const ROOM: Size = { width: 12, height: 20 };
+
+/** Sizes in CSS pixels of a legend's buttons and of the words beside them. */
+const BUTTON = 26;
+const WORDS = 62;
+/** Width of a stage, in CSS pixels, up to which controls take no room: they show below the legend that is in use. */
+const NARROW = 560;
+
+interface Entry extends LegendOf {
+  range: Range;
+  scale: ColorScale;
+  /** The whole title, and more about the array. */
+  about: string;
+  lines: string[];
+}
+
+/** The legends of the scene whose range is known. */
+function useEntries(): Entry[] {
+  const commands = useCommands();
+  const scene = useModel((model) => model.scene.value);
+  const empty = useModel((model) => model.empty.value);
+  const description = useModel((model) => model.description.value);
+  if (description === null || scene?.annotations?.legend === false) return [];
+  const time = shownTime(description, scene);
+  return legendsOf(scene, description, empty).flatMap((legend) => {
+    const { coloring } = legend;
+    const data = commands.histogram(description.name, coloring.array, time);
+    const known = data?.range ?? coloring.range ?? null;
+    if (known === null) return [];
+    const range = rangeOf(coloring, known);
+    const scale = scaleOf(coloring, known);
+    const title = legendTitle(coloring.array, unitsOf(description, coloring.array), exponentOf(scale));
+    const cells = arrayOf(description, coloring.array)?.association === "point" ? data?.cells : undefined;
+    return {
+      ...legend,
+      range,
+      scale,
+      about: cells === undefined ? title : `${title}. ${extremesText(cells)}`,
+      lines: [
+        ...(cells === undefined ? [] : [cellsText(cells)]),
+        ...(hasWidth(scale) || coloring.range ? [] : ["the same everywhere"]),
+      ],
+    };
+  });
+}
+
+/** Where the range comes from: data of this step, data of all steps, or chosen by the user ("held"). */
+function rangeWords({ coloring }: Entry, everywhere: Range | null): string {
+  if (!coloring.range) return "this step";
+  const ofAll = everywhere === null ? "" : withDataRange(coloring, everywhere);
+  return typeof ofAll === "object" && equal(ofAll.range, coloring.range) ? "all steps" : "held";
+}
+
+const isAskew = ([low, high]: Range): boolean => low < 0 && high > 0 && low !== -high;
+
+/** Room for the buttons of a legend and the words beside them, in CSS pixels. */
+function controlsOf({ coloring, range }: Entry, hasSteps: boolean, stage: Size, zoom: number): Size {
+  const tellsRange = hasSteps || coloring.range !== undefined;
+  const buttons = (tellsRange ? 1 : 0) + (isAskew(range) ? 1 : 0);
+  if (buttons === 0 || stage.width <= NARROW) return { width: 0, height: 0 };
+  return { width: zoom * (buttons * BUTTON + (tellsRange ? WORDS : 0)), height: zoom * BUTTON };
+}
+
+function RangeButtons({ entry }: { entry: Entry }): JSX.Element {
+  const commands = useCommands();
+  const description = useModel((model) => model.description.value);
+  const { coloring, of, range } = entry;
+  const set = (change: ColoringChange | string): void => {
+    if (typeof change === "string") commands.tell(change, "error");
+    else commands.colors.set(of, change);
+  };
+  const reach = Math.max(-range[0], range[1]);
+  const name = coloring.array;
+  const hasSteps = (description?.times.length ?? 0) > 1;
+  const everywhere = rangeOfAllSteps(description, name);
+  return (
+    <div class="range-buttons">
+      {coloring.range && (
+        <IconButton
+          icon="reset"
+          label={`Range of the data for ${name}`}
+          help="The ends are held. Follow the lowest and the highest value of each step again"
+          onClick={() => set({ range: undefined })}
+        />
+      )}
+      {!coloring.range && hasSteps && (
+        <IconButton
+          icon="hold"
+          label={`The same range at every step for ${name}`}
+          help={`The ends are the lowest and the highest value of this step. Hold the range of ${everywhere === null ? "this step" : "the whole dataset"} at every step`}
+          onClick={() => set(withDataRange(coloring, everywhere ?? range))}
+        />
+      )}
+      {isAskew(range) && (
+        <IconButton
+          icon="symmetric"
+          label={`Range symmetric about zero for ${name}`}
+          onClick={() => set({ range: [-reach, reach] })}
+        />
+      )}
+      {(hasSteps || coloring.range) && <small class="range-of">{rangeWords(entry, everywhere)}</small>}
+    </div>
+  );
+}
+
+const ORIGIN: Box = { left: 0, top: 0, right: 0, bottom: 0 };
+
+/** Style that puts an element on a box, within the element on the box `around`. `more`: other members of the style. */
+const on = (
+  box: Box,
+  around = ORIGIN,
+  more: Record<string, string | number> = {},
+): Record<string, string | number> => ({
+  left: `${box.left - around.left}px`,
+  top: `${box.top - around.top}px`,
+  width: `${box.right - box.left}px`,
+  height: `${box.bottom - box.top}px`,
+  ...more,
+});
+
+/** The field on a number at an end of the bar. The number is drawn; the field shows its own text while it is used. */
+function EndField({
+  entry,
+  end,
+  style,
+}: {
+  entry: Entry;
+  end: 0 | 1;
+  style: Record<string, string | number>;
+}): JSX.Element {
+  const commands = useCommands();
+  const { coloring, of, range, scale } = entry;
+  const change = (to: number): void => {
+    const changed = withRangeEnd(coloring, range, end, to);
+    if (typeof changed === "string") commands.tell(changed, "error");
+    else commands.colors.set(of, changed);
+  };
+  return (
+    <span class="legend-end" style={style}>
+      <NumberField
+        label={`${end === 0 ? "Lowest" : "Highest"} value of the ${coloring.array} colors`}
+        help={`The ${end === 0 ? "lower" : "upper"} end of the colors. Type another to hold it`}
+        value={range[end]}
+        span={scale.log ? undefined : range[1] - range[0]}
+        shown={(value) => labelOn(scale, value)}
+        onChange={change}
+      />
+    </span>
+  );
+}
+
+interface LegendProps {
+  entry: Entry;
+  /** Returns the box of a handle of this legend; undefined if it has none. */
+  boxOf: (part: string) => Box | undefined;
+  text: number;
+  zoom: number;
+}
+
+function Legend({ entry, boxOf, text, zoom }: LegendProps): JSX.Element | null {
+  const [all, low, high, controls] = [boxOf(""), boxOf(" low"), boxOf(" high"), boxOf(" controls")];
+  if (all === undefined) return null;
+  const { coloring, name, about } = entry;
+  return (
+    <figure
+      class="legend"
+      style={on(all, undefined, { fontSize: `${text}px` })}
+      title={about}
+      aria-label={`Colors of ${coloring.array}${name === "" ? "" : `, ${name}`}`}
+      tabIndex={controls === undefined ? 0 : undefined}
+    >
+      {high && <EndField entry={entry} end={1} style={on(high, all)} />}
+      {low && <EndField entry={entry} end={0} style={on(low, all)} />}
+      <div
+        class={controls === undefined ? "legend-controls hidden" : "legend-controls"}
+        style={controls === undefined ? { "--zoom": zoom } : on(controls, all, { "--zoom": zoom })}
+      >
+        <RangeButtons entry={entry} />
+      </div>
+    </figure>
+  );
+}
+
+/**
+ * For each legend, the size of the rectangle from the stage's top right corner to the legend's far corner, plus ROOM.
+ */
+const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
+  handles
+    .filter(({ id }) => /^legend \d+$/.test(id))
+    .map(({ box }) => ({ width: stage.width - box.left + ROOM.width, height: box.bottom + ROOM.height }));
+
+export function Texts(): JSX.Element {
+  const commands = useCommands();
+  const scene = useModel((model) => model.scene.value);
+  const description = useModel((model) => model.description.value);
+  const missing = useModel((model) => model.missing.value);
+  const size = useModel((model) => model.canvasSize.value);
+  const entries = useEntries();
+  const { title = "", dataset = false, time = false, scale: zoom = 1 } = scene?.annotations ?? {};
+  const hasSteps = (description?.times.length ?? 0) > 1;
+  const text = textPixels(size) * zoom;
+  const legends = entries.map((entry): LegendText => {
+    const { coloring, of, name, scale, lines } = entry;
+    return {
+      array: coloring.array,
+      units: unitsOf(description, coloring.array),
+      scale: inBytes(scale),
+      layers: name,
+      missing: of.layers.some((layer) => missing.includes(layer)),
+      bothEnds: coloring.range !== undefined,
+      lines,
+      controls: controlsOf(entry, hasSteps, size, zoom),
+    };
+  });
+  const captions = [
+    ...(dataset && scene !== null ? [scene.dataset] : []),
+    ...(time ? [`Time: ${numberAlone(shownTime(description, scene))}`] : []),
+  ];
+  const wanted = { size, text, background: backgroundColors(scene?.background), title, captions, legends };
+  const key = JSON.stringify(wanted);
+  const { overlay, taken } = useMemo(() => layTexts(wanted), [key]);
+  useEffect(() => {
+    commands.page.covered(taken);
+    commands.page.legendsStand(cornersOf(overlay, size));
+    return () => commands.page.covered([]);
+  }, [commands, key]);
+  const words = [title, ...captions].filter((word) => word !== "");
+  return (
+    <>
+      <svg class="texts" role={words.length > 0 ? "img" : undefined} aria-label={words.join(", ") || undefined}>
+        <Drawing overlay={overlay} name="texts" />
+      </svg>
+      <div class="legends">
+        {entries.map((entry, i) => (
+          <Legend
+            key={JSON.stringify([entry.coloring.array, entry.of])}
+            entry={entry}
+            boxOf={(part) => overlay.handles.find(({ id }) => id === `legend ${i}${part}`)?.box}
+            text={text}
+            zoom={zoom}
+          />
+        ))}
+      </div>
+    </>
+  );
+}
