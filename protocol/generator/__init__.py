@@ -1,1 +1,1 @@
-"""Generates C++, TypeScript and Python from openrpc.json. All emitters read the same model."""
+"""Generates C++, TypeScript and Python from openrpc.json, read by model.py, and from frame_header.json."""

@@ -1,7 +1,7 @@
 // The color of a value (protocol/colors.md). For desktop GLSL 3.30 and GLSL ES 3.00: the server and the page are both
 // built from this text.
 
-// One row per color scale. Where a scale is stepped, its first texels are the steps.
+// One row per color scale. The first texels of a stepped scale are the colors of its steps.
 uniform highp sampler2D scale_colors;
 // One row per color scale, of five texels:
 //   (low, 1 / width, steps, way),

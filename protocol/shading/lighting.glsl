@@ -3,9 +3,10 @@
 
 uniform vec3 lights; // strengths of the ambient light, the headlight and the key light
 
-// A normal of the field, of length 1, on the side that is seen. Polygons are wound about it: at the rim of a shape, where
-// it looks away and the flat polygon does not yet, it is mirrored. Turned round, it would be that of a surface lit from
-// the other side: dark slivers along a bright rim. Farther away it is the winding that is wrong.
+// Returns the normal on the side that is seen. `n`: the field's normal, of length 1, on the front side of the polygon.
+// At the rim of a shape, the smooth normal can look away from the viewer where the flat polygon does not. Such a normal
+// is mirrored. Negated, it would be lit from the other side, which gives dark slivers along a bright rim. A normal that
+// looks far away from the viewer is negated, because then the winding of the polygon is wrong.
 vec3 seen_normal(vec3 n, vec3 viewer) {
     if (!gl_FrontFacing) n = -n;
     float head = dot(n, viewer);
@@ -14,19 +15,19 @@ vec3 seen_normal(vec3 n, vec3 viewer) {
 }
 
 // Returns the normal of a surface on the viewer's side, of length 1. `place`: the fragment in eye space, in units of the
-// scene's size: derivatives of small scenes must not underflow. `normal`: the field's, of any length; 0: the polygon's
-// plane is used.
+// scene's size: derivatives of small scenes must not underflow. `normal`: the field's, of any length; if it is 0, the
+// normal of the polygon's plane is used.
 vec3 facing_normal(vec3 place, vec3 normal, vec3 viewer) {
     vec3 plane = cross(dFdx(place), dFdy(place));
     float plane_length = length(plane);
     float normal_length = length(normal);
     if (normal_length > 1e-6) return seen_normal(normal / normal_length, viewer);
-    if (plane_length <= 1e-30) return viewer; // a degenerate triangle has no plane; never black
+    if (plane_length <= 1e-30) return viewer; // a degenerate triangle has no plane; so it is not black
     return plane / (dot(plane, viewer) < 0.0 ? -plane_length : plane_length);
 }
 
-// n, on the viewer's side, and viewer have length 1. The highlight's exponent is 40, by multiplications: in software a
-// power costs as much as all the rest.
+// `n`, on the viewer's side, and `viewer` have length 1. The highlight has exponent 40, computed by multiplications: in
+// software, pow() would cost as much as the rest of the function.
 vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
     vec3 key = normalize(vec3(-0.45, 0.65, 0.6)); // over the viewer's left shoulder
     float head = dot(n, viewer);
@@ -42,7 +43,7 @@ vec3 lit_surface(vec3 base, vec3 n, vec3 viewer) {
            vec3(0.10 * lights.z * shine);
 }
 
-// A ball seen from the front: `side` from its middle, of length 1 at its rim.
+// Returns the color of a ball seen from the front. `side`: offset from the ball's middle, of length 1 at its rim.
 vec3 lit_ball(vec3 base, vec2 side) {
     return base * (0.55 * lights.x + 0.45 * lights.y * sqrt(max(1.0 - dot(side, side), 0.0)));
 }

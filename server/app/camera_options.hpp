@@ -22,7 +22,7 @@ struct CameraOptions {
     void add_to(CLI::App& command);
     // Replaces the document's camera by --camera, if given. Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
-    // Applies --field-of-view and --parallel to the scene's camera, if it has one. The position stays.
+    // Applies --field-of-view and --parallel to the camera of the scene, if there is one. Its position stays the same.
     void project(scene::Scene& scene) const;
     // If the scene has no camera, adds one that shows all of `box`.
     void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,

@@ -43,8 +43,8 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                 ", in the order of the imported file");
 }
 
-// Returns text that lists new, interpolated and missing arrays. It reveals a misspelt name, which creates a new array,
-// and a forgotten array, which has no values at the step.
+// Returns text that lists the arrays that are new, interpolated, not written or rounded. The user can find a misspelt
+// name in it, which creates a new array, and a forgotten array, which has no values at the step.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

@@ -105,7 +105,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
-    shown.document.erase("camera"); // it fits a web page; stand_back() makes one that fits the picture
+    shown.document.erase("camera"); // this camera fits a web page; stand_back() makes one that fits the picture
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
 }
@@ -116,7 +116,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
                          "--volume, --background, and the options of layers and colors");
     nlohmann::json document = read_scene_file(render.scene_file);
     if (!document.is_object()) return document;                        // parse_scene() refuses it
-    document = scene::merge_patch(nlohmann::json::object(), document); // drops null members, which mean absent ones
+    document = scene::merge_patch(nlohmann::json::object(), document); // drops null members: null means absent
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
         throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +

@@ -48,7 +48,7 @@ struct ServeOptions {
 
 // Imports all inputs that are not datasets. A failed import does not affect the others. Throws Error if all failed.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
-    ImportView view(stderr); // stdout has only print_address's line
+    ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
     auto servable =
         importing::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
@@ -59,7 +59,8 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// Warns of a folder without datasets. The server watches it for datasets, but imports other files only when named.
+// Warns of a folder without datasets. The server watches the folder for datasets, but imports other files only if the
+// user names them.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -107,8 +108,8 @@ void complete_token(ServeOptions& options) {
     }
 }
 
-// Prints the server's address: the only line on stdout, for which scripts wait. Only a token made at this start is
-// shown: stdout of a service goes to its log, where a token that lasts must not stand.
+// Prints the server's address. Scripts wait for this line, the only one on stdout. It shows the token only if the
+// server made the token at this start: stdout of a service goes to a log, which must not contain a lasting token.
 void print_address(const gateway::Listening& listening, bool token_is_given) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;

@@ -84,7 +84,7 @@ void ExtractionOptions::add_to(CLI::App& command) {
         ->check(known)
         ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
-    // --engine is the name of --algorithm before version 0.3. Hidden from --help; to be removed in 0.4.
+    // --engine is a deprecated name of --algorithm, hidden from --help. Version 0.4 removes it.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--decider", decider, "Rule that joins the points on ambiguous faces.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))

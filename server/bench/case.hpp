@@ -36,7 +36,7 @@ struct Case {
 [[nodiscard]] Table volume_table(const Case& data); // pictures of a volume
 
 [[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
-// Returns `count` equally spaced values between `low` and `high`, without both ends.
+// Returns `count` equally spaced values between `low` and `high`; neither end is included.
 [[nodiscard]] std::vector<double> values_between(double low, double high, std::size_t count);
 [[nodiscard]] Field field_of(const Case& data, const store::Values& values);
 

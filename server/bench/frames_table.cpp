@@ -1,6 +1,6 @@
 // Measures the time from a scene change to the encoded picture, as the server makes frames of a view: 1280 x 720
-// pixels, PNG. Frames in motion are also encoded as JPEG in a row of its own, which is not in the total. Each change is
-// measured twice: as a whole, and stage by stage, each stage finished before the next begins.
+// pixels, PNG. Frames in motion are also encoded as JPEG; the time for JPEG has its own row and is not part of the
+// total. Each change is measured twice: as a whole, and stage by stage, each stage finished before the next begins.
 #include "bench/case.hpp"
 #include "frames/frame_of.hpp"
 #include "geometry/scene_geometry.hpp"

@@ -55,8 +55,8 @@ private:
     std::vector<SliceSink::Out> slices_;
 };
 
-// Makes the field whose iso-surfaces are slices across `normal`. Box-aligned rows reuse one field; screen-aligned rows
-// make a field in each run, because the direction is new after every turn of the camera.
+// Makes the field whose iso-surfaces are slices perpendicular to `normal`. Box-aligned rows reuse one field;
+// screen-aligned rows make a field in each run, because the direction is new after every turn of the camera.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }

@@ -60,7 +60,7 @@ private:
         while (step > span * 1e-7) {
             const auto passed =
                 std::ranges::count_if(data_.values, [&](double value) { return value >= nu && value < nu + step; });
-            // A vertex with a value in the step makes its edges active or inactive, about 12 of them.
+            // A vertex whose value lies within the step makes its edges, about 12, active or inactive.
             if (12 * static_cast<double>(passed) <= edges / 100) return step;
             step /= 2;
         }

@@ -16,7 +16,7 @@ public:
 
     explicit VolumePictures(const Case& data);
 
-    // Cuts new slices across `normal`, of unit length. Returns their number of triangles.
+    // Cuts new slices perpendicular to `normal`, a unit vector. Returns their number of triangles.
     std::uint64_t cut(const Vec3d& normal);
     std::uint64_t cut_across_view() { return cut(view_direction()); }
     // Sets render::Volume::in_bytes for the next pictures.

@@ -13,7 +13,8 @@ constexpr double turn_degrees = 3;
 
 const char* style(bool shaded) { return shaded ? "shaded" : "unshaded"; }
 
-// Of the default camera: how far the others have turned depends on the machine's speed.
+// Draws a picture and adds its figures. The caller sets the default camera: how far the camera has turned in a row
+// depends on the machine's speed. `of`: name of the picture.
 void add_figures(Table& table, VolumePictures& pictures, const std::string& of, std::size_t stride = 1) {
     (void)pictures.draw(false, stride);
     const double share = pictures.covered_share(), samples = pictures.samples();

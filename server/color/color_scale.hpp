@@ -37,7 +37,8 @@ struct ColorScale {
 };
 
 inline constexpr int most_color_steps = 256;
-// w / r in the position sign(v) log(1 + |v| / w) on a log scale from -r to r (protocol/colors.md).
+// A log scale from -r to r places a value v by sign(v) log(1 + |v| / w): nearly linear up to w. This is w / r
+// (protocol/colors.md).
 inline constexpr double linear_share = 1e-3;
 
 [[nodiscard]] inline bool is_log_of_both_signs(const ColorScale& scale) { return scale.log && scale.range[0] < 0; }

@@ -8,14 +8,16 @@ namespace ciel::color {
 
 // Mean color and extinction over intervals of values. The texel in column c and row r is for the interval with the
 // middle (c + 0.5) / columns and the width r / (rows - 1), both as fractions of the table's extent. The color is
-// weighted by the extinction. Attenuation within a slab is neglected, which is correct to first order in its opacity.
+// weighted by the extinction. The attenuation of a ray within one interval is neglected, which is correct to first
+// order in the opacity.
 struct TransferTable {
     static constexpr int columns = 1024, rows = 64;
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
 
 // The values that a TransferTable covers: the scale's range, extended by half its width below if the scale has a color
-// `below`, and by half its width above if it has a color `above`. Values beyond the table look like its end.
+// `below`, and by half its width above if it has a color `above`. Values beyond the table look like those at its nearer
+// end.
 struct TableExtent {
     int halves_below = 0, halves_above = 0;
     // Returns the table's width in widths of the range.

@@ -1,4 +1,4 @@
-// CellSoup: cells as a mesh generator returns them, where neighbouring cells do not share points. weld() merges their
+// CellSoup: cells as a mesh generator returns them, where neighboring cells do not share points. weld() merges their
 // points.
 #pragma once
 

@@ -78,7 +78,7 @@ void compute(const FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_w
             const double x = mesh.positions[3 * i], y = mesh.positions[3 * i + 1], z = mesh.positions[3 * i + 2];
             const double phase = time + span_phase(z, bed.z.back());
             FlowSample sample = Flow(phase).at(x, y);
-            if (on_wall[i]) sample.u = sample.v = 0; // no slip: between their edges the wall's facets lie inside r = 1
+            if (on_wall[i]) sample.u = sample.v = 0; // no slip, also where the wall's facets lie inside r = 1
             fields.velocity[3 * i] = static_cast<float>(sample.u);
             fields.velocity[3 * i + 1] = static_cast<float>(sample.v);
             fields.velocity[3 * i + 2] = 0;
@@ -120,7 +120,7 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
-    // Original ids are those of an imported file. The demo has none, so its original ids are the stored ones.
+    // Original ids are those of an imported file. The demo imports no file, so its original ids are the stored ones.
     std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
     std::iota(ids.begin(), ids.end(), 0U);
     writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),

@@ -14,7 +14,7 @@ constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6;                           // computed until the dye is periodic
 constexpr double source_inside = 1.25, source_outside = 1.9; // radii at which the source has full and no strength
 // Diffusion per pass, in squared spacings. A larger value is not stable, so each step has several passes. Diffusion
-// widens thin filaments of dye, which the mesh could not show.
+// widens filaments of dye that are too thin for the mesh.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;

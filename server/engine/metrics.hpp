@@ -43,7 +43,7 @@ private:
 // All members of Metrics are thread-safe.
 class Metrics {
 public:
-    void count_call(const std::string& method, double seconds); // without waiting in the queue
+    void count_call(const std::string& method, double seconds); // `seconds`: without the wait in the queue
     // Counts a sent frame. The histogram gets its time for extraction, drawing and encoding.
     void count_frame(bool still, std::size_t bytes, const FrameTimes& times);
     void count_cancelled_frame() { ++cancelled_; }

@@ -19,8 +19,8 @@ namespace ciel::engine {
 namespace {
 
 constexpr std::chrono::seconds readiness_lasts{1};
-// How long readiness_by_now() waits for a test picture from when it is asked for. Probes of /readyz expect an answer
-// within a second, and calls after that time get the last result at once.
+// Time after the request of a test picture for which readiness_by_now() waits for its result. Later calls get the
+// previous result at once. Probes of /readyz expect an answer within a second.
 constexpr std::chrono::milliseconds readiness_patience{500};
 
 frames::Readiness tested(Worker& worker) {
@@ -130,8 +130,8 @@ struct Server::State {
         try {
             const auto opened = catalog.open(dataset)->dataset();
             note.times->assign(opened->steps().times().begin(), opened->steps().times().end());
-            // The dataset was removed or is damaged. Clients are notified; sessions keep the data that they have.
         } catch (const Error&) {
+            // The dataset was removed or is damaged. Clients are notified; sessions keep the data that they have.
             connections.send_all(sessions::notification_text(note));
             return;
         }

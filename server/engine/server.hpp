@@ -75,9 +75,8 @@ public:
     // Requests test pictures of the frame and picture workers, at most once a second, and waits up to 0.5 s for the
     // result. If the workers stay busy, returns the previous result.
     [[nodiscard]] frames::Readiness readiness_by_now();
-    [[nodiscard]] frames::Readiness
     // Returns the result of the last test picture. Draws one only if there is none yet.
-    last_readiness();
+    [[nodiscard]] frames::Readiness last_readiness();
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
     // On SIGTERM, announce_end, drain_frames and drain are called in this order. announce_end refuses new sessions and
     // views, and notifies clients. It does not block.

@@ -143,8 +143,9 @@ void Sessions::close_view(std::uint32_t id, std::uint64_t connection) {
 void Sessions::connection_closed(std::uint64_t connection) {
     for (const auto& session : all()) {
         session->disconnect(connection);
-        // Frees the surfaces of a session that has no connection left. A worker does so, because a running extraction
-        // may hold the geometry for a while. post_later() is used because a still gives way only to jobs of post().
+        // Frees the surfaces of a session that has no connection left. A worker frees them, because a running
+        // extraction may lock the geometry for a while. The job is posted by post_later(), so that no still gives way
+        // to it.
         if (session->is_idle_since(Clock::time_point::max()))
             services_.workers.post_later(Clock::now(), [session](Worker&) {
                 if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();

@@ -14,7 +14,7 @@ namespace ciel::engine {
 using wire::UploadId;
 [[nodiscard]] std::string to_text(const wire::UploadId& id);                // 32 hexadecimal digits
 [[nodiscard]] wire::UploadId upload_id(const std::string& text);            // throws NotFound
-[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // bytes of the array as float32
+[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // bytes of the array as it is uploaded
 
 struct BegunUpload {
     wire::UploadId id{}; // random, because a client needs only the id to add pieces

@@ -23,7 +23,8 @@ public:
     // Opens a face of a font file; this object owns it. Returns null if FreeType cannot read the file as a font. Throws
     // std::bad_alloc.
     [[nodiscard]] FT_Face open(const std::filesystem::path& file, int index);
-    // Throws ciel::Error, naming the file and `what`, if `error` is not 0; std::bad_alloc if memory was the reason.
+    // If `error` is not 0, throws ciel::Error that names the file and `what`, the action that failed, or std::bad_alloc
+    // if memory was the reason.
     void check(FT_Error error, const char* what, const std::filesystem::path& file);
 
 private:

@@ -27,7 +27,7 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    // Positions of caps are off their plane by up to the grid step, so each plane keeps that much more.
+    // Rounding moves the points of a cap off its plane by up to the grid step. So each plane keeps one grid step more.
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {

@@ -10,13 +10,13 @@ using std::chrono::seconds;
 
 constexpr double tolerance = 0.03;    // seconds: jitter of a browser's animation frames and decoder
 constexpr double very_late = 0.2;     // seconds: longer than any jitter of a browser
-constexpr double queued = 0.1;        // seconds: five frames in a row that are later wait in a queue
+constexpr double queued = 0.1;        // seconds: five frames in a row that are later than this have waited in a queue
 constexpr unsigned late_in_a_row = 5; // late frames in a row that count: a queue delays all frames, a busy browser some
 constexpr double longest_route = 1;   // seconds; a frame that takes longer is large, so the window must not grow
-constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured anew: the route may have become longer
+constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured again: the route may have become longer
 constexpr seconds rate_lasts{30};
 constexpr seconds best_lasts{2}; // period of Highest: a rate counts for 2 to 4 seconds
-constexpr double full = 0.9;     // fraction of the best rate: a slower late frame did not wait for the line
+constexpr double full = 0.9;     // fraction of the best rate: a late frame at a lower rate was not delayed by the line
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -29,7 +29,7 @@ void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time 
     }
     const bool is_behind_still =
         !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged yet
-    // Acknowledgements come in bursts, so what left since the last one may have arrived already.
+    // Acknowledgements come in bursts, so frames sent since the last one may have arrived already.
     const Time since = on_the_way_.empty() ? now : std::max(on_the_way_.front().sent, last_acknowledged_);
     sent_bytes_ += bytes;
     last_bytes_ = bytes;
@@ -71,7 +71,7 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     const auto bytes = static_cast<double>(frame.bytes_on_the_way);
     const bool is_old = held_back_ && now - best_since_ > best_lasts; // only a full window measures the line
     if (is_old) best_since_ = now;
-    delivered_.add(bytes / took, is_old); // by Little's law; what has arrived but is not acknowledged counts twice
+    delivered_.add(bytes / took, is_old); // by Little's law; too high if bytes have arrived unacknowledged
     const double carried = bytes / Seconds(now - frame.since).count();
     carried_.add(carried, is_old);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
@@ -90,7 +90,7 @@ void FrameWindow::shrink(const Frame& frame, double carried, double late, Time n
     if (now < may_shrink_) return; // frames sent before the last shrink are late as well
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= queued) { // doubling does not always fill the line: no rate
+    if (std::exchange(doubles_, false) && late <= queued) { // the line may not have been full: learns no rate
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
@@ -104,7 +104,7 @@ void FrameWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;
-    else // one frame per round trip, or the line's bytes in `tolerance` if fewer
+    else // one frame per round trip, or the bytes that the line carries in `tolerance` seconds if fewer
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 

@@ -42,7 +42,7 @@ private:
         std::size_t bytes;
         bool measures; // false for a still and for frames behind one
         Time sent;
-        Time since;                   // since when `bytes_on_the_way` are delivered, nearly
+        Time since;                   // approximate time from which the line carries `bytes_on_the_way`
         std::size_t bytes_on_the_way; // in flight when this frame was sent, its own bytes included
     };
     struct Known {
@@ -68,8 +68,8 @@ private:
     std::optional<Known> soonest_; // shortest time to an acknowledgement, in seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
-    Highest delivered_; // may be too high, so that the window is never too small
-    Highest carried_;   // of the line
+    Highest delivered_; // bytes in flight per round trip: an upper estimate, so that the window is never too small
+    Highest carried_;   // rate of the line
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};

@@ -27,7 +27,7 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
 // Returns the frame of a standalone picture (a file): a still with annotations. Lines and points grow with the text.
 [[nodiscard]] render::Frame picture_of(const geometry::Geometry& geometry, const scene::Scene& scene,
                                        geometry::ViewSize size, int samples = default_still_samples);
-// Returns one sentence per part of the scene that the renderer's last picture does not show, or not in full.
+// Returns one sentence per part of the scene that the renderer's last picture leaves out or shows only in part.
 [[nodiscard]] std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const render::Renderer& renderer);
 // Returns the message of a picture: the header, and the image encoded by `moving`, or as PNG if `moving` is null. Fills
 // in the header's encoding time, sizes and flags.

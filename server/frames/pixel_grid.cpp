@@ -152,13 +152,15 @@ double largest_offset(const geometry::Geometry& geometry) {
     return largest;
 }
 
-// Returns the distance from the origin at which the view looks most closely. Floats need not be finer than at it.
+// Returns the distance from the origin at which the grid need not be finer than floats: that of the camera's position
+// or target, whichever is farther, but at most that of the bounds.
 double looked_at(const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double nearest = std::max(length(camera.position - geometry.origin), length(camera.target - geometry.origin));
     return std::min(nearest, largest_offset(geometry));
 }
 
-// Returns the grid step for a pixel of this size: not finer than floats are, and no coordinate leaves 30 bits.
+// Returns the largest grid step up to `wanted`, but none that is finer than floats or makes a coordinate longer than 30
+// bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));

@@ -12,9 +12,9 @@
 
 namespace ciel::frames {
 
-// Returns the world position under a pixel, counted from the top left; nothing on the background. By rounding, the
-// depth buffer puts a position on a boundary outside of the mesh as often as inside. Such a position is moved along the
-// line of sight into a cell, by at most 1e-3 of the bounds' diagonal. `check_wanted`: see render::Frame.
+// Returns the world position under a pixel, counted from the top left; nothing on the background. The depth buffer is
+// rounded, so a position on the boundary is as often outside of the mesh as inside. A position outside is moved along
+// the line of sight into a cell, by at most 1e-3 of the bounds' diagonal. `check_wanted`: see render::Frame.
 [[nodiscard]] std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
                                                   geometry::ViewSize size, std::array<double, 2> pixel,
                                                   const CellLocator& locator, render::Renderer& renderer,

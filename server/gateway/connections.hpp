@@ -19,15 +19,16 @@ struct ConnectionRules {
 };
 
 // Callbacks of one connection, called from any thread. They must not block or call Connections: `cut` is called with
-// its mutex locked. While the ticket is being destroyed, each may still be called once; `drain` may come even shortly
-// afterwards.
+// its mutex locked. Each can still be called once while the ticket is being destroyed, and `drain` shortly afterwards,
+// too.
 struct ConnectionHooks {
     std::function<void()> drain; // asks the connection to end soon
     std::function<void()> cut;   // closes the connection at once
 };
 
-// Connections is thread-safe. At a limit, a new connection closes the oldest one that may be closed. WebSockets and
-// connections in an authorized request are never closed. If no connection may be closed, the new one is refused.
+// Connections is thread-safe. At a limit, Connections closes the oldest connection that counts for this limit, to make
+// room for a new one. It never closes a WebSocket or a connection in an authorized request. If only these are left, it
+// refuses the new connection.
 class Connections {
     struct Entry;
 
@@ -60,8 +61,8 @@ public:
     };
 
     // Registers a connection. `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another
-    // connection must be closed. Returns null if the connection is refused and must be closed without an answer:
-    // because needs_room is set, or ConnectionRules::refused refused connections are still open.
+    // connection must be closed. Returns null if the connection must be closed without an answer: it is refused, and
+    // either needs_room is set, or ConnectionRules::refused other refused connections are still open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
     [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet

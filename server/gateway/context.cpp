@@ -10,7 +10,8 @@
 namespace ciel::gateway {
 namespace {
 
-// Highest soft limit of open files to set: some child programs close every possible descriptor, which takes long.
+// The soft limit of open files is raised to this number at most: some child programs close every descriptor up to the
+// limit, which takes long.
 constexpr rlim_t enough_files = 65536;
 
 ConnectionRules rules_of(const limits::Limits& limits) {

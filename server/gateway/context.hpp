@@ -34,7 +34,7 @@ struct Context {
     std::size_t most_files; // file descriptor limit of the process
     logging::LogLimiter log_limiter;
     PeerOwners owners;
-    asio::thread_pool probe_thread{1};             // answers /readyz and /metrics, however many methods are slow
+    asio::thread_pool probe_thread{1};             // answers /readyz and /metrics even while all workers are busy
     std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens that are being delayed
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};

@@ -118,7 +118,7 @@ private:
 
     asio::io_context io_;
     asio::signal_set signals_{io_, SIGINT, SIGTERM}; // keeps a signal that arrives before async_wait()
-    // Serializes accepting and draining: draining closes the acceptor.
+    // Serializes accepting and draining, because draining closes the acceptor.
     asio::strand<asio::io_context::executor_type> one_at_a_time_{asio::make_strand(io_)};
     asio::ip::address address_;
     asio::ip::tcp::acceptor acceptor_;

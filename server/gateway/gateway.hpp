@@ -13,12 +13,12 @@ namespace ciel::gateway {
 struct GatewayOptions {
     std::string host = "127.0.0.1";
     unsigned short port = 8080;               // 0: any free one
-    std::string prefix;                       // "/ciel" behind a proxy, which may strip it or not
+    std::string prefix;                       // "/ciel" behind a proxy, whether the proxy strips it or not
     std::filesystem::path webclient;          // static files; empty: none
     std::string token;                        // required of every client; empty: generated, and on loopback the
                                               // server's own user needs none
     std::vector<std::string> origins;         // "https://example.org", in addition to the server's own
-    std::vector<std::string> allowed_hosts;   // names in Host; localhost too when bound to loopback
+    std::vector<std::string> allowed_hosts;   // names accepted in Host, in addition to local names
     std::vector<std::string> trusted_proxies; // addresses or ranges "172.30.0.0/16" whose X-Forwarded-For is used
     unsigned threads = 2;                     // threads that read and write sockets
     unsigned workers = 8; // threads for quick methods; slow methods run on other threads (Limits::slow_calls)

@@ -7,8 +7,8 @@ namespace ciel::gateway {
 
 enum class PeerState { waits, sends, hung_up };
 
-// Looks at the socket's input without taking it and without waiting. A socket that async_wait calls readable may have
-// no input: with several threads, its event may be that of bytes that another thread has read since.
+// Looks at the socket's input without taking it and without waiting. Returns `waits` even for some sockets that
+// async_wait has reported as readable: another thread can read the bytes before this call.
 [[nodiscard]] PeerState state_of_peer(asio::ip::tcp::socket& socket);
 
 } // namespace ciel::gateway

@@ -15,15 +15,15 @@ struct Request {
     std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
     std::string forwarded_for, forwarded_proto;
     std::string body;
-    std::string user;    // for logs: named by a trusted proxy, or owner of the local peer process; else empty
+    std::string user;    // for logs: name given by a trusted proxy, or the server's user if is_of_own_user; else empty
     std::string remote;  // address and port, for logs
     std::string id;      // given by the server: in the log, in X-Request-Id and in errors of the request's calls
     std::string address; // without the port
     bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
     bool is_proxied = false;     // has a header that proxies add
-    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now(); // its head was complete
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now(); // when its head was complete
 
-    [[nodiscard]] double milliseconds() const { // since then
+    [[nodiscard]] double milliseconds() const { // since `begun`
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
     }
 };

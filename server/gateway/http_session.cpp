@@ -93,14 +93,13 @@ private:
     }
 
     // Waits for the first bytes of a request. Returns false if the peer has gone or was idle too long; such a peer gets
-    // no answer.
-    // Blank lines do not prolong the time.
+    // no answer. Blank lines before the request do not extend the time limit.
     asio::awaitable<bool> request_begins() {
         error_code error;
         start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
                                  : limits_.keep_alive_seconds);
         for (int skipped = 0; skipped < blank_lines && !error; skipped += skip_blank_line()) {
-            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // maybe pipelined
+            if (buffer_.size() > 0 && !begins_with_blank_line()) co_return true; // has bytes of a request
             if (buffer_.size() >= blank_line.size()) continue;
             const std::size_t bytes = co_await stream_.async_read_some(
                 buffer_.prepare(first_read_bytes), asio::redirect_error(asio::use_awaitable, error));
@@ -311,7 +310,7 @@ private:
         serializer.split(head);
         error_code error;
         while (!error && !(head ? serializer.is_header_done() : serializer.is_done())) {
-            // The client has this time to accept some bytes.
+            // Time limit for this one write: a client that keeps accepting bytes can take longer in all.
             stream_.expires_after(std::chrono::seconds(limits_.request_seconds));
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }

@@ -30,8 +30,8 @@ struct SocketRow {
 // written as 32-bit words in native byte order.
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
-// Returns "LOCAL REMOTE" of the established sockets held by processes of `user`. Empty for user 65534 (nobody): in a
-// user namespace all outside users have that number.
+// Reads `table`, the text of /proc/net/tcp. Returns "LOCAL REMOTE" for each established socket that a process of `user`
+// holds. Empty for user 65534 (nobody): in a user namespace, all users outside it have that number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.

@@ -15,7 +15,7 @@ using Handler = Response (*)(Context& context, const Request& request, const Tar
 struct Route {
     std::string_view path;
     std::string_view method; // GET includes HEAD
-    bool needs_token;        // false for the web client's files and the probes: they hold no data
+    bool needs_token;        // false for the web client's files, /healthz and /readyz, which show no data
     enum class Kind { quick, probe, rpc, websocket } kind;
     Handler handler; // null for rpc: see rpc_call.hpp
 };

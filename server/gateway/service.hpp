@@ -24,7 +24,7 @@ struct Client {
     std::string remote;     // address, for logs
     std::string user{};     // for logs; empty: not known
     std::string request{};  // id of the HTTP request; empty for a WebSocket
-    bool has_token = false; // has presented the server's token; the own user may enter without it
+    bool has_token = false; // has presented the server's token; the server's own user is let in without it
     std::stop_token stop{}; // requested when the connection has ended
     std::function<void(std::string text)> send_text{};
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary{};

@@ -76,7 +76,7 @@ private:
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
     asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
-    std::optional<websocket::close_reason> close_; // requested close; sent when no message or answer is pending
+    std::optional<websocket::close_reason> close_; // requested close; write() sends it after the waiting messages
     bool ended_ = false, closes_now_ = false, writing_ = false;
     int parts_ = 0, unanswered_ = 0; // running coroutines; messages taken from the inbox but not answered
 };
@@ -160,7 +160,7 @@ asio::awaitable<void> WebSocketSession::read() {
         beast::flat_buffer buffer;
         error_code error;
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
-        if (error) co_return; // closed, lost or idle too long; Beast has sent 1002, 1007 or 1009 where due
+        if (error) co_return; // closed, lost or idle too long; for a bad message, Beast has sent 1002, 1007 or 1009
         if (close_) continue;
         if (socket_.got_text()) ++context_.counters.texts_received;
         inbox_bytes_ += buffer.size();
@@ -202,7 +202,7 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
 }
 
 // Returns the callback for the answer to one message. Slow methods call it later, from other threads, possibly after
-// the socket has gone. Later texts do not wait for them.
+// the socket has gone. Later texts do not wait for slow methods.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) outbox->push_text(std::move(text));

@@ -23,8 +23,8 @@ struct Patch {
 // Returns the patches that are bodies: walls that lie inside `domain` along at least two axes. A wall is also a body if
 // it does not lie flat in a side of the domain, its faces have less than a third of the edge length of those in flat
 // sides, and it has less than 2/3 of the boundary's area (a terrain with buildings).
-// If any patch has the type wall or mappedWall, only such patches are walls. Otherwise names decide: names of flow
-// through a patch, or of a patch that is no surface, exclude it.
+// If any patch has the type wall or mappedWall, only such patches are walls. Otherwise names decide: a patch is a wall
+// unless its name says that flow passes through it ("inlet") or that it is no surface of a body ("interface").
 [[nodiscard]] std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain);
 
 // Returns the bounding box of the patches. REQUIRES: at least one patch.

@@ -12,7 +12,7 @@ namespace {
 
 // Fraction of the diagonal: about 50 times the rounding of positions, and 1/50 of a pixel of a large picture.
 constexpr double slack_of_diagonal = 5e-6;
-constexpr double double_slack = 1e-12; // the same for places that are doubles, of the largest coordinate
+constexpr double double_slack = 1e-12; // slack of positions that are doubles, as a fraction of the largest coordinate
 
 // Beyond any mesh, but a finite float: at an infinite distance, a graphics card drops everything.
 constexpr double farthest = 1e30;
@@ -79,7 +79,8 @@ ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::
     double slack = clip_slack(geometry);
     if (!places.empty()) {
         for (HalfSpace& plane : planes) plane.offset -= dot(plane.normal, geometry.origin);
-        // Caps of a mesh with float positions are off their planes by the rounding of floats.
+        // The smaller slack is for double positions only: caps of float positions are off their planes by the rounding
+        // of floats.
         if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + length(geometry.origin));
     }
     return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack, places);

@@ -12,7 +12,7 @@ namespace ciel::geometry {
 // Decades below the maximum that a logarithmic scale covers if the minimum is not above zero.
 inline constexpr double log_decades = 6;
 
-// `data_range`: of the array at the shown step.
+// `data_range`: range of the array at the shown step.
 [[nodiscard]] color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<double, 2> data_range);
 // Returns false if a logarithmic scale takes its range from data without a value above zero.
 [[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range);

@@ -28,7 +28,8 @@ store::Association association_of(const store::Dataset& dataset, const std::stri
     return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
 }
 
-// Returns the middle of the finite values if they are doubles, else 0: floats need no other origin than the scale's.
+// Returns the origin of the values when they are drawn as floats: the middle of the finite values if they are doubles,
+// else 0, because floats are drawn as they are.
 double origin_of(const store::Values& values) {
     if (!values.has_doubles()) return 0;
     double low = INFINITY, high = -INFINITY;
@@ -130,13 +131,13 @@ std::size_t Contoured::memory_bytes() const {
 void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
-    field_name.clear(); // until all has gone well
+    field_name.clear(); // stays empty if anything below throws
     if (!same_topology) {
-        query.reset(); // before the field it reads goes
+        query.reset(); // before `field`, which the query reads, is replaced
         field = std::move(new_field);
         query.emplace(*field.topology, field.points, extraction);
         query->set_field(*field.field);
-    } else { // its vertices may have moved
+    } else { // the same topology, whose vertices may have moved
         query->set_mesh(new_field.points);
         query->set_field(*new_field.field);
         field = std::move(new_field);

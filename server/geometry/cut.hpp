@@ -17,8 +17,8 @@ struct OfArray {
     std::optional<double> value; // constant value of the coloring array, if it has one
 };
 
-// Scalars of one shape by one array, interpolated again only when shape, array or step changes. For arrays of cells or
-// boundary faces, polygons share no vertices, and each has the value of its cell or face.
+// Scalars of one shape from one array, interpolated again only when shape, array or step changes. For arrays of cells
+// or boundary faces, polygons share no vertices, and each has the value of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const Shape> sound; // without cells that blew up (sound_shape.hpp); usually `shape` itself
@@ -43,7 +43,7 @@ private:
     [[nodiscard]] store::Values flat_scalars(store::LoadedDataset& loaded) const;
 };
 
-// The edges of one shape's polygons, found again only when it changes.
+// The edges of one shape's polygons, found again only when the shape changes.
 struct Outlined {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const std::vector<Index>> edges;
@@ -51,7 +51,7 @@ struct Outlined {
 
     [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(Index) : 0; }
     void follow(const std::shared_ptr<const Shape>& new_shape);
-    void forget() { *this = {}; } // not shown
+    void forget() { *this = {}; } // call when the edges are not shown
 };
 
 // Contour lines of one shape, found again only when the shape, the array, its step or the values change.
@@ -67,7 +67,7 @@ struct Contoured {
     [[nodiscard]] std::size_t memory_bytes() const;
     void follow(const std::shared_ptr<const Shape>& shape, const std::string& new_array, std::size_t new_step,
                 const std::vector<double>& new_values, bool colored, store::LoadedDataset& loaded);
-    void forget() { *this = {}; } // not shown
+    void forget() { *this = {}; } // call when the lines are not shown
 };
 
 // One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed, so `field` is
@@ -87,7 +87,7 @@ struct Cut {
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
     // Returns false if stopped; the next call then extracts again.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
-    void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape; no normals
+    void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape by one without normals
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
@@ -105,13 +105,13 @@ struct Boundary {
 
 // Returns the faces of the patches `groups` that belong to kept cells, relative to `origin`. Without groups, returns
 // the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
-// polygon_face is the number of the face, or `none` of one inside that has no number.
+// polygon_face of the result: the number of the face, or `none` for a face inside the mesh that has no number.
 [[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
-// The edges of a boundary as lines: all, or those where it bends by more than `angle` degrees.
+// Returns the edges of a boundary as lines: all, or those where the boundary bends by more than `angle` degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
-// Returns one in `thinned` of the vertices.
+// Returns one in `thinned` of the boundary's vertices, as points.
 [[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 

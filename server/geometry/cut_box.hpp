@@ -6,7 +6,7 @@
 namespace ciel::geometry {
 
 // Returns the corners of the remaining convex body as offsets from the geometry's origin, possibly with duplicates.
-// Empty if nothing remains. `cutting`: normals of any length.
+// Empty if nothing remains. `cutting`: the clip planes, with normals of any length.
 [[nodiscard]] std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting);
 
 } // namespace ciel::geometry

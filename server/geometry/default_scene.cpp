@@ -22,7 +22,8 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// One scalar per point array that varies, at the first step at which it does. Vectors and tensors by their magnitude.
+// Returns one scalar per point array that varies, with the first step at which it varies. The scalar of a vector or
+// tensor is its magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -41,8 +42,8 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
     return found;
 }
 
-// Returns the share of the blocks of cells that an iso-surface in the middle of the scalar's values crosses. 0 for
-// meshes of few blocks, of which any surface crosses many, and where no ranges are stored.
+// Returns the share of the blocks of cells that an iso-surface in the middle of the scalar's values crosses. Returns 0
+// for a mesh of few blocks, because any surface crosses many of them, and for a scalar without stored ranges.
 double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     constexpr std::size_t fewest_blocks = 27;
     const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
@@ -59,8 +60,8 @@ double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// If the iso-surface of the first scalar would fill the mesh, as that of noise does, moves the first scalar to the
-// front whose surface crosses at most half as many blocks.
+// Changes the order if the iso-surface of the first scalar would fill the mesh, as a surface of noise does: moves the
+// first scalar whose surface crosses at most half as many blocks to the front.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
     constexpr double many = 1.0 / 3;
     if (scalars.empty()) return;
@@ -91,7 +92,7 @@ std::vector<double> sample_of(const store::StoredScalar& values) {
     return sample;
 }
 
-// Returns the middle of the range in which 90 % of the values lie, or of the whole range if they are equal.
+// Returns the middle between the 5th and 95th percentile, or the middle of the whole range if these are equal.
 double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, std::size_t step) {
     constexpr double few_bins = 8.0 / store::stored_bins;
     const store::Histogram histogram = loaded.histogram(scalar, step, store::stored_bins);
@@ -128,7 +129,8 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// The cells that a point array was made from are checked, too: they show more of a run that blew up.
+// Returns whether a point array is written at a step and has finite values only. Also checks the array on cells that it
+// was made from: a cell that blew up may have corners with finite values.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -138,7 +140,7 @@ bool is_finite(const store::Step& step, const std::string& array) {
 }
 
 // Returns the last of the steps with the most point arrays that are written and finite everywhere. So a run that blew
-// up is shown before it did. REQUIRES: at least one step.
+// up is shown at a step before it blew up. REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -159,8 +161,8 @@ bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> n
     });
 }
 
-// Returns the first array of the points with `components` that varies at this step and has one of the names; else the
-// first such array of any name, or null. `names`: in lower case.
+// Returns the first point array with this number of components that varies at this step and has one of the names. If
+// there is none, returns the first with another name, or null. `names`: in lower case.
 const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
                                   std::span<const std::string_view> names) {
     const store::ArrayInfo* first = nullptr;
@@ -179,7 +181,7 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
-    std::size_t axis = 1; // such a slice faces the default camera
+    std::size_t axis = 1; // a slice across y faces the default camera
     for (const std::size_t other : {0U, 2U})
         if (as_thin * length(bodies, other) < length(bodies, axis)) axis = other;
     for (const std::size_t other : {0U, 1U, 2U})

@@ -1,4 +1,4 @@
-// A first view of any dataset that shows something worth looking at.
+// The scene that a dataset is first shown with, chosen from its patches and arrays.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -13,13 +13,13 @@ struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json
     BoundingBox box;         // what the camera looks at: the bodies, or the whole mesh
 };
 
-// Returns the scene that a dataset is first shown with. `name`: of the dataset in the catalog. All have an outline.
+// Returns the first scene of a dataset. `name`: name of the dataset in the catalog. Every first scene has an outline.
 // With bodies (bodies.hpp): the last step whose arrays are written and finite; the bodies, colored by pressure or else
 // by the first scalar that varies; one slice through them, colored by speed; the camera on them.
-// Without bodies, in a mesh of one layer of cells: a slice within the layer, at that step.
+// Without bodies, in a mesh of one layer of cells: a slice within the layer, at the same step as with bodies.
 // Otherwise: an iso-surface of the first point scalar that varies, at the first step at which it does, colored by
-// another scalar if there is one. Its value is halfway between the 5th and 95th percentile of the values at vertices:
-// so it is not that of a plateau, such as the free stream. If no scalar varies: the boundary.
+// another scalar if there is one. The iso-value is halfway between the 5th and 95th percentile of the values at
+// vertices. So it is not the value of a plateau, such as the free stream. If no scalar varies: the boundary.
 [[nodiscard]] DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name);
 
 } // namespace ciel::geometry

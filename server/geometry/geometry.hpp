@@ -33,7 +33,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::vector<std::string> legend_lines;           // further lines of the legend, about the array at this step
     color::ColorScale scale;                         // of the scalars
     bool missing = false;                            // some scalars are NaN or infinite
-    bool all_left_out = false;                       // all its polygons were of cells that blew up
+    bool all_left_out = false;                       // all its polygons were left out: their cells blew up
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
     bool lit = true;
     bool contours = false;      // contour lines on the layer, with their own color scale
@@ -70,7 +70,7 @@ struct EmptyLayer { // a visible layer that shows nothing
 
     std::string layer;
     Why why = Why::nothing;
-    std::string reason; // a sentence about "it", the layer
+    std::string reason; // a sentence that does not name the layer
     bool operator==(const EmptyLayer&) const = default;
 };
 [[nodiscard]] std::string why_text(EmptyLayer::Why why); // as in the contract
@@ -83,8 +83,8 @@ struct BoundingBox { // in the dataset's coordinates
 // Content of one scene. Immutable, owns all its arrays, may be read from any thread.
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
-    std::vector<VolumeDrawable> volumes; // likewise
-    std::vector<HalfSpace> clip;         // for offsets; drawables and volumes are stored unclipped (clip.hpp)
+    std::vector<VolumeDrawable> volumes; // visible volumes, in drawing order
+    std::vector<HalfSpace> clip;         // relative to `origin`; drawables and volumes are stored unclipped (clip.hpp)
     Vec3d origin{}; // the middle of the mesh, or a place that the camera sees from near (drawing_origin.hpp)
     Vec3d bounds_min{}, bounds_max{};
     bool double_positions = false;             // of the mesh
@@ -95,12 +95,13 @@ struct Geometry {
     std::size_t triangles = 0, bytes = 0;
     // One sentence per layer that is left out or uncolored because its array has no usable values at this step.
     std::vector<std::string> lacking;
-    std::vector<std::string> remarks; // one sentence per part of the scene that is shown otherwise, or in part
-    std::vector<EmptyLayer> empty;    // these have no legend
+    std::vector<std::string> remarks; // one sentence per part of the scene that is shown differently or only in part
+    std::vector<EmptyLayer> empty;    // visible layers that show nothing; they have no legend
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
-// Throws store::NotWritten if `lacking` is not empty. For surface files, which have no place for a remark.
+// Throws store::NotWritten if `lacking` is not empty. Called before surface files are written, because a file cannot
+// carry a remark.
 void require_complete(const Geometry& geometry);
 
 } // namespace ciel::geometry

@@ -22,8 +22,8 @@ struct LayerUpdate {
     const bool moving;
     const std::size_t most_bytes;
     std::size_t bytes;                            // of all kept state
-    std::vector<const scene::ClipLayer*> caps{};  // of surface layers
-    scene::VolumeLayer::Direction slabs_across{}; // of the slabs of all volumes
+    std::vector<const scene::ClipLayer*> caps{};  // visible clip layers with caps
+    scene::VolumeLayer::Direction slabs_across{}; // direction of the slabs of all volumes
 
     // Each appends the layer's drawables to `out`, or a sentence about missing data. Returns false if stopped. Throws
     // limits::LimitReached when the kept state exceeds `most_bytes`.
@@ -38,7 +38,7 @@ struct LayerUpdate {
 
 private:
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
-    // Returns the field with surfaces that are relative to out.origin.
+    // Returns the field, set to make surfaces that are relative to out.origin.
     [[nodiscard]] store::ScalarField drawn(store::ScalarField field) const;
     // Updates `bytes` after each surface, so that a scene that is too large is refused early. Throws LimitReached.
     void count(std::size_t before, std::size_t after);
@@ -47,11 +47,12 @@ private:
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit, const OfArray& of = {});
-    // Returns the extremes of the cells that the array was made from, and the number of cells left out.
+    // Returns further lines of a legend: the extremes of the cells that the array was made from, and the number of
+    // cells left out.
     [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
     // Adds a remark on the number of cells that blew up, once for each array that is shown.
     void tell_left_out(const std::string& scalar, bool is_cut) const;
-    // Sets the color scale or the solid color. Adds to `out.lacking` if a scale has no place for the scalars.
+    // Sets the color scale or the solid color. Adds to `out.lacking` if the scale has no color for any of the scalars.
     void color(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
                    const std::optional<scene::Edges>& edges, const scene::Layer& layer);
@@ -61,13 +62,15 @@ private:
     void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
                       const std::optional<scene::Contours>& contours, const scene::Layer& layer);
 
-    // Sets the cut's field to the distance along the normal from the mesh's origin. Returns the plane's nu. A plane
-    // that moves along its normal is then another nu of the same field.
+    // Sets the cut's field to the distance from out.origin along the normal. Returns the plane's nu. So a plane that
+    // moves along its normal is another nu of the same field.
     double use_plane(Cut& cut, const scene::Plane& plane);
-    // Returns the clip layer whose caps coincide with the slice, or null. The slice is then cut by that layer's plane:
-    // with other rounding or orientation of the polygons, one would show through the other in places.
+    // Returns the clip layer whose caps coincide with the slice, or null. The slice is then cut by the plane of the
+    // clip layer. Otherwise polygons of slice and cap would be rounded or oriented differently, and each would show
+    // through the other in places.
     [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;
-    // Cuts at `nu`; for the same reason, takes the boundary faces in a side of the mesh. Returns false if stopped.
+    // Cuts at `nu`. If the plane lies in a side of the mesh, takes the boundary faces of the side instead, so that the
+    // slice coincides with them. Returns false if stopped.
     bool cut_along(Cut& cut, double nu) const;
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0);
@@ -85,7 +88,7 @@ private:
 };
 
 // Keys of kept state.
-[[nodiscard]] std::string bits_of(double number); // all its bits: a key, not a text
+[[nodiscard]] std::string bits_of(double number); // its bytes, for a key; not readable
 [[nodiscard]] std::string plane_name(const std::array<double, 3>& normal, const store::Step& step);
 
 [[nodiscard]] std::array<double, 2> range_of(const store::Dataset& dataset, const std::string& scalar,

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t usual_contours = 10; // as the contract says
 
-// True if both lie in one plane, whichever side is kept. `largest`: a coordinate of the mesh.
+// Returns whether slice and clip have the same plane, whichever side the clip keeps. `largest`: upper bound of the
+// mesh's coordinates, to which rounding errors are relative.
 bool coincide(const scene::Plane& slice, const scene::Plane& clip, double largest) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -23,7 +24,7 @@ bool coincide(const scene::Plane& slice, const scene::Plane& clip, double larges
     return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-12 * largest;
 }
 
-// own: the range of the array at the shown step.
+// Returns the values at which contour lines are drawn. `own`: the range of the array at the shown step.
 std::vector<double> contour_values(const scene::Contours& contours, const scene::Range& own) {
     if (contours.values) return *contours.values;
     const auto [low, high] = contours.range.value_or(own);

@@ -1,4 +1,4 @@
-// Layers that show the mesh itself, or those of its cells that a threshold keeps: boundary, edges, points, outline.
+// Layers that show the mesh, or its cells that a threshold keeps: boundary, edges, points, outline.
 #include "geometry/layer_update.hpp"
 
 #include "ciel/mesh_faces.hpp"
@@ -16,7 +16,8 @@ std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
     return triangles_shape(polygons_of_cells(cut->surface, cells));
 }
 
-// Coloring of a cap. Patch values exist only on the boundary; values inside have the name without "patch:".
+// Returns the coloring of a cap. Arrays on patches have values only on the boundary, so a cap is colored by the array
+// inside, whose name lacks "patch:". If there is none, the cap gets the solid color.
 scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
     constexpr std::string_view patch = "patch:";
     if (color.array.empty()) return color;
@@ -91,7 +92,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     add(kept->painted, kept->shape, surface.color, layer, true);
     add_edges(kept->outlined, kept->painted.sound, surface.edges, layer);
     count(before, kept->memory_bytes());
-    return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches enclose no solid
+    return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches enclose no solid, so they get no caps
 }
 
 // Each cap is the whole slice of the mesh by its plane; the other planes clip it like everything else. A plane in a

@@ -1,4 +1,4 @@
-// Names that distinguish the legends of one array: the layers that have their colors. Same rules as
+// Names that distinguish several legends of one array: each names the layers that use its colors. Same rules as
 // webclient/src/model/legend_names.ts; both are tested with tests/support/legend_cases.json.
 #pragma once
 

@@ -33,7 +33,7 @@ private:
     std::vector<NamedLegend> named_; // one per legend
 };
 
-// In layer order, for surfaces and volumes alike.
+// Returns the legends of surfaces and volumes together, in layer order.
 std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
     Legends found;
     for (const scene::Layer& layer : scene.layers) {
@@ -43,7 +43,7 @@ std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scen
                 found.add(layer, legend_of(drawable, drawable.missing), drawable.contours);
         for (const VolumeDrawable& volume : geometry.volumes)
             if (volume.layer == layer.id)
-                found.add(layer, legend_of(volume, false), false); // cells without values are left out
+                found.add(layer, legend_of(volume, false), false); // none missing: cells without values are left out
     }
     found.tell_apart();
     return std::move(found.legends);

@@ -14,7 +14,7 @@ struct Cut; // cut.hpp
 struct Boundary;
 struct VolumeCut;
 
-// Called before each visible layer is made, and after the last, with the numbers of layers made and of all.
+// Called before each visible layer is made, and after the last. `done`: number of layers made; `of`: of visible layers.
 using LayersMade = std::function<void(std::size_t done, std::size_t of)>;
 
 // Not thread-safe.
@@ -26,8 +26,8 @@ public:
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
     // Returns the geometry of `checked`, or null if `stop` was requested. Throws Error. Throws limits::LimitReached
-    // when the kept state exceeds `most_bytes`, by at most one surface; another scene may be passed then. `moving`: for
-    // a picture that others follow at once.
+    // when the kept state exceeds `most_bytes`. The excess is at most one surface, and the next call may pass another
+    // scene. `moving`: makes volumes coarser, for a picture of a movement.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
                                                          const std::stop_token& stop = {},
                                                          std::size_t most_bytes = SIZE_MAX, bool moving = false,

@@ -7,7 +7,8 @@
 
 namespace ciel::geometry {
 
-// Thread-safe. A shape returns when its last owner releases it, possibly a picture in progress. At most one is kept.
+// Thread-safe. A shape returns to the pool when its last owner releases it; a picture in progress may be this owner.
+// The pool keeps at most one shape.
 class ShapePool : public std::enable_shared_from_this<ShapePool> {
 public:
     [[nodiscard]] static std::shared_ptr<ShapePool> make() { return std::make_shared<ShapePool>(); }

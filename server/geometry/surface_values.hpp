@@ -5,7 +5,7 @@
 
 namespace ciel::geometry {
 
-// Returns the same polygons without shared vertices: then every polygon can have the value of its cell or face.
+// Returns the same polygons without shared vertices, so that every polygon can have the value of its cell or face.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);
 
 // Returns per vertex the value of its polygon. `of_polygons`: one per polygon.

@@ -11,11 +11,12 @@
 namespace ciel::geometry {
 namespace {
 
-// Slices while moving: as many as software draws about ten times a second if they have a few thousand triangles each.
-// Slices of larger meshes have more, by two thirds of an order for each order of vertices. So fewer are drawn, but not
-// so few that a thick slab loses detail of the mesh.
+// Number of slices while moving. Software draws `most_slices` about ten times a second if each has a few thousand
+// triangles. Slices of larger meshes have more triangles, in proportion to the number of vertices to the power of 2/3.
+// So fewer are drawn, but not so few that a thick slab loses detail of the mesh.
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
-// If a slab would lose more than usual_loss: up to twice as many, and for a small mesh as many as take the same time.
+// If a slab had more optical depth than usual_loss, up to `times_more` times as many slices are drawn. A small mesh
+// has more, because its slices have fewer triangles, but at most `most_of_all`.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
 // Slices of a still.
 constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
@@ -135,8 +136,8 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 
 namespace {
 
-// True if a corner ray of a picture of at most 16 : 9 makes more than 85 degrees with the slabs' normal. Never true for
-// a field of view of 30 degrees and the axis nearest to the view.
+// Returns whether a corner ray of a picture of at most 16 : 9 makes more than 85 degrees with the slabs' normal. This
+// cannot happen for the axis nearest to the view and a field of view of 30 degrees.
 bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
@@ -155,7 +156,7 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Ca
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // While the camera moves, such planes would have to be cut again for each picture.
+    // Not while the camera moves: planes across the view would have to be cut again for each picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

@@ -11,7 +11,7 @@
 namespace ciel::geometry {
 
 // Parallel slabs of equal thickness that cover the mesh. Slice i is the cut by the middle plane of slab i. Places are
-// values of dot(normal, offset from the mesh's origin).
+// values of dot(normal, offset from Geometry::origin).
 struct Slabs {
     Vec3d normal{};
     double first = 0, thickness = 1; // start of slab 0
@@ -36,8 +36,9 @@ struct Slabs {
 // Returns the stride of the slices that are drawn while something moves; each stands for a slab `stride` times as
 // thick.
 // The stride is odd: the middle plane of a thick slab is then that of a thin one, and slices of a still are reused.
-// It is larger for a mesh of more vertices, to keep it interactive. It is smaller where a slab would absorb much light:
-// of changes within it, only the front should be visible. `loss`: of all slabs together (largest_loss).
+// It is larger for a mesh of more vertices, to keep drawing interactive. It is smaller where a thick slab would absorb
+// much light: only the front of such a slab should be visible, but its whole extent is averaged. `loss`: optical depth
+// of all slabs together (largest_loss).
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
@@ -53,20 +54,22 @@ struct VolumeCut {
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
-    // `origin`: of the positions.
+    // Loads the property and its gradients. `origin`: point to which positions are relative.
     void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded, const Vec3d& origin);
-    // Cuts one slice in `every`, unless all are present. Returns false if stopped; the earlier slices are kept then.
+    // Cuts one in `every` of `slices` slices, unless they are present. `place`: key of the planes. Returns false if
+    // stopped; the earlier slices are kept then.
     bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
              std::size_t every, Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the direction of the first visible volume, for all of them: slabs of two directions cannot be sorted
-// together.
+// Returns the direction of the first visible volume. All volumes use it, because slabs of two directions cannot be
+// sorted together.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
-// Returns the unit normal of the slabs: the requested axis, unless some ray of the picture runs nearly along its slabs
-// (of a ray within one slab only the end is known). Else the axis nearest to the view, without its sign. A still uses
-// the view's own direction for `screen`, or if some ray runs nearly along the slabs of the chosen axis, too.
+// Returns the unit normal of the slabs. Takes the requested axis, unless some ray of the picture runs nearly along its
+// slabs: of a ray that stays within one slab, only the end is known. Otherwise takes the axis nearest to the view, in
+// its positive direction. A still takes the view's own direction for `screen`, and also if some ray runs nearly along
+// the slabs of the chosen axis.
 [[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera,
                                 bool moving);
 

@@ -23,8 +23,8 @@ public:
         : source_(source), options_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    // Returns nothing, and writes nothing, if most steps have other components of an array than the chosen ones. Then
-    // components() returns those of most steps.
+    // Returns nothing, and leaves no dataset, if most steps have an array with other components than the chosen ones.
+    // components() then returns the components of most steps.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -151,7 +151,7 @@ private:
         }
         if (!moved) return true;
         const ValuesView positions = mesh_.view().positions;
-        if (!writer_->holds(mesh_index_, positions)) { // the first ones were equal to floats
+        if (!writer_->holds(mesh_index_, positions)) { // the mesh stores floats, which cannot hold these
             print_ = {};
             return false;
         }
@@ -217,7 +217,7 @@ ConvertResult convert(Source& source, const Options& options) {
     while (true) {
         Converter converter(source, options, components);
         if (auto result = converter.run()) return std::move(*result);
-        components = converter.components(); // the second run succeeds: most steps have these
+        components = converter.components(); // the second run succeeds, because most steps have these components
     }
 }
 

@@ -29,7 +29,7 @@ enum ExitCode : int {
     something_lost = 3,
     out_of_memory = ciel::importing::import_out_of_memory,
 };
-constexpr double most_bad_cells = 0.001; // share of all cells; with more, the exit code is something_lost
+constexpr double most_bad_cells = 0.001; // share of all cells; if more are bad, the exit code is something_lost
 
 // The options are declared once, in importing/import_options.hpp, for `ciel import` and for this program.
 void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
@@ -122,7 +122,8 @@ int run(const Options& options) {
                 something_lost);
 }
 
-// Prepends the first input to the sentence unless it names an input or the output. Errors about the mesh name no file.
+// Prepends the first input to a sentence that names neither an input nor the output. Errors about the mesh name no
+// file.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
     const bool named =

@@ -15,7 +15,8 @@ void install_cancel_handlers();
 void ignore_cancelling();
 
 // Prints "progress SHARE PHASE" if the percentage grew or the phase changed; SHARE in [0, 1]. A reader that starts over
-// prints nothing, so that the supervisor can detect it. Throws Cancelled after a signal.
+// prints nothing until it gets further than before, so that the supervisor sees that the import stalls. Throws
+// Cancelled after a signal.
 void progress(double share, const std::string& phase);
 
 } // namespace ciel::importer

@@ -12,8 +12,8 @@ struct Servable {
 
 // Returns datasets, and folders other than OpenFOAM cases, unchanged. Imports everything else to folder/KEY/NAME.ciel,
 // unless that exists and the input has not changed since (freshness.hpp). KEY is a checksum of the input's path, NAME
-// its name without extension. A file beside the copy names its input. Throws Error for a path that does not exist,
-// before any import, and when `cancel` is set during an import.
+// is the name of the input without extension. A file beside the dataset names the input (store/imported_copy.hpp).
+// Throws Error for a path that does not exist, before any import, and when `cancel` is set during an import.
 [[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);

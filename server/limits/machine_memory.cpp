@@ -88,7 +88,7 @@ std::uint64_t spare_address_space() {
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
-// Returns the bytes of this process's memory that no file holds: heap, stacks and what drivers allocate.
+// Returns the bytes of this process's memory that are not pages of a file: heap, stacks and allocations of drivers.
 std::uint64_t private_resident_memory() {
     std::uint64_t size = 0, resident = 0, shared = 0;
     std::ifstream("/proc/self/statm") >> size >> resident >> shared;
@@ -106,8 +106,9 @@ std::uint64_t machine_memory() {
 
 void give_back_free_memory() {
     constexpr std::uint64_t worth_it = std::uint64_t{64} << 20;
-    // What malloc counts as free includes what was returned before. So used and freed again between two calls, memory
-    // shows in the process's size alone; in use at the last call, it shows in what is free alone.
+    // malloc counts returned memory as free. So memory that was in use at the last call and freed since raises only the
+    // count of free bytes. Memory that was returned at the last call, then used and freed, raises only the resident
+    // size.
     static std::atomic<std::uint64_t> free_after{0}, size_after{0};
     const auto free_bytes = []() -> std::uint64_t { return ::mallinfo2().fordblks; };
     const std::uint64_t free_now = free_bytes(), size_now = private_resident_memory();

@@ -21,8 +21,8 @@ inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"
 // Thread-safe. Must outlive its charges.
 class Memory {
 public:
-    // dataset_bytes returns the bytes of all datasets. release frees unused datasets. Both are called on the thread
-    // that changes a Charge, and must not change one themselves.
+    // `dataset_bytes` returns the bytes of all datasets. `release` frees unused datasets. Both are called on the thread
+    // that changes a Charge, and must not change a Charge themselves.
     Memory(std::uint64_t most_bytes, std::function<std::uint64_t()> dataset_bytes, std::function<void()> release);
 
     // The bytes counted for one holder. The destructor subtracts them from the total. Not thread-safe.

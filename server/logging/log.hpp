@@ -15,7 +15,7 @@ namespace ciel::logging {
 enum class LogFormat { text, json };
 enum class LogLevel { debug, info, warning, error };
 
-// Sets the process's log and the default log of spdlog. level: "debug", "info", "warn", "error" or "off".
+// Sets the process's log and the default log of spdlog. `level`: "debug", "info", "warn", "error" or "off".
 void start_log(const std::string& level, LogFormat format);
 
 // One name and value of an event. An empty text means unknown and is left out of the line.

@@ -8,8 +8,8 @@
 
 namespace ciel::logging {
 
-// Thread-safe. Remembers at most 4096 topics. If all of them were allowed within the last minute, new topics are
-// refused.
+// Thread-safe. Remembers at most 4096 topics. If a line on each of them was allowed within the last minute, lines on
+// other topics are refused.
 class LogLimiter {
 public:
     using Clock = std::chrono::steady_clock;

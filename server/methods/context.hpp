@@ -32,7 +32,7 @@ struct Context { // NOLINT(bugprone-exception-escape): moving a string does not 
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
-    // Returns the connection for views and subscriptions to share; null over HTTP.
+    // Returns the connection as a pointer that views and subscriptions keep; null over HTTP, which has no frames.
     [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 

@@ -44,7 +44,8 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
 // Returns an answer as text. Invalid UTF-8 is replaced: a name from a file system may contain it.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Returns an answer as text, with the literal text `id` as its id. `id` is empty if the parser does not change the id.
+// Returns an answer as text. `id`: literal text of the request's id, which replaces the parsed id; empty if the parser
+// has not changed the id.
 std::string text_of(const json& answer, const std::string& id) {
     if (id.empty() || !answer["id"].is_number()) return text_of(answer);
     json rest = answer;
@@ -52,7 +53,7 @@ std::string text_of(const json& answer, const std::string& id) {
     return text_of(rest).insert(1, "\"id\":" + id + ",");
 }
 
-// Returns whether the parser changes the id of a request. It keeps 64-bit integers except -0.
+// Returns whether the parser changes the id of a request. The parser changes -0 and all numbers except 64-bit integers.
 bool changes_id(const json& request) {
     const auto id = request.is_object() ? request.find("id") : request.end();
     if (!request.is_object() || id == request.end()) return false;
@@ -169,7 +170,7 @@ private:
 
     struct Answered {
         json id;
-        std::string as_it_came; // literal text, if the parser would change it
+        std::string as_it_came; // literal text of the id; empty if the parser has not changed it
     };
     struct Stop {
         std::stop_source& source;

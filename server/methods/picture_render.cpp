@@ -7,7 +7,8 @@
 namespace ciel::methods {
 
 namespace {
-// Memory for an answer, in sizes of the PNG file: the file, and three base64 copies (result, JSON, text) of 4/3 each.
+// Memory for an answer, as a multiple of the size of the PNG file: the file itself, and three base64 copies (result,
+// JSON, text), each 4/3 of its size.
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 
@@ -19,7 +20,7 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     charge.change(pixel_bytes);
-    // Makes the geometry on this thread, because the worker serves other calls meanwhile.
+    // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
     const auto geometry = source.geometry([&](std::size_t done, std::size_t of) { progress.layers(done, of); });
     progress.begin("waiting");
     std::vector<std::string> remarks;

@@ -55,7 +55,7 @@ protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePo
     std::optional<Vec3d> position = params.position;
     std::shared_ptr<const geometry::Geometry> geometry;
     if (params.pixel) {
-        // Makes the geometry on this thread, because the worker serves other calls meanwhile.
+        // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
         geometry = source.geometry();
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();

@@ -9,15 +9,15 @@
 
 namespace ciel::methods {
 
-// Used by one thread at a time. A Progress without a name tells nothing.
+// Used by one thread at a time. A Progress without a name sends nothing.
 class Progress {
 public:
-    // `name`: the call's parameter. `session`: the call's parameter; its connections are told where the call came by
-    // POST. Borrows `context`. Throws NotFound.
+    // `name`: the call's parameter `progress`, which the notifications repeat. `session`: the call's parameter; if the
+    // call came by POST, the connections of this session are notified. Borrows `context`. Throws NotFound.
     Progress(const Context& context, std::optional<std::string> name, const std::optional<std::string>& session);
 
-    void begin(const char* stage); // one of the contract's
-    // Tells how many layers are made, at most five times a second.
+    void begin(const char* stage); // one of the stages of call.progress in the contract
+    // Sends that `done` of `of` layers are made, at most five times a second.
     void layers(std::size_t done, std::size_t of);
 
 private:

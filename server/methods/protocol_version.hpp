@@ -6,7 +6,8 @@
 namespace ciel::methods {
 
 // Returns whether the request was written for a higher minor version than this server's: its unknown members are then
-// ignored. Without "protocol": false. Throws InvalidRequest for another major version, and if "protocol" is malformed.
+// ignored. Returns false if it has no "protocol". Throws InvalidRequest for another major version, and if "protocol"
+// is malformed.
 [[nodiscard]] bool is_of_later_minor(const nlohmann::json& request);
 
 } // namespace ciel::methods

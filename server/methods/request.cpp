@@ -16,7 +16,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int internal_error = -32603;
-constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000; // slow_call_ms is for x-slow methods
+// Calls that take longer are logged as slow. slow_call_ms is for methods with x-slow in the contract.
+constexpr double slow_quick_call_ms = 1000, slow_call_ms = 10'000;
 
 json answer(const json& id, const char* member, json content) {
     return {{"jsonrpc", "2.0"}, {"id", id}, {member, std::move(content)}};
@@ -44,8 +45,8 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// Calls the method of a request and returns its result. ignored: receives the JSON pointers of unknown members, if the
-// request declares a later minor version.
+// Calls the method of a request and returns its result. `ignored`: receives the JSON pointers of unknown members, if
+// the request declares a later minor version.
 json call(Context& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);

@@ -15,7 +15,7 @@ struct Context; // context.hpp
 [[nodiscard]] nlohmann::json refuse_text(Context& context, nlohmann::json error);
 
 // Calls the method of a request and returns the answer, or nothing for a notification. Never throws for any input. Logs
-// failures and slow calls. waited: seconds that the request waited in the queue.
+// failures and slow calls. `waited`: seconds that the request waited in the queue.
 [[nodiscard]] std::optional<nlohmann::json> handle(Context& context, const nlohmann::json& request, double waited = 0);
 // Returns the error answer to a request for the current exception, or nothing for a notification. Call it inside a
 // catch block.

@@ -12,7 +12,7 @@ SceneSource::SceneSource(const Context& context, const std::optional<std::string
         version_ = session_->status().version;
     else
         throw InvalidParams("/session", "give a session or a scene");
-    if (scene) session_ = nullptr; // the given scene gets separate geometry: it would replace the session's
+    if (scene) session_ = nullptr; // a given scene gets its own geometry, so that it does not replace the session's
 }
 
 std::shared_ptr<const geometry::Geometry> SceneSource::geometry(const geometry::LayersMade& layers_made) {

@@ -65,8 +65,8 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// Memory for an answer, in sizes of the file: the stream, the file, and three base64 copies (result, JSON, text) of 4/3
-// each.
+// Memory for an answer, as a multiple of the size of the file: the stream, the file, and three base64 copies (result,
+// JSON, text), each 4/3 of its size.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

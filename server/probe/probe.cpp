@@ -10,7 +10,8 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-// True if the cell blew up. Its corners have the values of its neighbours and do not show that.
+// Returns whether the solver's result in a cell is NaN or infinite, for a point array that was made from values of
+// cells. The values at the corners do not tell: they may come from the neighbor cells.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
@@ -22,7 +23,8 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
            });
 }
 
-// The weighted sum of the values of vertices, or of one cell.
+// Writes the scalars of an array into `out`: weighted sums over vertices, or the values of one cell. `is_wrong`: the
+// scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const VertexWeights& weights, bool is_wrong, Probed& out) {
     const store::PagedValues values = dataset.values_to_load(array.name, step);

@@ -12,12 +12,13 @@ namespace ciel::probe {
 struct Probed {
     Vec3d position{};
     Index cell = none, vertex = none;                       // ids of the imported file; none outside of the mesh
-    std::optional<std::int64_t> solver_cell, solver_vertex; // the solver's own, where the source has them
-    std::map<std::string, std::optional<double>> values;    // nothing where not written at this step, or not a number
+    std::optional<std::int64_t> solver_cell, solver_vertex; // ids that the solver gave, if the source has them
+    std::map<std::string, std::optional<double>> values;    // nullopt: not written at this step, or not finite
 };
 
-// Point scalars are interpolated in the cell; cell scalars are the cell's. Reads the pages of these values. `locator`:
-// of the mesh and the coordinates of the step. Throws Error when a file is damaged.
+// Returns the ids and values at a position. Point scalars are interpolated in the cell; a cell scalar has the value of
+// the cell. Reads only the pages with these values. `locator`: for the mesh and the coordinates of the step. Throws
+// Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

@@ -96,7 +96,7 @@ Box box_of(const geometry::Geometry& geometry, const scene::Scene& scene, Counts
     return box;
 }
 
-// Whether a picture of that size shows a place, given as an offset from the geometry's origin.
+// Tests whether a picture of a given size shows a place, given as an offset from the geometry's origin.
 class View {
 public:
     View(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size) {

@@ -1,4 +1,4 @@
-// Boxes that a view of "everything" frames: around the remaining mesh, or around the drawn geometry.
+// Boxes that a camera is fitted to, to show "everything": around the remaining mesh, or around the drawn geometry.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"

@@ -1,4 +1,4 @@
-// Polygons on the line of sight through a pixel, without a picture: which layer, and which patch of the boundary.
+// Finds the polygons on the line of sight through a pixel, with their layer and patch. Draws no picture.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -26,7 +26,8 @@ struct Crossing {
 // 0.002 of the bounds' diagonal, for example if a line or a point is drawn at `position`.
 [[nodiscard]] std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings,
                                                   const geometry::Geometry& geometry, const Vec3d& position);
-// Returns the patch that a surface layer shows there; nothing on other layers, caps, and faces that are in no patch.
+// Returns the patch that a surface layer shows at the crossing; nothing on other layers, on caps, and on faces that are
+// in no patch.
 [[nodiscard]] std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Geometry& geometry,
                                                   const scene::Scene& scene, const store::Dataset& dataset);
 

@@ -1,4 +1,4 @@
-// Range of the values in view. A color range is narrowed to it, so that the visible part has all the colors.
+// Range of the values in view. A color range can be narrowed to this range, so that the visible part has all colors.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -6,8 +6,9 @@
 namespace ciel::probe {
 
 // Returns the smallest and largest finite scalar at the vertices of these layers; nothing if there is none. A volume
-// has the vertices of its slices and boundary. With an aspect, only vertices in the view's pyramid count that no clip
-// plane removes, hidden or not. `of_contours`: only contour lines on the layers, else all but those.
+// has the vertices of its slices and boundary. `aspect`: width / height of the view. If it is given, a vertex counts
+// only inside the view's pyramid and between the clip planes, even if it is hidden. `of_contours`: true for the contour
+// lines on the layers only, false for everything else.
 [[nodiscard]] std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geometry,
                                                                  const scene::Scene& scene,
                                                                  const std::vector<std::string>& layers,

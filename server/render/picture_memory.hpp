@@ -6,8 +6,8 @@
 
 namespace ciel::render {
 
-// Returns an upper bound in bytes for drawing this frame in software, without the creation of the context. Includes
-// GL buffers, copies of the meshes, the image and its encoding. Measured with llvmpipe of Mesa 22.3
+// Returns an upper bound in bytes for drawing this frame in software, in a context that exists. Includes GL buffers,
+// copies of the meshes, the image and its encoding. Measured with llvmpipe of Mesa 22.3
 // (tests/bench/results).
 [[nodiscard]] std::uint64_t picture_memory(const Frame& frame);
 

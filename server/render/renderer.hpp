@@ -23,8 +23,8 @@ struct Spare {
 // context that is lost or ran out of memory.
 class Renderer {
 public:
-    // `spare` returns the memory left to the process. It is called only with a software GL, for pictures that need more
-    // memory than the context keeps, and before a context is created. A picture or context that does not fit is
+    // `spare` returns the memory left to the process. It is called before a context is created, and with a software GL
+    // also before a picture that needs more memory than the context keeps. A picture or context that does not fit is
     // refused. Empty: nothing is refused.
     explicit Renderer(Backend backend, std::function<Spare()> spare = {});
     ~Renderer();

@@ -13,8 +13,8 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // JSON pointer of the layer
 
-    // Throws Invalid unless the layer may use the array. why_points: reason to refuse cell arrays; empty if they are
-    // allowed. has_faces: the layer shows boundary faces, so arrays on them are allowed.
+    // Throws Invalid unless the layer can use the array. `why_points`: reason to refuse cell arrays; empty if they are
+    // allowed. `has_faces`: the layer shows boundary faces, so arrays on them are allowed.
     void scalar(const std::string& name, const std::string& place, const char* why_points,
                 bool has_faces = false) const {
         try {

@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-// Refuses documents saved before `legend` became a member of `annotations`.
+// Refuses a scene with the member /legend. The error names its replacement, annotations.legend.
 void refuse_old_legend(const json& document) {
     if (document.is_object() && document.contains("legend"))
         throw Invalid(

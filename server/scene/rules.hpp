@@ -11,7 +11,7 @@ struct Plane {
     Vec3 origin{}, normal{}; // the normal has length 1
 };
 
-// Returns the plane of a layer, which gives axis and value, or origin and normal. A clip layer's normal points to the
+// Returns the plane of a layer that has axis and value, or origin and normal. A clip layer's normal points to the
 // removed side. REQUIRES: apply_rules has accepted the layer's scene.
 [[nodiscard]] Plane plane_of(const SliceLayer& slice);
 [[nodiscard]] Plane plane_of(const ClipLayer& clip);

@@ -24,8 +24,8 @@ public:
 // (order, id), without edges, contours and thresholds that are switched off. Throws Invalid. Does not check that arrays
 // exist: that needs the dataset (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// Returns a document with a merge patch (RFC 7396) applied, without nulls in members that the patch sets: null and
-// absent mean the same in a scene. The caller must check the result with parse before it replaces the scene.
+// Returns `document` with a merge patch (RFC 7396) applied. A null in the patch removes its member: null and absent
+// mean the same in a scene. The caller must check the result with parse before it replaces the scene.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
 // Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);

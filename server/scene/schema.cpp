@@ -15,8 +15,8 @@ namespace {
 using nlohmann::json;
 using Result = std::optional<Violation>;
 
-// Largest value that counts as an integer. Browsers hold integers in doubles, and converting a larger double would be
-// undefined.
+// Largest absolute value that counts as an integer. Browsers hold integers in doubles, which are exact up to this
+// value. The limit also keeps the conversion of a double to std::int64_t defined.
 constexpr double largest_integer = 9007199254740992.0; // 2^53
 
 bool is_integer(const json& value) {
@@ -162,9 +162,9 @@ Result check_names(const json& rule, const json& value, const json&, const std::
     return {};
 }
 
-// Returns the violation to report if no option fits. If an option's constant "type" matches, or its violation lies
-// inside the value, that option was meant and its violation is returned. Otherwise the violation lists all types or
-// reasons.
+// Returns the violation to report if no option fits. `violations`: one for each option. If an option's constant "type"
+// matches, or its violation lies inside the value, that option was meant: its violation is returned. Otherwise returns
+// a violation that lists all types or reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
                   const std::string& path) {
     static const json::json_pointer discriminator("/properties/type/const");

@@ -8,7 +8,7 @@
 namespace ciel::scene {
 
 // Removes all unknown members from `value`, at all depths, and returns their JSON pointers (RFC 6901) into it. Keeps a
-// value that its enumeration lacks, and an object of an unknown "type": check_schema refuses them. Thread-safe.
+// value that is not in its enumeration, and an object of an unknown "type": check_schema refuses them. Thread-safe.
 [[nodiscard]] std::vector<std::string> drop_unknown_members(const nlohmann::json& schema, nlohmann::json& value);
 
 } // namespace ciel::scene

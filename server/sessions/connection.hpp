@@ -18,7 +18,7 @@ struct Connection {
     std::string remote;     // for logs
     std::string user;       // for logs; empty: not known
     std::string request;    // id of the HTTP request; empty: each call gets its own id
-    bool has_token = false; // the client has presented the server's token; the server's own user may enter without it
+    bool has_token = false; // the client has sent the server's token; the server's own user may connect without it
     std::stop_token stop;   // requested when the connection has ended; cancels its calls
     std::function<void(std::string text)> send_text;
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary;

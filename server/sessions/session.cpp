@@ -173,8 +173,8 @@ void Session::dataset_changed() {
     try {
         version_ = make_version(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
-        // The scene does not fit the changed dataset. The session keeps its version, whose mapped data can still be
-        // shown. The next patch reports the error.
+        // The scene does not fit the changed dataset. The session keeps its version, whose data is still mapped and can
+        // be shown. The next patch reports the error.
     }
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
 }

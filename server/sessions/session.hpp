@@ -35,8 +35,8 @@ struct Viewer {
     std::function<void()> close;                                    // closes the view; called last
 };
 
-// A Session is thread-safe and applies changes in order. A change of the document makes a new revision. It is sent to
-// the subscribed connections except its author, and offered to all viewers.
+// A Session is thread-safe and applies changes in order. A change of the document makes a new revision. The revision is
+// sent to all subscribed connections except the author of the change, and offered to all viewers.
 class Session {
 public:
     // Drops `steps` beyond the history's limits. Throws LimitReached when there is no memory for the documents.

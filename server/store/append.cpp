@@ -111,7 +111,7 @@ Values to_stored_order(ValuesView values, std::span<const Index> original, std::
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> stored(original.size() * components);
         for (std::size_t i = 0; i < original.size(); ++i) {
-            const std::size_t from = original[i] * components; // read once: the mapped file may have changed since open
+            const std::size_t from = original[i] * components; // read once: the mapped file can change at any time
             if (from >= all.size()) throw Error("the dataset's original ids are damaged; import the data again");
             std::copy_n(&all[from], components, &stored[i * components]);
         }
@@ -139,7 +139,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
-// Arrays on boundary faces need the same order.
+// Returns whether both meshes have the same faces in the same order, as arrays on boundary faces need.
 bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
     bool same = std::ranges::equal(a.owner, b.owner);
     for (Index face = 0; same && face < a.face_count(); ++face) same = std::ranges::equal(a.loop(face), b.loop(face));
@@ -159,7 +159,7 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
     const FaceMeshView known = writer.before()->points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);
-    if (known.origin != wanted.origin) { // one of both was made when positions were stored relative to their middle
+    if (known.origin != wanted.origin) { // one dataset is of an earlier version and has an origin that is not zero
         std::vector<double> moved(wanted.positions.begin(), wanted.positions.end());
         for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += wanted.origin[i % 3] - known.origin[i % 3];
         positions = converted(moved, known.positions.has_doubles());
@@ -213,7 +213,7 @@ AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, s
 std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source) {
     Writer writer = Writer::append(dataset);
     const Dataset& target = *writer.before();
-    std::map<std::size_t, std::size_t> mesh_of; // by mesh of the source: the same one here
+    std::map<std::size_t, std::size_t> mesh_of; // mesh of `source` -> the same mesh of `dataset`
     std::size_t appended = 0;
     for (std::size_t step = 0; step < source.steps().size(); ++step) {
         const Step& at = source.steps()[step];

@@ -12,19 +12,19 @@ namespace ciel::store {
 struct WantedArray {
     std::string name;
     std::optional<std::size_t> components; // default: as many as the array has in the dataset, 1 for a new array
-    bool doubles = false;                  // type of the values; a new array is stored in it
+    bool doubles = false;                  // whether the values are doubles; a new array is stored in their type
 };
 
 struct PlannedArray {
     ArrayInfo info;
-    std::uint64_t tuples = 0;      // points or cells of the imported file; values come in their order
-    bool doubles = false;          // type of the values that come; info.doubles: in which they are stored
+    std::uint64_t tuples = 0; // points or cells of the imported file; values come in their order
+    bool doubles = false;     // whether the values come as doubles; info.doubles: whether they are stored as doubles
     std::optional<ArrayInfo> made; // point array to make from this cell array, as an import does
 
     [[nodiscard]] std::uint64_t values() const { return tuples * static_cast<std::uint64_t>(info.components); }
 };
 
-// A checked step to append. `mesh` and `coordinates` are the indices of those of the dataset's last step.
+// A checked step to append. It has the mesh and the coordinates of the dataset's last step.
 struct StepPlan {
     double time = 0;
     std::size_t mesh = 0, coordinates = 0;
@@ -37,7 +37,8 @@ struct StepPlan {
 
 // Checks a step before its values are known. Throws Error for a time that is not later than the last step, a name that
 // a new array cannot have, another number of components than the array has, or an array that is given twice. Also
-// throws Error when the last step is on another mesh than the imported file's, whose order values must have.
+// throws Error when the last step is not on the mesh of the imported file, because values come in the order of that
+// file.
 [[nodiscard]] StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted);
 
 // Returns the values of plan.arrays[i] in the order of the imported file. They must stay valid until the next call.

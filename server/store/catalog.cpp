@@ -217,7 +217,7 @@ std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
 
 std::size_t Catalog::give_back(Clock::time_point unused_since) {
     std::vector<std::shared_ptr<LoadedDataset>>
-        forgotten; // declared before `lock`: unmapping is slow and needs no lock
+        forgotten; // destroyed after `lock`: unmapping is slow and needs no lock
     const std::lock_guard lock(state_->mutex);
     std::vector<Known*> unused; // held by the catalog alone; open() cannot hand them out while `lock` is held
     std::size_t bytes = 0;
@@ -264,7 +264,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         bool tell = true;
         try {
             tell = loaded->refresh();
-        } catch (const std::exception&) { // the dataset was replaced or damaged; the next open() throws the reason
+        } catch (const std::exception&) { // the next open() opens the dataset's successor or throws the reason
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
                 found->second.loaded = nullptr;

@@ -1,4 +1,5 @@
-// Finds the cells with the lowest and the highest value of an array. Interpolated point values lie between them.
+// Finds the cells with the lowest and the highest value of an array. Point values that are interpolated from the array
+// lie between these two.
 #pragma once
 
 #include "store/dataset.hpp"

@@ -34,7 +34,7 @@ void Commit::read_table_again(Marker& marker) const noexcept {
         const auto file = directory / layout::commit_marker;
         Marker now = parse_marker(read_text(file, layout::marker_bytes), file);
         if (now.table.steps > marker.table.steps) marker = std::move(now);
-    } catch (const std::exception&) { // the marker is that of the last step, then
+    } catch (const std::exception&) { // `marker` then stays the one of the last step
     }
 }
 

@@ -1,4 +1,5 @@
-// Commits the steps of a dataset that is being written: the marker, and the table to which it moves them.
+// Commits the steps of a dataset that is being written: replaces the commit marker, and moves steps from it to the
+// table of steps.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -12,14 +13,15 @@ namespace ciel::store {
 struct Commit {
     std::filesystem::path directory;
     std::string dataset_id;
-    bool is_appending = false; // else the files are new, and are flushed later
+    bool is_appending = false; // false: the dataset is new, and its files are flushed later
 
     // Replaces the marker. Throws FileError when it cannot be written.
     void put(const Marker& marker) const;
-    // Moves the steps of the marker to the table when they are many, so that the marker stays small, and commits that.
-    // Returns whether it did. Throws Error, with `marker` unchanged, when a file cannot be written.
+    // If the marker has many steps, moves them to the table and replaces the marker, which stays small. Returns whether
+    // it moved them. Throws Error, with `marker` unchanged, when a file cannot be written.
     bool move_steps_to_table(Marker& marker) const;
-    // Call when move_steps_to_table has failed: it may have replaced the marker before.
+    // Reads the marker from the disk again. Call it when move_steps_to_table has failed, possibly after it has replaced
+    // the marker.
     void read_table_again(Marker& marker) const noexcept;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A solver's id, of which -1 stands for none.
+// Returns the solver's id; nullopt for a negative one, because -1 stands for no id.
 std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id && *id >= 0 ? id : std::nullopt; }
 
 class MappedDataset final : public Dataset {
@@ -190,7 +190,8 @@ private:
         return view;
     }
 
-    // Fields on the same positions share the loader, which knows the blocks that are loaded.
+    // Returns the loader of a coordinate set. Fields on the same positions share it, because it knows which blocks are
+    // loaded.
     std::shared_ptr<const PositionsLoader> loader_of(const PagedValues& positions, std::size_t mesh,
                                                      std::size_t coordinates) const {
         const std::lock_guard lock(loaders_mutex_);
@@ -229,7 +230,7 @@ private:
         return static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
     }
 
-    // Returns what is stored beside an array's values at a step; nullopt if nothing is.
+    // Returns the ranges that are stored beside an array's values at a step; nullopt if there are none.
     std::optional<ValueRanges> value_ranges(const std::string& array, std::size_t step) const {
         const MarkedStep at = marked(step);
         const auto entry = at.arrays.find(array);

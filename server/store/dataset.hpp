@@ -22,7 +22,7 @@ struct PagedValues; // cache/paged_file.hpp
 
 // What opening a dataset does about ranges that the commit marker lacks, as for steps appended with plain Zarr.
 enum class LackingRanges {
-    computed, // reads those chunks
+    computed, // reads the chunks of these arrays
     left_out  // leaves them empty; for writers that append to a dataset
 };
 
@@ -36,16 +36,17 @@ struct ScalarName {
     [[nodiscard]] bool operator==(const ScalarName&) const = default;
 };
 
-// Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans from it stay valid as
-// long as the shared pointer lives; views of meshes need it, too. Files are mapped, and writers must replace them
-// instead of truncating or rewriting them. If a file is truncated or rewritten all the same, no read fails: views check
-// each index, and check_intact throws. Thread-safe.
+// Immutable view of the steps that were committed when the dataset was opened or refreshed. Spans and views of meshes
+// from it are valid as long as the shared pointer lives. Files are mapped, and writers must replace them instead of
+// truncating or rewriting them. If a file is truncated or rewritten all the same, no read fails: views check each
+// index, and check_intact throws. Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error that names the file when one is missing, damaged, truncated or of a newer version, or when
     // `directory` is not a dataset. Arrays, records and the arrays of a step in the table of steps are read and
     // verified at their first use, not here.
-    // `access`: to records, values and positions; nullopt: as the file system demands. The numbered faces are mapped.
+    // `access`: how records, values and positions are read; nullopt: as the file system demands. The numbered faces are
+    // always mapped.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed,
                                                        std::optional<FileAccess> access = std::nullopt);
@@ -83,7 +84,7 @@ public:
     // Returns the numbered faces (ciel/numbered_faces.hpp), which are checked at the first call, with positions to
     // load. The ids of a group of faces are their numbers. Throws Error like mesh().
     [[nodiscard]] virtual FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the first of them, those on the boundary.
+    // Returns the first of the numbered faces: those on the boundary.
     [[nodiscard]] virtual FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the topology of a mesh. It reads the records of its blocks when they are used, and keeps their files
     // open. If the mesh was stored without blocks, the topology is built here.
@@ -95,8 +96,8 @@ public:
     // may be any numbers and are not indices.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // Return the ids of one vertex or cell, likewise; nullopt where the solver gave none. Read one page each. The
-    // vertex and the cell must exist.
+    // Return the same ids for one vertex or cell; nullopt where the solver gave none. Read one page each. The vertex
+    // and the cell must exist.
     [[nodiscard]] virtual Index original_vertex(std::size_t mesh, Index vertex) const = 0;
     [[nodiscard]] virtual Index original_cell(std::size_t mesh, Index cell) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const = 0;
@@ -109,14 +110,14 @@ public:
     [[nodiscard]] virtual PagedValues values_to_load(const std::string& array, std::size_t step) const = 0;
 
     // Returns the ranges of a scalar on points, by block of the mesh; nullopt when none are stored, as for a step that
-    // was appended with plain Zarr, and for other scalars. Throws Error when they are damaged.
+    // was appended with plain Zarr, and for scalars that are not on points. Throws Error when they are damaged.
     [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;
 
     // Returns the histogram of any scalar, with stored_bins, over the range of its finite values; nullopt when none is
     // stored. Throws Error when it is damaged.
     [[nodiscard]] virtual std::optional<Histogram> histogram(const ScalarName& scalar, std::size_t step) const = 0;
 
-    // Returns the boxes around the vertices of each block; nullopt as for block_ranges.
+    // Returns the boxes around the vertices of each block; nullopt when none are stored.
     [[nodiscard]] virtual std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const = 0;
 
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
@@ -132,7 +133,7 @@ public:
 void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
 void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
                 std::span<double> out);
-// Returns a copy: that scalar of each tuple, in the type of `values`, which are the components, interleaved.
+// Returns the scalar of each tuple, in the type of `values`. `values`: the components, interleaved.
 [[nodiscard]] Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar);
 // Returns the scalars of an array, in the order of scalar_names.
 [[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);

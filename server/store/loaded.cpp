@@ -87,8 +87,8 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // A slice that turns makes a plane for each picture, and an earlier one is hardly ever asked for again. Those that
-    // are shown live as long as their pictures.
+    // A slice that turns needs another plane for each picture, and earlier planes are hardly ever needed again. Planes
+    // that are shown live as long as their pictures.
     static constexpr std::size_t most_planes = 4;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget)
@@ -146,7 +146,7 @@ struct LoadedDataset::State {
         if (!found)
             found = std::make_shared<const GeometricVertices>([of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
                 FaceMeshView boundary = of->boundary(at_mesh, at_coordinates);
-                const FaceMeshView points = of->points(at_mesh, at_coordinates); // read, not to be loaded
+                const FaceMeshView points = of->points(at_mesh, at_coordinates); // reads all positions
                 boundary.positions = points.positions;
                 boundary.loader = points.loader;
                 boundary.keep_alive = points.keep_alive;
@@ -166,8 +166,8 @@ struct LoadedDataset::State {
         return found = std::make_shared<const BlockBoxes>(*std::move(stored));
     }
 
-    // Returns the shared fits of the fields at a coordinate set. Those of the set before are forgotten, because a mesh
-    // that moves would else keep fits for each step.
+    // Returns the fits (CellFits) that the fields at a coordinate set share. Forgets those of the set before, because a
+    // moving mesh would otherwise keep fits for each step.
     [[nodiscard]] std::shared_ptr<CellFits> cell_fits(const Step& at, const std::shared_ptr<const Topology>& topology) {
         const std::lock_guard lock(mutex);
         const std::array<std::size_t, 2> place{at.mesh, at.coordinates};

@@ -15,14 +15,14 @@ struct ScalarField {
     std::shared_ptr<const Dataset> dataset;
     std::size_t step = 0;
 
-    // Returns the boundary faces with the surface_origin of `points`, and with positions to load. They are read and
-    // checked at the first call for the mesh.
+    // Returns the boundary faces with the surface_origin of `points`, and with positions to load. The faces are read
+    // and checked at the first call for the mesh.
     [[nodiscard]] FaceMeshView boundary() const;
 };
 
-// The cells whose values of an array are not NaN or infinite results of the solver. Pictures leave out the other cells.
+// Tells which cells have a NaN or infinite result of the solver in an array. Pictures leave these cells out.
 struct SoundCells {
-    std::vector<std::uint8_t> kept; // a flag per cell
+    std::vector<std::uint8_t> kept; // a flag per cell; 0: the cell has such a result
     std::size_t left_out = 0;       // number of cells whose flag is 0
 };
 
@@ -31,7 +31,8 @@ class NotWritten : public Error {
     using Error::Error;
 };
 
-// Thread-safe. Fields are kept in a least-recently-used cache of `field_budget_bytes`, and the last planes in another.
+// Thread-safe. Of `field_budget_bytes`, three quarters are for a least-recently-used cache of fields, one quarter for a
+// cache of the last planes. The fits of gradients (CellFits) get as much as the planes in addition.
 class LoadedDataset {
 public:
     LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes);
@@ -44,13 +45,15 @@ public:
     // Returns the field of a scalar on points. Throws NotWritten when its array was not written at the step, Error when
     // the scalar does not exist or is not on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Returns a scalar, which is read where it is needed. Throws like scalar(), and Error when it is not on `items`.
+    // Returns a scalar whose values are read when they are needed. Throws like scalar(), and Error when it is not on
+    // `items`.
     [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,
                                                                     Association items = Association::point);
     // Returns all values of a scalar on points in the dataset's type. Kept in the cache. Throws like scalar().
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
-    // Returns the histogram of any scalar. `range`: nullopt: of its finite values. Throws like scalar(). Reads one
-    // small file if no range is given and `bins` is a power of two of at most stored_bins; else all values of the step.
+    // Returns the histogram of any scalar. `range`: the range of the bins; nullopt: that of the finite values. Throws
+    // like scalar(). Reads one small file if no range is given and `bins` is a power of two of at most stored_bins;
+    // else all values of the step.
     [[nodiscard]] Histogram histogram(const std::string& name, std::size_t step, std::size_t bins,
                                       std::optional<std::array<double, 2>> range = std::nullopt);
     // Returns the cells whose values of the scalar's array are sound at the step, in all components; null if all cells

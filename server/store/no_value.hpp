@@ -8,7 +8,7 @@
 
 namespace ciel::store {
 
-// A quiet NaN. Converted to double it has the bits of no_value_bits, and no_value converted back.
+// A quiet NaN. Converted to double it has the bits no_value_bits. That double, converted to float, is no_value again.
 inline constexpr float no_value = std::bit_cast<float>(std::uint32_t{0x7fc0ce1e});
 inline constexpr std::uint64_t no_value_bits = 0x7ff819c3c0000000;
 

@@ -25,7 +25,7 @@ FaceMesh copy_of(const FaceMeshView& view) {
     return mesh;
 }
 
-// Returns the vertices of a face, ascending, between its two cells.
+// Returns a key of a face inside the mesh: its two cells, and its vertices in ascending order.
 std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& mesh, Index face) {
     const Ids loop = mesh.loop(face);
     std::pair<std::array<Index, 2>, std::vector<Index>> key{{mesh.owner[face], mesh.neighbour[face]},
@@ -34,13 +34,14 @@ std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& m
     return key;
 }
 
-// Returns for each numbered face its id among all faces. Those of the boundary are there in the order of their numbers.
+// Returns for each numbered face its id among all faces. Among all faces, boundary faces have the order of their
+// numbers.
 std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& numbered) {
     std::vector<Index> ids;
-    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner; // numbers of those inside the mesh
+    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner; // face inside the mesh -> its number
     for (Index number = 0; number < numbered.face_count(); ++number)
         if (numbered.neighbour[number] != none) inner.emplace(key_of(numbered, number), number);
-    std::set<std::array<Index, 2>> cells; // on both sides of them
+    std::set<std::array<Index, 2>> cells; // on both sides of these faces
     for (const auto& [key, number] : inner) cells.insert(key.first);
     for (Index face = 0; face < all.face_count(); ++face)
         if (all.neighbour[face] == none) ids.push_back(face);
@@ -102,7 +103,7 @@ private:
         try {
             values = from_.values(name, step);
         } catch (const Error& error) {
-            if (!array.lazy) throw; // a lazy array may not be written yet
+            if (!array.lazy) throw; // a lazy array need not be written yet
             left_out_.push_back(std::string("An array was left out: ") + error.what() + ".");
             return;
         }

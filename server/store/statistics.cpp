@@ -61,7 +61,8 @@ ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
             if (!by_magnitude) all.add(value, item);
         }
         if (!by_magnitude) continue;
-        const auto magnitude = static_cast<T>(magnitude_of(array, values.subspan(at, width))); // as scalars_in
+        // Rounded as in scalars_in.
+        const auto magnitude = static_cast<T>(magnitude_of(array, values.subspan(at, width)));
         if (std::isfinite(magnitude)) all.add(magnitude, item);
     }
     for (const Range& range : of_component) result.component_ranges.push_back(range.get());

@@ -10,7 +10,7 @@ namespace ciel::store {
 // them.
 [[nodiscard]] ArrayStep statistics(ValuesView values, const ArrayInfo& array);
 
-// Returns what is stored beside the values. `topology`: of the mesh on which the array is.
+// Returns the ranges, histograms and page checksums that are stored beside the values. `topology`: of the array's mesh.
 [[nodiscard]] ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topology& topology);
 
 } // namespace ciel::store

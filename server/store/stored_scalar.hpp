@@ -11,10 +11,10 @@
 
 namespace ciel::store {
 
-// Thread-safe. A value that is read after the file was changed is only another value.
+// Thread-safe. If another process rewrites the file, reads return other numbers; no index depends on them.
 class StoredScalar final : public ValueSource {
 public:
-    // An item is a vertex, a cell or a boundary face. values: of `array`, which has the scalar.
+    // An item is a vertex, a cell or a boundary face. values: all components of `array`.
     StoredScalar(ArrayInfo array, ScalarName scalar, PagedValues values)
         : array_(std::move(array)), scalar_(std::move(scalar)), values_(std::move(values)),
           width_(static_cast<std::size_t>(array_.components)) {}
@@ -26,16 +26,17 @@ public:
     void read(std::span<const Index> vertices, std::span<float> out) const override;
     void read(std::span<const Index> vertices, std::span<double> out) const override;
 
-    // Return, in the array's type: the scalar at points of a surface, interpolated along their edges; its numbers of
-    // `items`, no_value for `none`; and all its numbers. Throw Error when the surface is of another mesh, and when the
-    // file was truncated meanwhile.
+    // Return numbers of the scalar in the array's type. at: at the points of a surface, interpolated along their edges.
+    // of: of `items`, no_value for `none`. all: of all items. Throw Error when the points or items are of another mesh,
+    // and when the file was truncated meanwhile.
     [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
     [[nodiscard]] Values of(std::span<const Index> items) const;
     [[nodiscard]] Values all() const;
     // Calls f(numbers) for one piece of all numbers after another, so that only a piece is in memory. Throws Error when
     // the file was truncated meanwhile.
     void for_pieces(const std::function<void(ValuesView)>& f) const;
-    // Counts all numbers. `range`: of the bins; nullopt: of the finite numbers, which reads all twice.
+    // Counts all numbers. `range`: the range of the bins; nullopt: that of the finite numbers, for which all are read
+    // twice.
     [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const;
 
 private:

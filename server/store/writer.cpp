@@ -466,7 +466,7 @@ void Writer::end_step() {
         throw;
     }
     state.last_time = time;
-    // The step is committed, so no error of what follows may look like its failure. The next step tries again.
+    // The step is committed, so an error from here on is not reported. The next step tries to move the steps again.
     try {
         (void)state.commit().move_steps_to_table(state.marker);
     } catch (const std::exception&) {

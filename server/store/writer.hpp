@@ -55,9 +55,9 @@ public:
     std::size_t add_coordinates(std::size_t mesh, ValuesView positions);
     // Returns the index of the last coordinate set of the mesh that has the same bits; nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ValuesView positions) const;
-    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. Values are
-    // converted to the type of the array if it has earlier ones. Throws Error on a wrong size, or when
-    // `time` is not later than the last step's.
+    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. If the array has
+    // values at earlier steps, the values are converted to their type. Throws Error on a wrong size, or when `time` is
+    // not later than the last step's.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
     // Add a step array by array, so that only one array must be in memory: call begin_step, add_values for each array,
     // end_step. If add_values or end_step throws, the whole step is dropped.

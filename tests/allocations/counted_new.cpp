@@ -38,7 +38,7 @@ std::atomic<std::size_t> failing{never};
 
 std::atomic<std::size_t> large{never}, large_count{0};
 
-// Leaves out what TBB allocates itself: when it starts a worker, an exception there ends the process.
+// Neither counts nor fails TBB's own allocations: an exception while TBB starts a worker would end the process.
 void count(std::size_t bytes, const void* caller) {
     const auto address = reinterpret_cast<std::size_t>(caller);
     if (address >= tbb.begin && address < tbb.end) return;

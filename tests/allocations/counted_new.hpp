@@ -1,5 +1,5 @@
-// Replaces operator new by a version that counts and can fail. It has its own source file: when inlined, g++ takes it
-// for malloc.
+// Replaces operator new by a version that counts and can fail. The definitions are in a source file of their own,
+// because g++ takes inlined ones for malloc.
 #pragma once
 
 #include <cstddef>

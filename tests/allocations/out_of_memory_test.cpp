@@ -168,7 +168,7 @@ TEST_P(OutOfMemory, NextSurfaceIsRight) {
     EXPECT_GT(nth, 50U);
 }
 
-// With four threads, one may fail while the others work.
+// With four threads, an allocation of one thread fails while the others work.
 TEST_P(OutOfMemory, NextSurfaceIsRightWithFourThreads) {
     const NamedMesh& named = std::get<0>(GetParam());
     const How& how = std::get<1>(GetParam());

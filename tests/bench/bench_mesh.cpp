@@ -120,7 +120,7 @@ Values values_at(std::span<const float> positions, double time) {
 
 void write(const Polyhedra& input, bool doubles, const std::string& source, const std::string& output) {
     Assembled assembled = assemble(view(input));
-    if (doubles) // stretched by so little that no coordinate stays a float
+    if (doubles) // stretches the mesh slightly, so that its coordinates need doubles
         for (const float x : assembled.mesh.positions)
             assembled.mesh.double_positions.push_back((1 + 1e-12) * double{x});
     const TopologyCounts counts = Topology(assembled.mesh.view()).counts();
@@ -140,7 +140,7 @@ void write(const Polyhedra& input, bool doubles, const std::string& source, cons
 } // namespace
 } // namespace ciel::test
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an exception ends a bench's helper loudly
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an exception may end the program
     using namespace ciel::test;
     CLI::App app{"Writes a generated dataset to measure on.", "bench_mesh"};
     std::string kind, output;

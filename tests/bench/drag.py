@@ -143,7 +143,7 @@ def process_cpu(pid):
 
 
 def memory(pid, of):
-    """Bytes of the process: VmHWM is the peak of all resident pages, those of mapped files too; RssAnon is what it holds of its own."""
+    """Bytes of the process. `of`: VmHWM (peak of all resident pages, mapped files included) or RssAnon (own memory)."""
     with open(f"/proc/{pid}/status", encoding="ascii") as status:
         return 1024 * int(next(line for line in status if line.startswith(of)).split()[1])
 

@@ -57,7 +57,7 @@ async def one_run(path: str, array: str, occupy) -> tuple[float, float]:
 
     with Server(path) as server:
         wanted = scene(server, array)
-        server.get("/readyz")  # the first draws its picture
+        server.get("/readyz")  # draws the test picture, which is not to be timed
         async with client(server, close_timeout=0.1) as caller:
             await occupy(server, caller, wanted)
             probes = [seconds_of(lambda: server.get("/readyz")) for _ in range(PROBES)]

@@ -2,9 +2,9 @@
 """What the first use of each kind costs on a dataset that is not in the page cache.
 
 usage: first_uses.py CIEL DATASET.ciel [--array smooth] [--uses probe,boundary]
-For each use: takes the dataset's files out of the page cache, starts a server, and asks for it. Prints one JSON line: seconds from the
-request to the answer, bytes read from the disk, the server's memory afterwards (its own, and mapped files), and its peak, in MB. Needs
-a file system that drops pages when it is told to.
+For each use: takes the dataset's files out of the page cache, starts a server, and calls the method. Prints one JSON
+line: seconds from the request to the answer, bytes read from the disk, the server's memory afterwards (its own, and
+mapped files), and its peak, in MB. Needs a file system that drops pages when it is told to.
 """
 
 import argparse
@@ -21,7 +21,7 @@ TOKEN = "first-uses-bench"
 
 
 def uses_of(name, array, bounds):
-    """The calls to be measured, by name."""
+    """The measured calls, by name: method and parameters."""
     middle = [0.47 * bounds[axis] + 0.53 * bounds[axis + 1] for axis in (0, 2, 4)]
 
     def picture(layer):

@@ -2,10 +2,10 @@
 """How long it takes to open a dataset of many steps, and to append one.
 
 usage: many_steps.py CIEL DATASET.ciel [--steps 10000] [--arrays 10]
-DATASET.ciel: of one mesh, small, such as `bench_mesh tetrahedra 3` makes. Copies it once with one step and once with many, whose
-arrays all name the first chunk, in a marker of text as plain Zarr leaves it. Prints one JSON line a dataset: seconds from the start of
-a server to the answer of dataset.describe; then the same after `ciel append`, which moves the steps to the table; and seconds of that
-and of the next append.
+DATASET.ciel: a small dataset of one mesh, for example of `bench_mesh tetrahedra 3`. Makes two copies, one with one step
+and one with many. All steps are in the commit marker, as plain Zarr writes them, and share the first chunk of each
+array. Prints one JSON line for each copy: seconds until a server listens, and of dataset.describe ("text"); seconds of
+three appends, the first of which moves many steps to the table; and the server's seconds after them ("then").
 """
 
 import argparse
@@ -24,7 +24,7 @@ TOKEN = "many-steps-bench"
 
 
 def describe(port, name):
-    """By POST, because the answer may be too long for a WebSocket."""
+    """Seconds of dataset.describe. Calls it by POST, because the answer may be too long for a WebSocket."""
     call = {"jsonrpc": "2.0", "id": 1, "method": "dataset.describe", "params": {"dataset": name}}
     request = urllib.request.Request(f"http://127.0.0.1:{port}/rpc?token={TOKEN}", json.dumps(call).encode(), {"Content-Type": "application/json"})
     begin = time.monotonic()
@@ -34,7 +34,7 @@ def describe(port, name):
 
 
 def served(ciel, dataset):
-    """Seconds from the start of a server to its line, and from the call of dataset.describe to its answer."""
+    """Seconds from the start of a server until it prints its address, and seconds of dataset.describe."""
     begin = time.monotonic()
     server = subprocess.Popen([ciel, "serve", dataset, "--port", "0", "--token", TOKEN], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:

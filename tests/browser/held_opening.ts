@@ -1,5 +1,5 @@
-// Script for a page that holds back the description of a chosen dataset, then its first picture. `held` names the
-// message that waits; `pass` delivers it.
+// Page script that holds back messages while `holding` is true: the description of a chosen dataset, then its first
+// picture. `held` names the message that is held back; `pass` delivers it.
 
 /** Runs in the page: replaces WebSocket by a class that holds messages back. */
 function hold(): void {

@@ -1,4 +1,4 @@
-// Script for a page that holds back stills while `holding` is true. To the page, the scene seems to take long to draw.
+// Page script that holds back stills while `holding` is true, as if the server took long to draw them.
 
 /** Runs in the page: replaces WebSocket by a class that holds messages back. */
 function hold(): void {

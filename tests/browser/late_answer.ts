@@ -1,5 +1,4 @@
-// Script for a page that receives the answer to view.open only after the view's first frame, as protocol/frame.md
-// allows.
+// Page script that delivers the answer to view.open only after the view's first frame, which protocol/frame.md allows.
 
 /** Runs in the page: replaces WebSocket by a class that delays the answer. */
 function hold(): void {

@@ -100,7 +100,7 @@ async function drag(client: Client, line: Line, hand: Gesture): Promise<Watch & 
   let from = 0;
   for (;;) {
     const now = performance.now() - begun;
-    // Measures from the second second on, when the server has adapted to the line.
+    // The first second is not measured: the server adapts to the line.
     if (from === 0 && now > 1000) {
       received = line.received;
       from = await client.page.evaluate(() => performance.now());

@@ -71,7 +71,7 @@ describe("page", { skip }, () => {
     const value = await client.value();
     assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
     await client.addressed();
-    await client.page.reload(); // Chromium may reset the emulated color scheme to light here
+    await client.page.reload(); // sometimes resets Chromium's emulated color scheme to light
     await client.settled();
     assert.equal(await client.value(), value);
     await client.button("Undo").click();
@@ -158,7 +158,8 @@ describe("page", { skip }, () => {
   });
 
   test("light and dark", async () => {
-    const light = await stage.open(stage.server.address, { scheme: "light" }); // a scene in the link has a background
+    // The link has no scene: a scene's background would replace the theme's.
+    const light = await stage.open(stage.server.address, { scheme: "light" });
     await light.settled();
     await light.keep("light");
     const bright = (await light.picture()).at(3, 3);

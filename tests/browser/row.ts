@@ -7,7 +7,7 @@ import { binary } from "./server.ts";
 
 export const CELLS = 4;
 
-/** Imports a bar of cubes along x and returns its path. Cell array q has the given values; point array p equals x. */
+/** Imports four cubes along x. Returns the dataset's path. Cell array q has the values; point array p equals x. */
 export function rowIn(folder: string, values = ["0", "1", "2", "3"]): string {
   const points = [0, 1].flatMap((z) =>
     [0, 1].flatMap((y) => Array.from({ length: CELLS + 1 }, (_, x) => [x, y, z].join(" "))),

@@ -47,9 +47,9 @@ export class Stage {
   private readonly options: PageOptions;
 
   /**
-   * Registers start and end of server and browser with the surrounding suite. `options`: for the page that same()
-   * returns. Several files run at once, each with its own browser: clients of one browser see and change each other's
-   * pages.
+   * Starts the server and the browser before the surrounding suite, and ends them after it. `options`: for the page
+   * that same() returns. Each suite has its own browser, because several run at once and clients of one browser see and
+   * change each other's pages.
    */
   constructor(options: PageOptions = {}, { large = false, ...server }: StageOptions = {}) {
     this.options = options;

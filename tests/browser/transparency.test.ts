@@ -69,7 +69,7 @@ describe("transparency", { skip }, () => {
   };
   const showPolygons = async (scene: object): Promise<void> => {
     await show(scene);
-    await client.page.waitForTimeout(400); // the revision cannot tell: unchanged polygons get no newer one
+    await client.page.waitForTimeout(400); // no revision to wait for: unchanged polygons are not sent again
     await client.settled("geometry");
   };
   /** Returns the picture once it no longer changes. While something moves, polygons are drawn in lower quality. */

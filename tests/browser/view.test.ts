@@ -8,8 +8,8 @@ import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
 
 /**
- * Share of pixels that differ from the background. Its color depends only on the row, and the left edge of each row
- * shows it.
+ * Share of pixels that differ from the background. The color of the background depends only on the row. It is read at
+ * the left edge of the row.
  */
 const foreground = (picture: Picture): number =>
   share(picture, (color, _x, y) => distance(color, picture.at(1, y)) > 10);

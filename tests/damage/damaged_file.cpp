@@ -113,7 +113,7 @@ std::vector<fs::path> mapped_files_in(const fs::path& dataset) {
 bool holds_indices(const fs::path& relative) {
     const std::string path = relative.string();
     return path.find("/arrays/") == std::string::npos && path.find("/positions/") == std::string::npos &&
-           path.find("/ranges/") == std::string::npos; // read once into memory
+           path.find("/ranges/") == std::string::npos; // read once: later damage is not noticed
 }
 
 } // namespace ciel::test

@@ -83,7 +83,7 @@ public:
     Damager(fs::path file, Damage how) : file_(std::move(file)), how_(how), content_(read_file(file_)) {}
 
     void once() const { damage(file_, how_, 1); }
-    [[nodiscard]] bool has_changed() const { return read_file(file_) != content_; } // not if all bits were ones before
+    [[nodiscard]] bool has_changed() const { return read_file(file_) != content_; } // false if ones replaced ones
     void begin() {
         thread_ = std::jthread([this](const std::stop_token& stop) {
             for (unsigned seed = 1; !stop.stop_requested(); ++seed) {
@@ -127,7 +127,7 @@ std::string run_case(const Data& data, const fs::path& directory, const fs::path
         }
     damager.end();
     if (moment == Moment::all_the_time || !damager.has_changed()) return {};
-    // Values that are in memory already are right. Values of format 1 have no checksums.
+    // Damage to values may stay unreported if they are in memory already or have no checksums, as in format 1.
     if (!holds_indices(file))
         return is_named || moment == Moment::after_first_touch || data.is_format_1 ? "" : "nobody noticed the values";
     try {

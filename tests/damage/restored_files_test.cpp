@@ -1,4 +1,5 @@
-// A dataset is opened while a file of its topology is damaged. Then the file is restored by a rename, as it should be.
+// A dataset is opened while a file of its topology is damaged. Then the file is restored by a rename, as a correct
+// writer does.
 #include "damage/damaged_file.hpp"
 #include "store/dataset.hpp"
 #include "support/store_box/box.hpp"
@@ -31,7 +32,8 @@ std::string loss_of(const Dataset& dataset) {
     return "";
 }
 
-// The open dataset still maps the damaged file, whose checksum was not read yet. Only a new opening can use the other.
+// The open dataset maps the damaged file and has not checked it yet. It must report the change, because only a dataset
+// that is opened again maps the restored file.
 TEST_P(RestoredFiles, AreNoticedBeforeTheyAreUsed) {
     const std::string content = test::read_file(file);
     std::string damaged = content;
@@ -64,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(arrays, RestoredFiles,
                              return name;
                          });
 
-// The group of cells is {0}: bytes that are zero in the file, too.
+// The group of cells is {0}, stored as zeros. Zeros are also read beyond the end of a truncated file, so the checksum
+// matches. The truncation must be reported all the same.
 TEST(TruncatedFiles, AreLostThoughTheirZerosHaveTheChecksum) {
     const test::Folder scratch;
     const fs::path directory = scratch / "box.ciel", file = directory / "meshes/0/groups/1/0";

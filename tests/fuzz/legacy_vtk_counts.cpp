@@ -1,5 +1,5 @@
-// Fuzzes check_legacy_vtk_counts. When an excess count is appended to an accepted text file, it must be refused: no
-// word is skipped.
+// Fuzzes check_legacy_vtk_counts. It must refuse any text content that is followed by an excess count, so it skips no
+// word.
 #include "import/parsers/legacy_vtk_counts.hpp"
 #include "ciel/types.hpp"
 

@@ -1,5 +1,5 @@
-// Fuzzes the records of a small mesh: bytes that a checksum would not catch, or that change after their check, are
-// refused, or all that reads them ends and stays in bounds.
+// Fuzzes the records of a small mesh with damage that no checksum detects, made before or after the topology checks
+// them. Every function that reads records must end and stay in bounds, or throw an Error that says what to do.
 #include "fuzz/bytes.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
@@ -43,7 +43,7 @@ void patch(CopiedRecords& copied, Bytes& bytes) {
     reinterpret_cast<std::uint8_t*>(record.data())[place] = bytes.next();
 }
 
-// Uses all that reads records.
+// Calls every function that reads records. An Error must say what to do.
 void use(const Topology& topology, const Sample& from) {
     try {
         (void)all_operators(topology);
@@ -56,7 +56,7 @@ void use(const Topology& topology, const Sample& from) {
     }
 }
 
-// The patches are there when the records are checked.
+// Changes bytes of the records before the topology checks them.
 void patched_before(const Sample& from, Bytes bytes) {
     auto copied = std::make_unique<CopiedRecords>(from.topology);
     while (!bytes.empty()) patch(*copied, bytes);
@@ -68,7 +68,7 @@ void patched_before(const Sample& from, Bytes bytes) {
     }
 }
 
-// The patches come between two uses.
+// Changes bytes of the records after their check, between two uses.
 void patched_after(const Sample& from, Bytes bytes) {
     auto mapped = std::make_unique<MappedRecords>(from.topology);
     const auto words = std::as_writable_bytes(mapped->words());

@@ -1,5 +1,5 @@
-// Fuzzes what the table of steps says about the arrays of one step; the first byte is their number. Both checksums are
-// right. An accepted step is written to another table and must be read back equal.
+// Fuzzes the entry of one step in the table of steps: the first byte is the number of arrays, the rest describes them.
+// The checksums are right. An accepted step is written to another table and must be read back equal.
 #include "store/format/step_table.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
@@ -27,7 +27,7 @@ std::vector<std::byte> head(FileKind kind) {
     return {bytes.begin(), bytes.end()};
 }
 
-// Writes the table of one step that has these bytes. Returns its facts.
+// Writes a table with one step, whose arrays these bytes describe. Returns the table's facts.
 TableFacts write_table(const std::filesystem::path& dataset, std::uint32_t arrays, std::span<const std::byte> step) {
     std::vector<std::byte> rows = head(FileKind::step_rows), all = head(FileKind::step_arrays);
     put(rows, 0.5);
@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const TableFacts facts = write_table(one, data[0], std::as_bytes(std::span(data + 1, size - 1)));
         const MarkedStep step = StepTable(one, facts, id).step(0);
         for (const auto& [name, array] : step.arrays)
-            if (array.chunk == ~std::uint64_t{0}) return 0; // there is no number after this chunk
+            if (array.chunk == ~std::uint64_t{0}) return 0; // a further chunk would have no number
         const TableFacts written = append_to_table(other, {}, id, std::span(&step, 1));
         if (text_of(StepTable(other, written, id).step(0)) != text_of(step)) std::abort();
     } catch (const Error&) { // only Error is a valid refusal

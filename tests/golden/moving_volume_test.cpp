@@ -1,4 +1,5 @@
-// A dense volume while something moves: enough slabs are drawn for the colors of the still, though it is less sharp.
+// A dense volume that is drawn while something moves has the colors of its still, although it has fewer slabs and is
+// less sharp.
 #include "geometry/volume_cut.hpp"
 #include "support/meshes.hpp"
 #include "unit/render/volume_compare.hpp"

@@ -34,7 +34,7 @@ OUTSIDE = {
         "import",
     },
 }
-# How the store and the kernel keep a mesh: rooms above them ask ciel/mesh_faces.hpp and ciel/cell_locator.hpp.
+# Face lists of a mesh. Rooms above the store use the functions of ciel/mesh_faces.hpp and cell_locator.hpp instead.
 FACE_LISTS = re.compile(r"\bFaceMeshView\b|\.loop\(|\.neighbour\b|\.owner\[|\bface_(?:offset|vertex)\b")
 WITH_FACE_LISTS = {"ciel", "store", "import", "demo", "bench"}
 PROGRAMS = {"app", "import"}  # no room may include these

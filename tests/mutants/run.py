@@ -2,8 +2,8 @@
 
 tests/mutants/SUITE/NAME.patch begins with a sentence that says what is broken, then `build: TARGET...` (CMake targets, or
 `page` for the web client; may be left out) and `run: COMMAND`, the narrowest part of the suite that has to fail. The same
-command has to pass in the unbroken copy. `needs: COMMAND`, where there is one: the mutant is skipped on a machine where that
-fails. run.py ROOT RESULTS.xml [SUITE ...]
+command has to pass in the unbroken copy. `needs: COMMAND` is optional: on a machine where it fails, the mutant is
+skipped. run.py ROOT RESULTS.xml [SUITE ...]
 """
 
 import os
@@ -28,7 +28,7 @@ class Mutant:
 
 
 class Copy:
-    """The tracked files as they stand, with a build folder and the page's tools."""
+    """A copy of the tracked files, uncommitted changes included, with a build folder and the page's tools."""
 
     def __init__(self, root: pathlib.Path, folder: pathlib.Path):
         self.folder = folder
@@ -36,7 +36,7 @@ class Copy:
         for name in filter(None, (name.decode() for name in names)):
             source, target = root / name, folder / name
             if not source.exists() or (target.exists() and target.read_bytes() == source.read_bytes()):
-                continue  # what ninja need not see as changed keeps its time
+                continue  # keeps the file's time, so that ninja does not build it again
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(source, target)
         modules = folder / "webclient/node_modules"
@@ -47,7 +47,7 @@ class Copy:
         self.environment = {
             "CIEL_PYTHON": sys.executable,
             **os.environ,
-            "CIEL_RESULTS": str(results),  # what fails here on purpose is no result of the suites
+            "CIEL_RESULTS": str(results),  # apart from the suites' results, because failures here are wanted
             "CIEL_BINARY": str(folder / "build/ciel"),
             "CIEL_IMPORT_BINARY": str(folder / "build/ciel-import"),
             "PYTHONPATH": "protocol/python",
@@ -79,7 +79,7 @@ class Copy:
 
 
 def noticed(copy: Copy, mutant: Mutant) -> None:
-    """Throws a sentence where the broken copy passes, or cannot be tried."""
+    """Applies the mutant. Throws RuntimeError with a message if its command passes all the same, or cannot be tried."""
     copy.patch(mutant)
     try:
         copy.build(mutant.targets)
@@ -90,7 +90,7 @@ def noticed(copy: Copy, mutant: Mutant) -> None:
 
 
 def problem_with(copy: Copy, mutant: Mutant, sound: dict[str, str]) -> str:
-    """A sentence, or nothing. `sound`: what came of each command in the unbroken copy."""
+    """Returns what is wrong, or an empty string. `sound`: by command, its output if it failed in the unbroken copy."""
     try:
         if mutant.command not in sound:
             copy.build(mutant.targets)

@@ -1,4 +1,5 @@
-// Least squares that fields share, and gradients that are solved four cells at a time: the same bits as without.
+// Least-squares matrices that fields share (CellFits), and gradients that are solved four cells at a time: both give
+// the same bits as without.
 #include "ciel/contour.hpp"
 #include "fields/many_gradients.hpp"
 #include "oracle/kernel_mesh.hpp"
@@ -92,7 +93,7 @@ TEST_P(SharedFits, ServeThreadsAtTheSameTime) {
         expect_same(surfaces(mesh, field(mesh, seed, false)), found[seed - 1].get());
 }
 
-// In place, so that the address of the positions does not tell.
+// The positions change in place, so their address does not show that the vertices have moved.
 TEST_P(SharedFits, AreDroppedWhenVerticesMove) {
     const KernelMesh mesh(input);
     std::vector<float> positions(mesh.assembled.mesh.positions);
@@ -122,7 +123,7 @@ TEST(SharedFitsOf, AnotherMeshAreRefusedOrNotUsed) {
     Field field = make_field(mesh.topology, values);
     EXPECT_THROW(field.set_cell_fits(std::make_shared<CellFits>(other.topology)), Error);
 
-    // Fields that are cut with other positions than the first use none of its fits.
+    // The fits are for the positions at which the first field was cut. A field at other positions must not use them.
     const auto fits = std::make_shared<CellFits>(mesh.topology);
     std::vector<float> moved(mesh.assembled.mesh.positions);
     for (std::size_t i = 0; i < moved.size(); i += 3) moved[i] *= 3;
@@ -148,8 +149,8 @@ TEST(SharedFitsOf, AnotherMeshAreRefusedOrNotUsed) {
     EXPECT_EQ(fits->memory_bytes(), forgotten);
 }
 
-// Corners of cells that are stretched by a random share, some of them flat, without a value, or of sizes whose cubes no
-// float can hold.
+// Random cells. Some are flat or stretched, have a corner without a value, or are of a size whose cube is outside the
+// range of float32.
 class ManyGradients : public testing::TestWithParam<CellType> {
 protected:
     static constexpr std::size_t cells = 4099;
@@ -194,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Types, ManyGradients,
                          testing::Values(CellType::tetrahedron, CellType::hexahedron, CellType::wedge,
                                          CellType::pyramid));
 
-// The library's own way to share: all fields of a Mesh do, and a moved mesh does not use those of the first.
+// All fields of a Mesh share its fits. A mesh that was moved must not use the fits of the first positions.
 TEST(MeshFits, BelongToThePositions) {
     const Polyhedra input = voronoi(300, 3);
     std::vector<float> points = input.positions;

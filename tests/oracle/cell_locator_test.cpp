@@ -61,7 +61,7 @@ TEST_P(CellLocators, WeightsAreExactForALinearField) {
     EXPECT_GE(found, GetParam().planar_faces ? 40 : 30);
 }
 
-// The blocks, and the loops that they store, do not decide where a point is.
+// The cell found at a point must not depend on the size of the blocks or on the face loops that they store.
 TEST_P(CellLocators, FindTheSameCellWithBlocksOfAnySize) {
     const Assembled assembled = assemble(test::view(GetParam().make()));
     const FaceMeshView mesh = assembled.mesh.view();
@@ -72,7 +72,7 @@ TEST_P(CellLocators, FindTheSameCellWithBlocksOfAnySize) {
     int inside = 0;
     for (int i = 0; i < 60; ++i) {
         Vec3d at{};
-        for (const double share : {0.1173, 0.2391, 0.3118, 0.3318}) { // a place between two cells may be in either
+        for (const double share : {0.1173, 0.2391, 0.3118, 0.3318}) { // avoids points on faces: each has two cells
             const Vec3d vertex = vertex_at(mesh, random() % mesh.vertex_count());
             for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += share * vertex[axis];
         }

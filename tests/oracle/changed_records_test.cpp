@@ -1,6 +1,5 @@
-// Records that another process rewrites after their check. Every use of the topology still ends, stays in bounds, and
-// gives indices that are in range, or an Error. A build with sanitizers sees what is out of bounds; a run that does not
-// end is stopped by an alarm.
+// Another process rewrites records after their check. Every use of the topology must end, stay in bounds, and give
+// indices in range or an Error. Sanitizers detect accesses out of bounds; an alarm stops a run that does not end.
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/sweep_sinks.hpp"
 #include "oracle/kernel_mesh.hpp"
@@ -41,7 +40,7 @@ void change(std::span<std::uint16_t> words, std::mt19937& random) {
     const std::size_t begin = below(words.size()), most = words.size() - begin;
     const std::size_t count = std::min(most, std::size_t{1} << below(below(4) == 0 ? 16 : 6));
     switch (below(8)) {
-    case 0: // a page that was cut off
+    case 0: // zeros, like a page beyond the end of a truncated file
         for (std::size_t i = begin; i < begin + count; ++i) set(i, 0);
         break;
     case 1:
@@ -58,7 +57,7 @@ void change(std::span<std::uint16_t> words, std::mt19937& random) {
             set(b, kept);
         }
         break;
-    case 4: // small numbers, which are more often those of something
+    case 4: // small numbers, which are more often valid ids
         for (std::size_t i = 0; i < count; ++i) set(below(words.size()), static_cast<std::uint16_t>(below(64)));
         break;
     case 5:
@@ -73,7 +72,7 @@ void change(std::span<std::uint16_t> words, std::mt19937& random) {
     }
 }
 
-// All that can be done with a topology. What fails is compared with the sentences that users may see.
+// Calls every function of a topology. The message of an Error must say what to do (says_what_to_do).
 class EveryUse {
 public:
     EveryUse(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values)
@@ -252,7 +251,7 @@ void EveryUse::check(const BlockPolygons& cut) const {
     for (const Index cell : cut.polygon_cell) ASSERT_LT(cut.cell_begin + cell, topology_.counts().cells);
 }
 
-// Changes words again and again until it ends.
+// Changes words in a thread of its own until it is destroyed.
 class Changing {
 public:
     Changing(std::span<std::uint16_t> words, unsigned seed)
@@ -277,7 +276,7 @@ protected:
     void SetUp() override { alarm(longest_run); }
     void TearDown() override { alarm(0); }
 
-    // `race`: the records change while they are used, from the first use on.
+    // `race`: the records change while they are used; for even seeds from the first use on.
     static void run(const KernelMesh& mesh, unsigned seed, bool race) {
         std::mt19937 random(seed);
         auto source = std::make_unique<MappedRecords>(mesh.topology);
@@ -320,7 +319,8 @@ TEST_P(ChangedRecords, OfSmallBlocksAreHarmless) { run_all(GetParam().make(), {3
 
 TEST_P(ChangedRecords, OfLargeBlocksAreHarmless) { run_all(GetParam().make(), {}, changes_per_mesh); }
 
-// The big cell has local ids of 32 bits, which must not change after their check.
+// The giant cell has local ids of 32 bits. The topology copies their record when it checks it, so that later changes
+// cannot reach them.
 TEST_F(ChangedRecordsOfGiantCell, AreHarmless) { run_all(giant_cell(54), {}, 1); }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, ChangedRecords, testing::ValuesIn(all_meshes()),

@@ -32,7 +32,7 @@ TEST_P(Decided, SurfacesAreTheTwinsAndClosed) {
         const std::vector<float> values = random_field(input.vertex_count(), seed);
         const Field field = make_field(mesh.topology, mesh.stored(values));
         query.set_field(field);
-        // Values with equal and with different vertex signatures.
+        // Some successive iso-values have equal vertex signatures, others different ones.
         for (const double nu : {0.5, 0.51, 0.5100001, 0.3, 0.7, 0.5}) {
             SCOPED_TRACE("seed " + std::to_string(seed) + " at " + std::to_string(nu));
             ASSERT_TRUE(query.extract(nu, false, surface));

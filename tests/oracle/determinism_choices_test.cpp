@@ -256,7 +256,7 @@ TEST(DeterminismOfSums, PolygonsThatCancel) {
         for (std::size_t v = 0; v < positions.size(); v += 3) {
             float* p = &positions[v];
             p[0] = 3 - std::abs(p[0] - 3);
-            // Equal on both sides of the fold.
+            // The same number on both sides of the fold, so that values and positions coincide.
             const auto place = static_cast<std::size_t>(p[0] + 7 * (p[1] + 6 * p[2]));
             values.push_back(half[place]);
             for (std::size_t d = 0; d < 3; ++d)

@@ -1,4 +1,4 @@
-// Positions as doubles: meshes that floats could not hold are cut as exactly as small ones.
+// Positions as doubles: meshes whose coordinates floats cannot hold are cut as exactly as meshes near the origin.
 #include "ciel/cell_locator.hpp"
 #include "ciel/clip_surface.hpp"
 #include "ciel/mesh_faces.hpp"
@@ -63,7 +63,8 @@ std::vector<double> points_of(const Polyhedra& input, const Vec3d& shift) {
     return points;
 }
 
-// Returns an empty string if polygons, edges and t are the same to the bit.
+// Returns an empty string if the polygons and the points' mesh edges and parameters t are equal to the bit. Positions
+// and normals are not compared.
 std::string other_polygons(const Surface& a, const Surface& b) {
     if (a.polygon_offset != b.polygon_offset || a.polygon_vertex != b.polygon_vertex) return "polygons";
     if (a.polygon_cell != b.polygon_cell) return "cells";
@@ -86,7 +87,8 @@ struct CutMesh {
     const Field& field;
 };
 
-// Cuts both by each algorithm at each value and expects the same polygons. Then calls check(surface, other surface).
+// Cuts both meshes with each algorithm at each value and expects the same polygons. Calls check(surface, other surface)
+// for each pair.
 template <class Check>
 void expect_same_polygons(const CutMesh& here, const CutMesh& there, const std::vector<double>& values, bool normals,
                           Check&& check) {
@@ -180,7 +182,7 @@ TEST_P(DoublePositions, FarAwayAreSlicedLikeTheSameMeshNearby) {
         double distance = -0.05;
         for (std::size_t axis = 0; axis < 3; ++axis)
             distance += oblique[axis] * (at[axis] - survey[axis] - std::array{0.25, 0.5, 0.125}[axis]);
-        ASSERT_NEAR(distance, 0, 5e-9); // a few last places of 4,500,000
+        ASSERT_NEAR(distance, 0, 5e-9); // a few units in the last place of 4,500,000
     }
 }
 
@@ -268,7 +270,7 @@ TEST_F(BoundaryLayer, HasTheCellsAndGradientsOfItsHeights) {
     }
 }
 
-// The same polygons, clipped by their floats and by their places.
+// Clips the boundary by the points' double positions. The cut must be at the height of the plane, 11e-6 above the wall.
 TEST_F(BoundaryLayer, IsClippedWhereItsPlacesAre) {
     const Surface sides = face_surface(mesh.mesh(), boundary_faces(mesh.mesh()));
     std::vector<Vec3d> places;

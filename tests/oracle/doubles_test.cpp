@@ -1,4 +1,4 @@
-// Fields of doubles: cut as exactly as fields of floats, where floats could not tell their values from each other.
+// Fields of doubles whose values would be equal as floats are cut as exactly as fields of floats.
 #include "ciel/contour.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
@@ -36,7 +36,7 @@ protected:
         return all;
     }
 
-    // nu_of: the value at which the doubles are cut where the floats are cut at a value of the walk.
+    // Cuts the floats at each value nu of the walk and the doubles at nu_of(nu), and expects equal surfaces.
     void expect_same_cuts(const Field& floats, const Field& doubles, const std::vector<double>& walk,
                           double (*nu_of)(double), bool normals) const {
         for (const Algorithm algorithm : algorithms) {
@@ -105,7 +105,7 @@ TEST_P(Doubles, HaveTheIsoValueAtThePointsOfTheSurface) {
         ASSERT_TRUE(query.extract(nu, false, surface));
         std::vector<double> found(surface.points.size());
         interpolate(surface.points, std::span<const double>(values), 1, found);
-        for (const double value : found) ASSERT_NEAR(value, nu, 5e-11) << named.name; // a few last places of 101325
+        for (const double value : found) ASSERT_NEAR(value, nu, 5e-11) << named.name; // a few last digits of 101325
     }
 }
 
@@ -124,7 +124,7 @@ TEST_P(Doubles, WithoutAValueLeaveTheirCellsUncut) {
 INSTANTIATE_TEST_SUITE_P(All, Doubles, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// Numbers as 16,777,216 and 16,777,217 are one float.
+// Ids that are different doubles but the same float, such as 16,777,216 and 16,777,217.
 TEST(DoublesOfLargeIds, StayDifferent) {
     const KernelMesh mesh(hexahedra({{4, 4, 4}}), {8});
     std::vector<double> ids(mesh.topology.counts().vertices);
@@ -135,7 +135,7 @@ TEST(DoublesOfLargeIds, StayDifferent) {
     Query query = mesh.query();
     query.set_field(field);
     Surface surface;
-    for (int time = 0; time < 3; ++time) ASSERT_TRUE(query.extract(16777216.5, true, surface)); // with ranges of cells
+    for (int time = 0; time < 3; ++time) ASSERT_TRUE(query.extract(16777216.5, true, surface)); // later with CellRanges
     EXPECT_FALSE(surface.points.empty());
     for (const EdgePoint& point : surface.points) EXPECT_EQ(point.t, 0.5);
     std::vector<double> between(surface.points.size());
@@ -145,7 +145,7 @@ TEST(DoublesOfLargeIds, StayDifferent) {
     EXPECT_THAT(kept, testing::ElementsAre(0, 1));
 }
 
-// What a caller's own array of doubles or of integers gives.
+// Values of a caller's array, doubles or integers, are not rounded to floats.
 TEST(DoublesOfACaller, AreKept) {
     const std::vector<double> points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<std::int64_t> offsets{0, 4}, connectivity{0, 1, 2, 3};

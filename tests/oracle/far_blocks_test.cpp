@@ -62,7 +62,8 @@ private:
     CopiedRecords near_;
 };
 
-// Memory that is not taken until it is written to. All but the near positions are zeros.
+// Positions of all vertices in a mapping that takes memory only where it is written. Those of the made-up blocks are
+// zeros.
 class FarPositions {
 public:
     explicit FarPositions(std::span<const float> near) : count_(std::size_t{3} * first_vertex + near.size()) {
@@ -106,7 +107,7 @@ private:
     std::vector<float> near_;
 };
 
-// `low` and `high`: of each made-up block.
+// Inserts the ranges of the made-up blocks, each from `low` to `high`, before those of the small mesh.
 BlockRanges behind(BlockRanges near, double low, double high) {
     near.low.insert(near.low.begin(), absent, low);
     near.high.insert(near.high.begin(), absent, high);
@@ -127,7 +128,7 @@ protected:
         points.cell_types = far_positions.zeros().first(far.counts().cells);
     }
 
-    // Moves the ids of a surface up.
+    // Raises the ids of a surface of the small mesh by the cells, vertices and blocks of the made-up blocks.
     static Surface behind_others(Surface surface) {
         for (Index& cell : surface.polygon_cell) cell += first_cell;
         for (EdgePoint& point : surface.points) {
@@ -163,7 +164,7 @@ TEST_P(FarBlocks, HaveTheSameSurfaces) {
             found.set_field(of_far);
             expected.set_normals(normals);
             found.set_normals(normals);
-            if (algorithm == Algorithm::naive) found.set_blocks(far_blocks()); // else it visits all
+            if (algorithm == Algorithm::naive) found.set_blocks(far_blocks()); // otherwise it reads made-up blocks
             for (const double nu : walk_through(values, 4, 32)) {
                 Surface a, b;
                 ASSERT_TRUE(expected.extract(nu, true, a));

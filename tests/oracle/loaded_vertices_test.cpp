@@ -16,7 +16,7 @@
 namespace ciel::test {
 namespace {
 
-// Counts the values that were read.
+// Counts the values that are read.
 template <class Value>
 class CountedValues final : public ValueSource {
 public:
@@ -57,7 +57,7 @@ public:
           shown_(true_.size(), std::numeric_limits<Number>::quiet_NaN()), has_vertex_(true_.size() / 3) {}
 
     void load(Index begin, Index end) const override {
-        const std::lock_guard lock(mutex_); // positions that another thread may be reading are not written again
+        const std::lock_guard lock(mutex_); // each position is written once: other threads may be reading it
         for (std::size_t v = begin; v < end; ++v) {
             if (std::exchange(has_vertex_.at(v), 1) != 0) continue;
             std::copy_n(true_.begin() + static_cast<std::ptrdiff_t>(3 * v), 3,
@@ -90,7 +90,7 @@ void compare_surfaces(const KernelMesh& mesh, const std::vector<float>& values, 
                      block_ranges(mesh.topology, stored));
     EXPECT_EQ(read.range(), known.range());
     for (const Normals normals : {Normals::gradient, Normals::polygons}) {
-        const HiddenPositions<Number> positions(mesh); // none is loaded before
+        const HiddenPositions<Number> positions(mesh); // no position is loaded yet
         Query from_memory(mesh.topology, positions.known(mesh), algorithm);
         Query from_file(mesh.topology, positions.hidden(mesh), algorithm);
         from_memory.set_field(known);
@@ -106,7 +106,7 @@ void compare_surfaces(const KernelMesh& mesh, const std::vector<float>& values, 
     }
 }
 
-// Points on edges of left-out blocks are written apart (AdoptedEdges).
+// Only odd blocks are extracted. Points on edges that belong to left-out blocks take another code path (AdoptedEdges).
 template <class Number>
 void compare_some_blocks(const KernelMesh& mesh, const std::vector<float>& values) {
     const std::vector<Number> stored(values.begin(), values.end());
@@ -206,7 +206,7 @@ TEST_P(LoadedVertices, GiveTheSameGradients) {
 INSTANTIATE_TEST_SUITE_P(All, LoadedVertices, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// A surface in one corner of the mesh, then a value that no block has.
+// A value that no block has reads nothing. A surface in one corner of the mesh reads few vertices.
 TEST(LoadedVerticesOfBlocks, AreThoseThatTheSurfaceCrosses) {
     const Polyhedra input = tetrahedra({{12, 12, 12}});
     const KernelMesh mesh(input, {32});

@@ -121,13 +121,13 @@ TEST(SameCells, AreFoundInAnyBlocksAndFromAnyCorner) {
         const auto first = mesh.face_vertex.begin();
         std::rotate(first, first + 1, first + static_cast<int>(mesh.face_offset[1]));
         EXPECT_TRUE(same_cells(topology, Topology(mesh.view()))) << named.name;
-        for (Index& vertex : mesh.face_vertex) // other numbers of two vertices
+        for (Index& vertex : mesh.face_vertex) // exchanges the ids of two vertices
             if (vertex <= 1) vertex = 1 - vertex;
         EXPECT_FALSE(same_cells(topology, Topology(mesh.view()))) << named.name;
     }
 }
 
-// Also of collapsed cells, whose faces without an area are not in the blocks.
+// Also for meshes with collapsed faces, which the blocks do not contain.
 TEST(AllFaces, AreThoseThatTheBlocksWereMadeOf) {
     for (const test::NamedMesh& named : test::all_meshes())
         for (const Index cells_per_block : {1U, 5U, 4096U}) {

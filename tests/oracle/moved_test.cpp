@@ -72,7 +72,7 @@ TEST_P(Moved, GivesWhatANewQueryGives) {
     }
 }
 
-// A sweep of the moved mesh with a used field gives the result of a new field, at the new positions.
+// A sweep of the moved mesh gives the same result with a field that was used before the move as with a new field.
 TEST_P(Moved, IsSweptWhereItIsNow) {
     const Polyhedra input = GetParam().make();
     const KernelMesh mesh(input, {32});

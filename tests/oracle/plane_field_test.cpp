@@ -1,4 +1,4 @@
-// A plane as a field without values: cuts have the same bits as with one distance per vertex.
+// A plane as a field that stores no values: cuts have the same bits as with a stored distance per vertex.
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
 #include "support/meshes.hpp"

@@ -1,4 +1,4 @@
-// The records of blocks: the bytes depend on a block's cells only, and bytes that are damaged are refused.
+// The records of blocks: their bytes depend only on the block's cells, and damaged bytes are refused.
 #include "blocks/record.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
@@ -15,7 +15,7 @@
 namespace ciel::test {
 namespace {
 
-// The mesh, and then a second one like it that has nothing in common with the first.
+// Returns the mesh followed by a copy of it that shares no vertex with the first.
 FaceMesh twice(const FaceMesh& mesh) {
     const auto vertices = static_cast<Index>(mesh.positions.size() / 3);
     const auto corners = mesh.face_offset.back();
@@ -65,9 +65,10 @@ TEST_P(Records, MakeTheSameTopologyInAnotherPlace) {
     EXPECT_EQ(copy.tables(), mesh.topology.tables());
 }
 
-// Renames the section with the parts of corners, which a reader then skips, as in records of earlier versions.
+// Gives the sections with the parts of corners an unknown id, so that readers skip them. Records of earlier versions
+// have no such sections. Returns the number of sections.
 std::size_t hide_corner_parts(CopiedRecords& copied) {
-    constexpr std::uint32_t corner_parts = 38, unknown = 999; // ids; the flags, above, are 0
+    constexpr std::uint32_t corner_parts = 38, unknown = 999; // ids; the flags in the upper bits are 0
     std::size_t hidden = 0;
     for (auto& [place, record] : copied.records) {
         if (place.second != RecordKind::cells) continue;
@@ -123,8 +124,8 @@ void damage(CopiedRecords& copied, std::mt19937& random) {
     }
 }
 
-// Bytes that a checksum would not catch: each use ends, and stays inside the arrays, as the sanitizers see. A fuzz
-// target tries more of them.
+// Damaged records without a checksum: each use ends and stays inside the arrays, which builds with sanitizers check.
+// The fuzz target `records` tries more of them.
 TEST_P(Records, ThatAreDamagedAreRefusedOrHarmless) {
     const KernelMesh mesh(GetParam().make(), {32});
     if (mesh.topology.counts().cells == 0) return;
@@ -158,7 +159,7 @@ RecordBytes small_record() {
 
 RecordView view_of(const RecordBytes& bytes) { return {std::as_bytes(std::span(bytes)), RecordKind::cells}; }
 
-// Reads the sections 7 and 9, as a program does that knows no others. Returns the first.
+// Reads a record like a program that knows only the sections 7 and 9. Returns section 7.
 std::span<const std::uint16_t> read_known(const RecordView& view) {
     const auto shorts = view.get<std::uint16_t>(7);
     (void)view.get<std::uint64_t>(9);

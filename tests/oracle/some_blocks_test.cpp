@@ -1,4 +1,4 @@
-// Surfaces of some of the blocks of a mesh, as a part of a mesh, a picture's region or a block in a browser needs them.
+// Surfaces of some of the blocks of a mesh equal the surface of all blocks without the polygons of the others.
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
@@ -39,7 +39,7 @@ Surface only(const Surface& all, const std::vector<Index>& blocks) {
     return some;
 }
 
-// Returns the points that polygons of other blocks use, too.
+// Returns the mesh edges of all points that polygons of other blocks use, sorted.
 std::vector<std::array<Index, 2>> shared_edges(const Surface& all, const std::vector<Index>& blocks) {
     std::vector<std::array<Index, 2>> shared;
     for (const Surface::Chunk& chunk : all.chunks)
@@ -90,8 +90,8 @@ TEST_P(SomeBlocks, HaveTheSurfaceOfAllWithoutTheOthers) {
     }
 }
 
-// A gradient depends on cells of all blocks, so it is the same. Where a normal is that of the polygons instead, only
-// those of the remaining blocks count; then it differs at a point that a left-out block has, too.
+// Normals from gradients are the same, because gradients use the cells of all blocks. Normals from polygons use only
+// the polygons of the extracted blocks, so they differ at points that a left-out block shares.
 TEST_P(SomeBlocks, HaveTheNormalsOfAll) {
     std::mt19937 random(403);
     for (const NamedField& named : all_fields()) {
@@ -99,7 +99,7 @@ TEST_P(SomeBlocks, HaveTheNormalsOfAll) {
         const std::vector<double> walk = walk_through(values, 3, 404);
         for (const double share : {0.2, 0.7})
             for (const double nu : walk) {
-                // Fresh fields, so that one does not use the gradients of the other.
+                // Two new fields, so that neither query uses gradients computed for the other.
                 const Field of_whole = make_field(mesh.topology, mesh.stored(values));
                 const Field of_part = make_field(mesh.topology, mesh.stored(values));
                 const std::vector<Index> blocks = random_blocks(mesh.topology.block_count(), share, random);
@@ -130,7 +130,7 @@ TEST_P(SomeBlocks, HaveTheNormalsOfAll) {
 INSTANTIATE_TEST_SUITE_P(All, SomeBlocks, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-// The parts of a mesh that is cut in two by its blocks fit together.
+// The surfaces of three disjoint sets of blocks make up the whole surface.
 TEST(SomeBlocksTogether, AreTheWholeSurface) {
     const Polyhedra input = zoo({{8, 8, 8}, 0.1, 405});
     const KernelMesh mesh(input, {32});
@@ -159,11 +159,11 @@ TEST(SomeBlocksTogether, AreTheWholeSurface) {
         }
     }
     EXPECT_EQ(polygons, all.polygon_cell.size());
-    EXPECT_GT(points, all.points.size());           // those at the parts' borders are in several
-    EXPECT_GT(equal_normals, points - points / 20); // the gradient's, but for few that the polygons contradict
+    EXPECT_GT(points, all.points.size());           // points between parts are in several
+    EXPECT_GT(equal_normals, points - points / 20); // others come from polygons instead of gradients
 }
 
-// Nothing but the tables, one record and the block's values: what a browser or another machine would get.
+// To extract one block, the tables, one record of the block and its values are enough, for example in a browser.
 TEST(SomeBlocksTogether, OneBlockNeedsNoOther) {
     const Polyhedra input = zoo({{6, 6, 6}, 0.1, 407});
     const KernelMesh mesh(input, {16});

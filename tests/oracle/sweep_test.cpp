@@ -113,7 +113,8 @@ TEST_P(Sweep, AnOutlineIsThePolygonsEdges) {
     }
 }
 
-// All arrays are equal, also with missing values and with buffers left by another field.
+// Sweeps with any algorithm make the same arrays as the naive one, also with missing values and with buffers that a
+// sweep of another field has left.
 TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
     std::vector<float> gaps = mesh.stored(random_field(input.vertex_count(), 7));
     for (std::size_t v = 0; v < gaps.size(); v += 5) gaps[v] = std::numeric_limits<float>::quiet_NaN();

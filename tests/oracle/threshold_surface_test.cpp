@@ -88,8 +88,9 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfTheCellsKept) {
         }
 }
 
-// Blocks of one cell, of a few, and one that holds all of a small mesh. The smooth field has blocks in the range, out
-// of it and across its ends; in the one by blocks, each block is in it or out of it.
+// Compares the surface made from blocks with the one made from the list of all faces, for blocks of several sizes. The
+// smooth field has blocks inside the range, outside, and across its ends. `by_blocks` keeps every second block as a
+// whole.
 TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
     const Polyhedra input = GetParam().make();
     for (const Index cells : {1U, 7U, 4096U}) {
@@ -131,7 +132,8 @@ TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
     }
 }
 
-// By cell: the sum of the areas. Faces without an area may be left out.
+// Sum of the area vectors of each cell's polygons. Unlike the polygons, it does not change when faces without an area
+// are left out.
 using Areas = std::map<Index, Vec3d>;
 
 void add_polygon(Areas& areas, Index cell, const Vec3d& area) {
@@ -149,7 +151,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             std::vector<std::uint8_t> kept(limits.size(), 0);
             for (Index cell = 0; cell < kept.size(); cell += one_in) {
                 kept[cell] = 1;
-                limits[cell] = {static_cast<float>(cell), static_cast<float>(cell)}; // so that it names the cell
+                limits[cell] = {static_cast<float>(cell), static_cast<float>(cell)}; // the cell's id
             }
             const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
             const Boundary boundary(mesh.mesh());

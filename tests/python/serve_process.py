@@ -87,7 +87,7 @@ class Server:
         is_new = int(websockets.__version__.split(".")[0]) >= 14
         name = "additional_headers" if is_new else "extra_headers"
         if is_new:
-            options.pop("read_limit", None)  # its buffers are the transport's
+            options.pop("read_limit", None)  # exists only in the older versions' API
         options = {"subprotocols": ["ciel.v1"], "max_size": None, "open_timeout": PATIENCE, name: headers, **options}
         return websockets.connect(f"ws://127.0.0.1:{self.port}{path}", **options)
 

@@ -82,7 +82,7 @@ def in_order(points):
     (np.linspace(0, 1, 4) + 4.5e6, "f8"), (np.array([-1e60, 0, 1e60]), "f8"), (np.array([0, 1e-60, 1]), "f8"),
 ])
 def test_a_dataset_has_the_files_points_in_the_files_type(axis, kept, tmp_path):
-    """Doubles that are floats are stored as floats: nothing is lost."""
+    """Doubles that are all exact floats are stored as floats, without a loss."""
     source = box([axis, axis, axis])
     dataset = imported(tmp_path, write(tmp_path / "a.vtu", source))
     assert stored(dataset).dtype == np.dtype(kept)
@@ -124,7 +124,7 @@ def test_a_surface_has_the_corners_of_its_file_bit_for_bit(tmp_path):
 
 
 def test_a_mesh_in_survey_coordinates_gives_the_surfaces_of_the_same_mesh_at_zero(tmp_path):
-    """Coordinates are multiples of 2^-20, so that moving them by whole numbers is exact."""
+    """Coordinates are multiples of 2^-20, so adding the whole numbers of SURVEY is exact."""
     axis = np.round(np.linspace(0, 1, 9) ** 1.2 * 2**20) / 2**20
     near = box([axis, axis, axis])
     field = np.sin(5 * points_of(near)).sum(axis=1) + linear(points_of(near))
@@ -154,7 +154,7 @@ def heights():
 
 
 def boundary_layer(layers):
-    """Cells of 2e-6 on a wall at z = 0, and `layers` of all that lead to a far field of 100."""
+    """The lowest `layers` of all layers. Their height grows from 2e-6 at the wall z = 0 to a far field at z = 100."""
     grid = box([np.linspace(30, 31, 3), np.linspace(-50, 50, 3), heights()[:layers + 1]])
     level = np.searchsorted(heights(), points_of(grid)[:, 2])
     return with_array(with_array(grid, "layer", level.astype(float)), "height", points_of(grid)[:, 2])
@@ -162,7 +162,7 @@ def boundary_layer(layers):
 
 @pytest.fixture(scope="module")
 def walls(tmp_path_factory):
-    """The whole boundary layer and far field, and its lowest layers alone."""
+    """Two datasets: the boundary layer with its far field, and its 12 lowest layers alone."""
     made = {}
     for name, layers in (("whole", LAYERS), ("low", 12)):
         folder = tmp_path_factory.mktemp(name)
@@ -206,7 +206,7 @@ def picture(server, layer, camera):
     {"type": "surface", "color": {"array": "layer", "range": [0, 12], "steps": 12}},
 ])
 def test_a_picture_of_a_boundary_layer_is_that_of_its_lowest_cells_alone(walls, layer):
-    """The camera sees the lowest 2e-5 of a mesh of 100."""
+    """The camera sees only the lowest 2e-5 of a mesh that is 100 high."""
     seen = heights()[6] * 1.2
     front = 20.0 if layer["type"] == "slice" else -50.0
     camera = {"position": [30.4, front - 1, seen / 2], "target": [30.4, front, seen / 2], "up": [0, 0, 1],
@@ -221,7 +221,7 @@ def test_a_picture_of_a_boundary_layer_is_that_of_its_lowest_cells_alone(walls, 
 
 
 def test_a_mesh_that_moves_off_the_floats_keeps_all_its_points(tmp_path):
-    """The first points are floats, the later ones are not: from there on the dataset has another mesh."""
+    """The points of the first two steps are exact floats. Later ones are not, so they are stored with a second mesh."""
     grid = box([np.linspace(0, 1, 5)] * 3)
     first = points_of(grid).copy()
     moved = [first, first + 0.25, first * 1.1, first * 1.2]

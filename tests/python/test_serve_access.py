@@ -95,7 +95,7 @@ def test_another_user_needs_it(server, host):
 
 @needs_users
 def test_a_client_that_closes_at_once_is_nobody(server):
-    """After the close, its socket belongs to user 0, like the server of this test."""
+    """Linux lists a closed socket with user 0, who runs this server. The server must not take it for its own user's."""
     before = server.metrics().get('ciel_rpc_requests_total{method="dataset.list"}', 0)
     accepted = server.metrics()["ciel_gateway_connections_total"]
     status(server, user=OTHER, times=100)

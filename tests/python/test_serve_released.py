@@ -1,4 +1,4 @@
-"""What a large dataset or view used is given back to the system once it is gone. The server looks every ten seconds."""
+"""Memory of a large dataset or view is given back to the system once it is gone. The server looks every ten seconds."""
 
 import asyncio
 import pathlib
@@ -52,7 +52,7 @@ def test_a_dataset_that_is_gone_leaves_little_behind(boxes):
         assert show(running, "large", layers) > before + 45_000
         until(lambda: running.private_kilobytes() < before + 30_000)
         until(lambda: str(boxes[1]) not in running.maps())
-        show(running, "large", layers)  # it is read again
+        show(running, "large", layers)  # the released dataset can be opened again
 
 
 def test_a_view_that_is_gone_leaves_little_behind(boxes):

@@ -109,7 +109,7 @@ def test_lines_are_as_wide_in_moving_and_still_pictures_and_on_any_screen(server
                 await caller.call("view.resize", view=view, width=width, height=height, **ratio)
                 frame = moving = None
                 while frame is None or not (frame.still and frame.width == width):
-                    moving = frame  # of at most 1280 x 720 pixels
+                    moving = frame  # the last frame before the still; at most 1280 x 720 pixels
                     frame = await caller.next_frame()
                     await caller.acknowledge(frame)
                 for frame in (moving, frame):

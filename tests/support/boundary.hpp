@@ -1,4 +1,4 @@
-// The boundary faces of a mesh with all that they view.
+// The boundary faces of a mesh, with the arrays that their view refers to.
 #pragma once
 
 #include "ciel/numbered_faces.hpp"

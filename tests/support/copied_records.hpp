@@ -1,4 +1,4 @@
-// A topology's records as they would come from a file, and everything that reads them.
+// A topology's records as they would come from a file, and functions that read all kinds of them.
 #pragma once
 
 #include "ciel/cell_locator.hpp"
@@ -45,7 +45,7 @@ inline std::span<const std::byte> CopiedRecords::record(Index block, RecordKind 
     return std::as_bytes(std::span(records.at({block, kind})));
 }
 
-// Returns the topology that the records make, which owns them.
+// Returns the topology that the records describe. It owns the records.
 [[nodiscard]] inline Topology read_back(std::unique_ptr<CopiedRecords> copied) {
     const CopiedRecords::Bytes tables = copied->tables;
     return {std::as_bytes(std::span(tables)), std::move(copied)};
@@ -76,7 +76,7 @@ inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
     }
 }
 
-// Makes the surface and the vertices of the cells in a range, and all faces.
+// Computes the surface and the vertices of the cells in a range, and all faces, so that the records they need are read.
 inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
     const Boundary boundary(mesh);
     const BlockBoxes boxes = block_boxes(topology, mesh.positions);
@@ -89,8 +89,8 @@ inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, s
     (void)all_faces(topology, boundary.faces());
 }
 
-// Extracts three surfaces with each algorithm, with gradient normals, and one of every second block. Returns the last
-// of all blocks.
+// With each algorithm, extracts one surface of every second block and three of all blocks, with gradient normals.
+// Returns the last surface.
 [[nodiscard]] inline Surface cut_in_all_ways(const Topology& topology, const FaceMeshView& mesh,
                                              std::span<const float> values) {
     Field field(topology, values, nullptr);
@@ -109,7 +109,7 @@ inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, s
     return surface;
 }
 
-// Returns whether an error about records ends with one of the advices that are given.
+// Returns whether an error about records ends with one of the three known pieces of advice.
 [[nodiscard]] inline bool says_what_to_do(std::string_view sentence) {
     constexpr std::array<std::string_view, 3> advice{"; import the dataset again", ". Update CIEL",
                                                      "; split the dataset"};

@@ -1,4 +1,4 @@
-// A temporary folder that its object removes on destruction.
+// A temporary folder, which the destructor removes.
 #pragma once
 
 #include <cstdlib>

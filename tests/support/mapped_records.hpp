@@ -10,7 +10,8 @@
 
 namespace ciel::test {
 
-// The records lie behind each other. After the last are the bytes that a RecordSource must have there.
+// The records follow each other. After the last one comes the 1 MiB that a source whose bytes may change must have
+// there (RecordSource).
 class MappedRecords final : public RecordSource {
 public:
     explicit MappedRecords(const Topology& topology);
@@ -20,7 +21,7 @@ public:
     }
     [[nodiscard]] std::size_t memory_bytes() const override { return 0; }
 
-    // The words of all records, without those after the last.
+    // The words of all records, without the 1 MiB after them.
     [[nodiscard]] std::span<std::uint16_t> words() {
         return {reinterpret_cast<std::uint16_t*>(words_.data()), bytes_ / sizeof(std::uint16_t)};
     }

@@ -1,4 +1,5 @@
-// Sets the kernel's number of threads during the object's lifetime. Afterwards it is that of the machine.
+// Sets the kernel's number of threads during the object's lifetime. Afterwards, the number is again
+// that of the machine.
 #pragma once
 
 #include "ciel/parallel.hpp"

@@ -142,7 +142,7 @@ describe("geometry", () => {
       lines: false,
       points: false,
       positions,
-      scalars: scalars.map((value) => value - 0.5), // exact, as is the origin
+      scalars: scalars.map((value) => value - 0.5), // no rounding: all numbers are multiples of 0.5
       scalarOrigin: 0.5,
       indices,
       scale: {

@@ -12,7 +12,7 @@ describe("bytes of polygons", () => {
   test("of everything are not those of a frame that held a change", () => {
     const polygons = new PolygonBytes();
     polygons.presented(300_000, 60_000);
-    polygons.presented(400, 60_000); // other colors
+    polygons.presented(400, 60_000); // only the colors have changed
     expect(polygons.all(60_000)).toBe(300_000);
     expect(polygons.change(60_000)).toBe(400);
     expect(polygons.triangles).toBe(60_000);

@@ -26,8 +26,9 @@ class Pushed:
 def pushed(name: str, values: Any) -> Pushed:
     """Converts an array for upload.
 
-    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers. What float32 can
-    hold whatever its value (float32, float16, integers of 8 and 16 bits) is sent as float32, all else as float64.
+    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers. Types whose
+    values all fit into float32 (float32, float16, bool, integers of 8 and 16 bits) are sent as float32, others as
+    float64.
     """
     wanted: dict[str, Any] = {"name": name, "type": "float64"}
     if hasattr(values, "astype"):

@@ -122,9 +122,9 @@ class Stream(AsyncCalls):
         async for frame in stream.frames():  # a frame is acknowledged when the next one is requested
             ...
 
-    Frames are acknowledged only after they are taken. If none is taken, the server stops after a few of each view.
-    `most_frame_bytes` limits the frames that wait to be taken, for scripts with many views: beyond it the connection is
-    closed, and next_frame says so. `notifications` keeps the newest 1,000.
+    Frames are acknowledged only after they are taken. If none is taken, the server stops after a few frames of each
+    view. `most_frame_bytes` limits the frames that wait to be taken, for scripts with many views: above the limit, the
+    connection is closed, and next_frame raises ConnectionError. `notifications` keeps the newest 1,000.
     """
 
     def __init__(

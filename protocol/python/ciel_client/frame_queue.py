@@ -1,4 +1,4 @@
-"""The frames that have arrived and were not taken yet."""
+"""The frames that have arrived but have not been taken yet."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class FrameQueue:
             self._changed.notify_all()
 
     async def take(self) -> Frame:
-        """Returns the oldest frame and waits for it. Raises ConnectionError after the last one."""
+        """Waits until there is a frame and returns the oldest. Raises ConnectionError after the last one."""
         async with self._changed:
             await self._changed.wait_for(lambda: self._frames or self._end is not None)
             if not self._frames:

@@ -55,7 +55,7 @@ class Pieces:
         self._begun: dict[int, list[Frame]] = {}
 
     def add(self, piece: Frame) -> Frame | None:
-        """Returns the whole that `piece` completes, or None. Raises ValueError when an earlier piece is missing."""
+        """Returns the message that `piece` completes, or None. Raises ValueError when an earlier piece is missing."""
         if piece.piece_offset == 0:
             self._begun[piece.view] = []
         pieces = self._begun.get(piece.view, [])

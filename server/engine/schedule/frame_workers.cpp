@@ -7,7 +7,8 @@
 namespace ciel::engine {
 namespace {
 constexpr std::chrono::seconds patience{1}; // a job of post_later() that waits longer goes before jobs of post()
-constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20; // bytes of kept memory from which rest() frees it
+// rest() frees the memory of a renderer that keeps more bytes than this.
+constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20;
 
 render::Spare spare() {
     const limits::SpareMemory left = limits::spare_memory();

@@ -50,9 +50,9 @@ public:
     FrameWorkers(unsigned threads, render::Backend backend, int still_samples = frames::default_still_samples);
     ~FrameWorkers(); // waits for running jobs, drops waiting ones
 
-    // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits.
-    // After it has waited for a second it goes before the jobs of post(). All jobs that it passed run before another
-    // job of post_later() may do so. Once drained, both functions drop the job and return false.
+    // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits. A
+    // job of post_later() that has waited for a second after `due` goes before the jobs of post(). Then all jobs that
+    // it passed run before another job may pass. Once drained, both functions drop the job and return false.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
 

@@ -179,9 +179,9 @@ Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
     return middle;
 }
 
-// Calls visit(first, point) for each point that has the coordinates of an earlier one, the first. Skips points for
-// which looked_at is false. Compares floats relative to the middle of the mesh, because programs write the copies of a
-// point with different roundings.
+// Calls visit(first, point) for each point that coincides with an earlier one; `first` is the first point at that
+// place. Skips points for which looked_at is false. Compares coordinates as floats relative to the middle of the mesh,
+// because programs write the copies of a point with different roundings.
 template <typename Visit>
 void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
@@ -219,7 +219,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDi
         for (const Index point : mesh.face_vertex) looked_at[point] = true;
     if (look)
         for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
-            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // not counted if joined by a cut or seam
+            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // a pair that a cut or seam joined does not count
             if (mode == Weld::all) sets.join(a, b);
         });
     std::vector<Index> representative = sets.representatives();

@@ -95,7 +95,8 @@ private:
         return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
     }
 
-    // Throws Error unless count is between 0 and per_byte times the file's size. `length`: words of the declaration.
+    // Throws Error unless count is between 0 and per_byte times the file's size. `length`: number of words of the
+    // declaration, which the message quotes.
     void require(double count, double per_byte, std::size_t length) const {
         if (count >= 0 && count <= size_ * per_byte) return;
         std::string declaration;

@@ -21,7 +21,7 @@ inline constexpr std::array<StandIn, 3> stand_ins{
     StandIn{"-3.3302300917e38", -3.3302300917e38, -std::numeric_limits<double>::infinity()}};
 
 // Returns whether the file has a NaN or infinity as C libraries write them: nan, -nan(ind), inf, Infinity, 1.#QNAN.
-// Ignores lines with any other word, because there "nan" may be the name of an array.
+// Ignores lines that also have words other than numbers, because there "nan" can be the name of an array.
 [[nodiscard]] bool holds_no_numbers(std::istream& file);
 
 // Returns the whole text, with stand-ins for NaN and infinities.

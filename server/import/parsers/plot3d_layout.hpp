@@ -12,7 +12,7 @@
 
 namespace ciel::importer {
 
-enum class Plot3dKind { grid, solution }; // xyz, q
+enum class Plot3dKind { grid, solution }; // files that PLOT3D calls xyz and q
 
 struct Plot3dLayout {
     bool text = false;

@@ -65,7 +65,7 @@ public:
             return data;
         } catch (const Error& error) {
             const std::string what = error.what();
-            // An array of integers reads the first digit of a stand-in; VTK's error then quotes the rest.
+            // In an array of integers, VTK reads only the first digit of a stand-in. Its error then quotes the rest.
             for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
                     throw Error(file_ + ": holds nan or inf where whole numbers are declared");

@@ -5,9 +5,9 @@
 
 namespace ciel::importer {
 
-// Returns a partitioned data set, or a multi-block data set if a piece is not a single data set. `name`: names the
-// pieces; may be empty. Leaves out pieces that cannot be read and adds a sentence for each to `lost`. Throws the first
-// piece's Error if all are left out.
+// Returns a partitioned data set, or a multi-block data set if a piece is not a single data set. `name`: returns the
+// name of a piece; an empty function leaves the pieces unnamed. Leaves out pieces that cannot be read and adds a
+// sentence for each to `lost`. Throws the first piece's Error if all are left out.
 [[nodiscard]] vtkSmartPointer<vtkDataObject>
 read_pieces(std::size_t count,
             const std::function<vtkSmartPointer<vtkDataObject>(std::size_t piece, const ReadProgress&)>& read,

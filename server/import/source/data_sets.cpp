@@ -26,7 +26,7 @@ namespace {
 
 // Parent blocks of zones, which are copies of cells of the mesh: OpenFOAM's and Exodus' names.
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
-constexpr std::string_view face_zones = "faceZones"; // parent block of surfaces with the values of the cells behind
+constexpr std::string_view face_zones = "faceZones"; // its surfaces have values copied from the cells behind
 
 // Container blocks that readers insert. They are left out of a data set's name.
 constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",

@@ -16,7 +16,7 @@ namespace ciel::importer {
 struct DataSet {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
-    bool own_values = true; // false for a surface whose values are copies of the cells behind it
+    bool own_values = true; // false for a surface whose values are copied from the cells behind it
     int whole = -1;         // pieces of one mesh have the same number; -1: not a piece
     store::PatchFacts facts = {};
 };

@@ -11,7 +11,7 @@ namespace ciel::importer {
 // Returns the type of the array's numbers, such as "float64" or "int32".
 [[nodiscard]] std::string type_name(vtkDataArray* array);
 
-// Returns whether there are numbers of the array's type that are no 32-bit floats: float64, integers of 32 and 64 bits.
+// Returns whether a 32-bit float cannot hold all numbers of the array's type: float64, integers of 32 and 64 bits.
 [[nodiscard]] bool needs_doubles(vtkDataArray* array);
 
 // Returns "xx", "xy"... in file order for a tensor, else nothing. A tensor has six or nine components, and either such

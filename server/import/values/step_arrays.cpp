@@ -116,7 +116,7 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets,
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     store::Values cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
-    // accept() may refuse: at other steps a point array of this name may have other components.
+    // accept() refuses if a point array of this name has other components at most steps or at an earlier step.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),

@@ -10,7 +10,7 @@
 namespace ciel::importer {
 namespace {
 
-// Returns the number of values that differ from the one before, in the same component, but not as floats.
+// Returns the number of values that differ from the value before in the same component, but are equal to it as floats.
 std::uint64_t equal_as_floats(vtkDataArray* array) {
     std::uint64_t count = 0;
     for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
@@ -24,11 +24,13 @@ std::uint64_t equal_as_floats(vtkDataArray* array) {
     return count;
 }
 
-// T: the type of the dataset's numbers. Whole: that of the array.
+// Returns the number of integers that change when they are converted to T, the type of the dataset's numbers. Whole:
+// the type of the array's integers.
 template <class T, class Whole>
 std::uint64_t unlike_integers(vtkDataArray* array) {
     const auto* begin = static_cast<const Whole*>(array->GetVoidPointer(0));
-    constexpr auto end_of_whole = static_cast<T>(std::numeric_limits<Whole>::max()); // rounded up: no Whole has it
+    // Where T rounds the limit up, no Whole is equal to it.
+    constexpr auto end_of_whole = static_cast<T>(std::numeric_limits<Whole>::max());
     std::uint64_t count = 0;
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i) {
         const auto stored = static_cast<T>(begin[i]);

@@ -13,9 +13,9 @@ namespace ciel::importer {
 // Adds up the counts of each array over all steps.
 class ValueLoss {
 public:
-    // Counts, in an array of all parts, values that differ from the previous value in the input but not in the dataset,
-    // and integers that no number of the dataset is equal to. `doubles`: the dataset has the array as float64, else as
-    // float32, which happens if a later step has a larger type than the first.
+    // Counts values of an array, over all parts, that differ from the previous value in the input but equal it in the
+    // dataset, and integers that the dataset's type cannot hold exactly. `doubles`: the dataset has the array as
+    // float64. If not, it has float32, the type of the first step, even if this step has a larger type.
     void look_at(const std::vector<JoinedMesh::Member>& parts, const FieldName& field, bool doubles);
     // Returns sentences on the arrays with changed values.
     [[nodiscard]] std::vector<std::string> notes() const;

@@ -5,7 +5,7 @@
 
 namespace ciel::render {
 
-// Never closed: Mesa and drivers leave thread-local data and exit handlers that point into the library.
+// A Library is never closed: Mesa and drivers leave thread-local data and exit handlers that point into the library.
 class Library {
 public:
     explicit Library(const char* name); // throws Error with the loader's message

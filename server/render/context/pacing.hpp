@@ -18,8 +18,8 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // Starts a picture with its Frame::check_wanted. If that is empty, there are no checks, waits and pieces. begin(),
-    // pass() and drawn() pass on exceptions of check_wanted.
+    // Starts a picture with its Frame::check_wanted. If check_wanted is empty, Pacing does not check, wait or divide
+    // until end(). begin(), pass() and drawn() pass on exceptions of check_wanted.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
     // Call between two drawing passes. The next piece is small again, because the next pass may be much slower.

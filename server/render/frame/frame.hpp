@@ -26,7 +26,7 @@ struct Primitives {
     std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
-    bool on_opaque = false;  // the lines lie on an opaque surface: slopes of transparent ones are ignored
+    bool on_opaque = false;  // the lines lie on an opaque surface: slopes of transparent surfaces do not move them
     color::ColorScale scale; // maps the scalars to colors
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colors
     std::uint64_t revision = 0;                      // 0: always uploaded; else only when identity or revision change
@@ -57,7 +57,7 @@ struct Frame : annotations::AnnotatedPicture { // positions of primitives and vo
     std::vector<Volume> volumes;
     int samples = 1; // samples per pixel; 4 for stills
     // Clip planes, at most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 for every plane are drawn.
-    // pick() finds only such positions.
+    // pick() finds only these positions.
     std::vector<std::array<float, 4>> clip;
     Lighting lighting;   // lights of `lit` primitives
     Occlusion occlusion; // ambient occlusion of `lit` opaque triangles

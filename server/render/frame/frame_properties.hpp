@@ -8,7 +8,7 @@
 namespace ciel::render {
 
 // Largest numbers of peeled transparent layers; farther layers are dropped. most_moving_layers is for frames with one
-// sample, unless they have volumes and no transparent points.
+// sample that have no volumes, or that have transparent points.
 inline constexpr int most_layers = 32, most_moving_layers = 8;
 
 // Returns the number of indices per primitive.

@@ -146,7 +146,7 @@ bool OverlayPainter::add(const annotations::Label& label, bool halo, const annot
     return true;
 }
 
-// Adds the halos of all letters before the letters: a halo must not cover the letter before it.
+// Adds the halos of all letters before the letters: a halo must not cover the previous letter of the text.
 bool OverlayPainter::add_labels(const annotations::Overlay& overlay) {
     for (const bool halo : {true, false})
         for (const annotations::Label& label : overlay.labels)

@@ -22,8 +22,8 @@ public:
 
 private:
     struct Vertex {
-        // x, y: pixels from the top left. u, v: texels of a glyph, pixels across a stroke, or edge widths outside a
-        // plate.
+        // x, y: pixels from the top left. u, v: texel of a glyph, or distance across a stroke in pixels, or distance
+        // outside a plate in widths of its edge.
         float x, y, u, v;
         annotations::Ink ink;
         float kind, half_width;

@@ -22,7 +22,7 @@ bool has_volumes_of_its_own(int layer, bool dense) {
 }
 
 // Texture units. In programs of surfaces, lines and points, color scales have the units 0 and 1, and surface_slopes.cpp
-// has 4 and 5. Full-screen programs have neither, so only these use 0 and 1 here.
+// has 4 and 5. Full-screen programs have no color scales, so units 0 and 1 are used here only for these programs.
 enum Unit : int {
     layer_unit = 0,
     opaque_unit = 1,

@@ -39,7 +39,8 @@ uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
 
-// A point on a surface is moved nearer than the lines that meet in the point, which are moved nearer themselves.
+// Lines on a surface are moved nearer than the surface. A point on the surface is moved nearer than the lines that meet
+// in the point, so that it covers them.
 // `line_reach`: half the width of the widest line and half a pixel, in framebuffer pixels; 0 without lines.
 constexpr const char* lying_glsl = R"(
 uniform float point_pixels;
@@ -88,8 +89,8 @@ void main() {
 )";
 
 // Points of a peeled layer. Opaque points have hard edges, whose steps are small in stills. Each soft edge would need
-// another layer behind it, so dense clouds would need too many. depth_of_disc() only moves a point nearer, so the first
-// test may discard fragments by gl_FragCoord.z.
+// another layer behind it, so dense clouds would need too many layers. depth_of_disc() never moves a point farther, so
+// the first test may discard fragments by gl_FragCoord.z.
 constexpr const char* layer_fragment = R"(
 layout(location = 0) out vec4 picture;
 void main() {

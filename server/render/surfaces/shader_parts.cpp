@@ -112,8 +112,8 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 
 // is_seen() for layers with transparent lines. Segments of a line overlap in joints, and each would absorb light there.
 // So each layer records, at every pixel, the last line and the depth to which its joint reaches. A fragment of the same
-// mesh up to that depth belongs to the same line, and is discarded. The nearest segment of a line is in the layer. The
-// segments are then drawn a second time, and raise alpha to the largest one of all.
+// mesh up to that depth belongs to the same line, and is discarded. So the layer has the nearest segment of a line. A
+// second pass draws all segments again, and raises the layer's alpha to the largest alpha of the segments.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED

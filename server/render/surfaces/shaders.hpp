@@ -14,7 +14,7 @@ enum Attribute : GLuint {
     attribute_scalar = 2,
     attribute_size = 3,  // diameter of a point, in picture pixels
     attribute_color = 4, // RGB of a solid mesh, and the opacity
-    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; ScaleRow::origin)
+    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; scalar to subtract)
 };
 
 inline constexpr std::size_t most_point_samples = 8; // per pixel; points ignore further samples

@@ -31,7 +31,7 @@ private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // far_, flat_: used where there is no surface
+    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // far_, flat_: textures used without surfaces
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;
 };

@@ -38,7 +38,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     is_sorted_ = sorted;
     if (sorted)
         sort();
-    else // reversed: of coincident triangles, peeling keeps the one drawn first: that of the last mesh
+    else // reversed: peeling keeps the coincident triangle drawn first, which must be that of the last mesh
         sorted_.assign(triangles_.rbegin(), triangles_.rend());
     upload_order();
     is_ordered_ = true;

@@ -1,5 +1,6 @@
 // Transparent triangles of all meshes in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
-// the depth of their centers. Sorting is correct where triangles do not cross or enclose each other; whole meshes may.
+// the depth of their centers. Sorting is correct where triangles do not cross or enclose each other. Whole meshes may
+// cross or enclose each other.
 #pragma once
 
 #include "render/context/gl.hpp"

@@ -10,8 +10,8 @@
 namespace ciel::render {
 
 // Returns GLSL to put before a fragment shader. Its seen_from() returns the place in the picture, in pixels, to take
-// the color from. `of_samples`, for draw_per_sample(): the nearest pixel whose ray hit or missed the surface as the
-// samples do. Otherwise the fragment's own place.
+// the color from. If `of_samples`, as draw_per_sample() needs, this is the nearest pixel whose ray hit or missed the
+// surface as the samples do. Otherwise it is the fragment's own place.
 [[nodiscard]] const char* seen_from_glsl(bool of_samples);
 
 struct PerSample {

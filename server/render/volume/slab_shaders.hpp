@@ -14,7 +14,8 @@ enum VolumeAttribute : GLuint {
     volume_limits = 3,
 };
 
-// Variant of a slab program. Slices draw a ray's piece in their slab; boundary faces draw pieces without a slice.
+// Variant of a slab program. The programs of slices draw the piece of a ray in a slab. The program of boundary faces
+// draws the pieces that contain no slice.
 struct SlabProgramKind {
     int parts = 1; // number of parts of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;

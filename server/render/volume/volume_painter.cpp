@@ -33,8 +33,8 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// Returns the factor of the picture of all volumes. The transfer table of a volume with less opacity has less
-// extinction.
+// Returns the factor by which the picture of all volumes is multiplied. A volume with less opacity has a transfer table
+// with less extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -347,8 +347,8 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Sets `across` and `start` of the slice program: places along a ray in half slabs, per depth and from the eye to the
-// slice.
+// Sets two uniforms of the slice program, in half slabs along the volume's normal: `across`, the advance of a ray per
+// depth, and `start`, the distance from the eye to the slice.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
@@ -361,7 +361,8 @@ void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume
 // the normal.
 bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
     if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
-    // Within a slab of an eye inside the mesh, pieces begin at the eye, not at the front of the slab.
+    // If the eye is within one slab of the slice, pieces begin at the eye instead of at the front of the slab. The
+    // inner program cannot draw these pieces.
     return view_.frame->camera.parallel || std::abs(from_eye) > 1.01 * thickness_of(volume);
 }
 

@@ -29,10 +29,10 @@ public:
     // Draws the volumes onto the target. Leaves the target bound, and depth test and blending on. Throws Error when the
     // volumes' normals differ, when their slabs are at places that are not finite, and as VolumeBuffers::load().
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // Returns a picture of all volumes in front of `layer`, valid where the layer is and until the next call. Without a
-    // layer: of all volumes in front of opaque surfaces, valid everywhere.
-    // RGBA32F, premultiplied, on a transparent background. Throws as draw(). Leaves another framebuffer and viewport
-    // bound, depth test and blending on.
+    // Returns a picture of all volumes in front of `layer`. It is valid at the layer's pixels only, until the next
+    // call. Without a layer: a picture of all volumes in front of opaque surfaces, valid everywhere. RGBA32F,
+    // premultiplied, on a transparent background. Throws as draw(). Leaves another framebuffer and viewport bound,
+    // depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
                                        const LayerInVolumes& layer);
     // RGBA32F texture; A: the window depth where the volumes begin. 0 before the first volume.

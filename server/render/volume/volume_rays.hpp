@@ -12,7 +12,7 @@
 
 namespace ciel::render {
 
-// Inputs of the ray parts: parts found for equal inputs are reused.
+// Inputs of the ray parts, which are the stretches of the rays inside a mesh. Parts found for equal inputs are reused.
 struct RayPlaces {
     glm::dmat4 view{1}, projection{1};
     int width = 0, height = 0;

@@ -1,5 +1,6 @@
 // Depth buffer for a picture of the volumes in front of a transparent layer. It rejects slab fragments beside and
-// behind the layer before their programs run. Most of many layers are small, so most fragments are rejected.
+// behind the layer before their programs run. If there are many layers, most are small, so most fragments are
+// rejected.
 #pragma once
 
 #include "render/volume/volume_rays.hpp"

@@ -131,9 +131,9 @@ std::string next_parts_seen(int parts) {
 }
 
 // seen_from() where a ray serves several pixels. Such a ray ends on one side of an outline of an opaque surface. So a
-// pixel beside the outline takes, of the four rays around it, the ray that ends at the nearest depth. Window depth is
-// linear over a plane, so a difference from the depth interpolated between the rays means an outline. Differences below
-// 1 % of the depth range hide too little of a volume to be seen.
+// pixel beside the outline takes, of the four rays around it, the ray that ends nearest to its own depth. Window depth
+// is linear over a plane, so a difference from the depth interpolated between the rays means an outline. Differences
+// below 1 % of the depth range hide too little of a volume to be seen.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;

@@ -16,8 +16,8 @@ inline constexpr int most_ray_parts = 8;
 
 // Distances along a ray are depths: lengths along the view's axis.
 //
-// Writes where a ray enters (R) and leaves (G) the mesh. `first`: in the ray's first part; otherwise in the part after
-// that in the texture `before`.
+// Writes where a ray enters (R) and leaves (G) the mesh. `first`: in the ray's first part; otherwise in the part behind
+// the one in the texture `before`.
 [[nodiscard]] ShaderProgram make_part_program(const Gl& gl, bool first);
 // Writes where a ray enters (R) and leaves (G) the space between the frame's clip planes.
 [[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);

@@ -14,8 +14,8 @@
 
 namespace ciel::store {
 
-// Keeps the files that were used last mapped, besides those that somebody holds: the system allows a process 65,530
-// mappings, and a dataset may have more chunks.
+// Keeps the most_kept files that were used last mapped, and those that somebody holds. It does not map all, because the
+// system allows a process 65,530 mappings, and a dataset can have more chunks.
 class ChunkCache {
 public:
     static constexpr std::size_t most_kept = 64;
@@ -35,7 +35,7 @@ private:
     struct Entry {
         std::mutex mutex; // one per chunk, so that a slow read of one chunk does not block others
         std::weak_ptr<const PagedFile> mapped;
-        std::optional<FileVersion> version; // that `pages` are of
+        std::optional<FileVersion> version; // of the file that `pages` describes
         std::shared_ptr<PageStates> pages;
     };
     using Kept = std::list<std::pair<Entry*, std::shared_ptr<const PagedFile>>>;
@@ -48,7 +48,7 @@ private:
     FileAccess access_;
     mutable std::mutex mutex_; // guards the members below
     std::unordered_map<std::string, std::unique_ptr<Entry>> entries_;
-    Kept kept_; // used last first
+    Kept kept_; // the most recently used first
     std::unordered_map<const Entry*, Kept::iterator> place_;
 };
 

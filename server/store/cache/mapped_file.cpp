@@ -52,7 +52,7 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
     seen_ = opened_;
-    // First zeros for all, then the file over their begin.
+    // Maps zeros for the file and its tail, and then, unless the file is to be read, the file over their begin.
     mapped_ = bytes + tail;
     const bool is_read = access == FileAccess::read;
     const int protection = is_read ? PROT_READ | PROT_WRITE : PROT_READ;
@@ -118,14 +118,15 @@ void MappedFile::copy(std::span<const std::byte> part) const {
 
 void MappedFile::load(std::span<const std::byte> part) const {
     if (access() == FileAccess::read) return copy(part);
-    constexpr int populate_read = 22; // MADV_POPULATE_READ, since Linux 5.14; others answer EINVAL, and pages are read
-                                      // when they are touched
+    constexpr int populate_read = 22; // MADV_POPULATE_READ, since Linux 5.14; older kernels answer EINVAL, and pages
+                                      // are read when they are touched
     static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const auto address = reinterpret_cast<std::uintptr_t>(part.data());
     const std::uintptr_t before = address % page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its page
     auto* const begin = reinterpret_cast<void*>(address - before);
-    // Where random reads are expected, the system reads each page of the part alone unless it is told of all first.
+    // Where random reads are expected, the system reads each page of the part alone, unless it is told of the whole
+    // part.
     (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
     if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();

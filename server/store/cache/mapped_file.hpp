@@ -22,14 +22,14 @@ namespace ciel::store {
 
 struct WatchedMapping; // watched_mappings.hpp
 
-// Tells a file from the one that was at its path before, and its content from that before a change.
+// Identifies a file and its content: it changes when the file at a path is replaced or written to.
 struct FileVersion {
     std::uint64_t device = 0, inode = 0;
     std::array<std::int64_t, 2> modified{}, status_changed{}; // seconds, nanoseconds
     [[nodiscard]] bool operator==(const FileVersion&) const = default;
 };
 
-// Shared by the mapped files of a dataset. True once one of them is lost; until then no single file must be checked.
+// Shared by the mapped files of a dataset. True once one of them is lost; until then no single file needs a check.
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
@@ -56,7 +56,7 @@ public:
     }
 
     [[nodiscard]] FileVersion version() const; // of the file when it was opened
-    // Expect that parts are read here and there, so that a part is not read with what lies behind it.
+    // Tells the system to expect reads at random places, so that it does not read ahead.
     void expect_random_reads() const;
     // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the
     // mapping is lost then. With FileAccess::read, the same part must not be loaded or used on two threads at once.
@@ -71,7 +71,8 @@ public:
     // Returns whether the file at the path is the mapped one, unchanged since it was opened.
     [[nodiscard]] bool is_current() const;
     // Returns whether the file at the path was written to or replaced since it was opened or since the last call. Then
-    // the mapping may be of other content than it should: a replaced file may have been damaged when it was mapped.
+    // the content of the mapping has to be checked again: a file that was replaced can have been damaged when it was
+    // mapped.
     [[nodiscard]] bool was_touched();
     // Marks the mapping as lost, because its content has changed, and throws Error.
     [[noreturn]] void refuse() const;
@@ -82,7 +83,7 @@ private:
     std::filesystem::path path_;
     void* data_ = nullptr;
     std::size_t size_ = 0, mapped_ = 0; // mapped_: with the tail
-    Descriptor in_;                     // of FileAccess::read
+    Descriptor in_;                     // the open file, with FileAccess::read only
     struct stat opened_ {};             // status of the file when it was opened
     struct stat seen_ {};               // at the last was_touched
     AnyLost any_lost_;

@@ -134,7 +134,7 @@ void MappedMesh::check_sizes() const {
     if (faces < attributes_.info.boundary_faces) check_boundary_count(faces);
 }
 
-// The number in the attributes is the size of arrays on boundary faces.
+// Throws Error unless the attributes declare `count` boundary faces. Arrays on boundary faces have the declared size.
 void MappedMesh::check_boundary_count(std::uint64_t count) const {
     if (count != attributes_.info.boundary_faces)
         refuse_damage(directory_ / layout::attributes_document,
@@ -167,7 +167,7 @@ PageStates& MappedMesh::pages_of(const std::string& ids) const {
         const std::string& sum = checksum_of(ids);
         const MappedFile& file = array(ids);
         const ArrayLayout layout{directory_ / ids, 1, 1, file.bytes().size(), false};
-        std::optional<ValueRanges> ranges; // of a dataset that has been replaced: none, so that all is one page
+        std::optional<ValueRanges> ranges; // none if the file has been replaced: then the array is one page
         if (file.is_current()) ranges = read_ranges(layout, 0, sum, 0, 0, dataset_id_);
         pages = std::make_unique<PageStates>(layout.chunk_bytes, page_checks(layout, sum, std::move(ranges)));
     });
@@ -219,7 +219,7 @@ void MappedMesh::verify_types() const {
         refuse_damage(array("cell_types").path(), "names a cell type that does not exist");
 }
 
-// All faces are in the order of their owners. With numbers, those on the boundary come first.
+// Throws Error unless the faces are sorted by owner. Numbered faces have two sorted parts: the boundary, then the rest.
 void MappedMesh::check_order() const {
     const auto& owner = array(face_array("owner"));
     const auto neighbour = array(face_array("neighbour")).as<Index>();
@@ -283,17 +283,17 @@ FaceMeshView MappedMesh::with_stored_faces(FaceMeshView points) const {
     return points;
 }
 
-// Numbers the faces of a mesh of format 1, and makes the ids of its groups numbers.
+// Numbers the faces of a mesh of format 1, and replaces the ids of faces in its groups by numbers.
 void MappedMesh::number_faces() const {
     verified_.at("groups").once([this] { verify_groups(); });
     verified_.at("numbers").once([this] {
         std::vector<std::vector<Index>> ids(groups_.size());
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
-        FaceMeshView mesh = with_stored_faces(view_points({})); // whose vertices are counted without positions:
+        FaceMeshView mesh = with_stored_faces(view_points({})); // no positions, so its vertex count is 0:
         mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
         NumberedGroups numbered = number_groups(mesh, ids);
-        // The files may have changed since they were verified, and what was made of them stays.
+        // Checks the files again: they may have changed since they were verified, and the numbers made from them stay.
         for (const auto& [name, file] : arrays_)
             if (!has_its_checksum(name, file)) file.refuse();
         check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, none)));

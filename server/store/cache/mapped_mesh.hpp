@@ -28,8 +28,9 @@ public:
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }
     [[nodiscard]] std::uint64_t vertex_count() const { return vertex_count_; }
     [[nodiscard]] std::uint64_t cell_count() const { return cell_types().size(); }
-    // Each array is compared with its checksum, and its indices with what they point into, when it is first asked for.
-    // Throw Error that names the file. Files may change afterwards, so views check each index that they read.
+    // These functions compare an array with its checksum, and its indices with the arrays that they point into, when it
+    // is first asked for. They throw Error that names the file. Files may change afterwards, so views check each index
+    // that they read.
     [[nodiscard]] const std::vector<Group>& groups() const;
     [[nodiscard]] std::span<const Index> original_vertex() const { return ids<Index>("original_vertex"); }
     [[nodiscard]] std::span<const Index> original_cell() const { return ids<Index>("original_cell"); }
@@ -50,16 +51,16 @@ public:
     [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
     // Returns these points with the numbered faces (ciel/numbered_faces.hpp).
     [[nodiscard]] FaceMeshView numbered_faces(FaceMeshView points) const;
-    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const; // the first of them, those on the boundary
+    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const; // the first of these: those on the boundary
     // Returns these points with all faces. Those inside come from the blocks, except in format 1.
     [[nodiscard]] FaceMeshView all_faces(FaceMeshView points) const;
-    // A CIEL that stored no blocks may have written the mesh.
+    // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
     [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
     void verify() const; // reads all arrays and records; throws Error at the first that is damaged
-    // Throws Error when a file has shrunk, or was written to or replaced and its mapping does not have its checksum.
-    // Makes a stat call per file.
+    // Throws Error when a file has shrunk, or when it was written to or replaced and its mapping no longer has the
+    // checksum. Makes a stat call per file.
     void check_unchanged();
     void check_intact() const;
 
@@ -105,7 +106,7 @@ private:
     void check_order() const;
     void verify_groups() const;
     void check_boundary_count(std::uint64_t count) const;
-    // The name of one of the arrays of faces. Format 1 stored all faces, and no numbers.
+    // Returns the name of an array of faces with its folder. Format 1 has no folder, and its arrays have all faces.
     [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
     [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
     [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<Index>().size(); }
@@ -126,7 +127,7 @@ private:
     std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
     mutable NumberedGroups numbered_;            // in format 1: made at the first use of the faces or the groups
     mutable std::mutex making_faces_;
-    mutable std::weak_ptr<const FaceLists> all_faces_; // null, or while somebody uses them
+    mutable std::weak_ptr<const FaceLists> all_faces_; // null unless somebody uses them
 
     // Runs a check until it has passed once. Thread-safe.
     class Verified {
@@ -146,7 +147,7 @@ private:
     };
     // By name of an array of ids that are no indices; null before their first use.
     mutable std::map<std::string, std::unique_ptr<PageStates>> pages_;
-    mutable std::map<std::string, Verified> verified_; // by name of ids, or of a check
+    mutable std::map<std::string, Verified> verified_; // by name of an array of ids, or of a check
 };
 
 } // namespace ciel::store

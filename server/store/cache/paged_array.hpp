@@ -29,13 +29,15 @@ struct ArrayLayout {
 // components values.
 [[nodiscard]] ArrayLayout read_layout(const std::filesystem::path& directory, std::uint64_t items, int components);
 
-// Returns what is stored beside a chunk; nullopt if nothing is, or if it belongs to another chunk. `sum`: checksum of
-// the chunk, empty if it is not known. Throws Error when the file is damaged.
+// Returns the ranges that are stored beside a chunk; nullopt if there are none, or if they belong to another chunk.
+// `sum`: checksum of the chunk; if it is empty, nullopt is returned. `scalars`, `blocks`: how many of these the ranges
+// must have. Throws Error when the file is damaged.
 [[nodiscard]] std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t chunk,
                                                      const std::string& sum, std::size_t scalars, std::size_t blocks,
                                                      const std::string& dataset_id);
 
-// Returns what the pages of a chunk are compared with. A chunk whose pages have no checksums is one page.
+// Returns the checksums with which the pages of a chunk are compared. A chunk whose pages have no checksums is one
+// page.
 [[nodiscard]] PageChecks page_checks(const ArrayLayout& array, const std::string& sum,
                                      std::optional<ValueRanges> ranges);
 

@@ -19,7 +19,7 @@ struct PageChecks {
         numbers{}; // throws Error if a page has numbers that it must not have
 };
 
-// Which pages of one version of a file have been checked. Outlives its mappings. Thread-safe.
+// Tells which pages of one version of a file have been checked. Outlives the mappings of the file. Thread-safe.
 class PageStates {
 public:
     PageStates(std::size_t file_bytes, PageChecks checks);
@@ -53,8 +53,8 @@ public:
     [[nodiscard]] const MappedFile& file() const { return file_; }
     // Check the pages that hold the bytes from `begin` to `end` - 1, or all pages, unless they are checked already.
     // Throw Error that names the file when a page cannot be read, does not match its checksum, or has numbers that it
-    // must not have. If the file at the path is not the mapped one any more, the mapping is lost then, so that it is
-    // opened anew.
+    // must not have. A wrong checksum loses the mapping if the file at the path was replaced or changed, so that the
+    // dataset is opened again.
     void load(std::size_t begin, std::size_t end) const {
         if (begin >= end || pages_->are_all_checked()) return;
         const std::size_t size = pages_->checks().page_bytes, last = (end - 1) / size;
@@ -69,10 +69,10 @@ private:
 
     MappedFile file_;
     std::shared_ptr<PageStates> pages_;
-    mutable std::array<std::mutex, 16> copying_; // by page, modulo; a page is copied once
+    mutable std::array<std::mutex, 16> copying_; // page p uses number p % 16, so that each page is copied once
 };
 
-// The numbers in a PagedFile. Load the pages of those that are read.
+// The numbers in a PagedFile. The pages of numbers must be loaded before the numbers are read.
 struct PagedValues {
     ValuesView values; // empty if `file` is null
     std::shared_ptr<const PagedFile> file;

@@ -11,7 +11,7 @@
 namespace ciel::store {
 namespace {
 
-// What a changed record may lead to behind its end (RecordSource).
+// Zeros behind each mapped file. An index in a changed record can lead there (RecordSource).
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 
 class MappedSource final : public RecordSource {
@@ -108,7 +108,7 @@ void StoredBlocks::check_head(File& file, RecordKind kind) const {
     file.has_head = true;
 }
 
-// Returns whether the record has its checksum.
+// Reads a record into `record`. Returns whether it has its checksum.
 bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const {
     record.resize(place.raw);
     const auto bytes = std::as_writable_bytes(std::span(record));

@@ -14,9 +14,9 @@
 
 namespace ciel::store {
 
-// Thread-safe. Topologies that are made from it keep it alive. After its file was truncated or rewritten in place,
-// check_intact throws. Copied records stay as they are; mapped ones may then read as zeros or as the new content, and a
-// topology stays in bounds with any content (RecordSource).
+// Thread-safe. Topologies that are made from it keep it alive. When a file is found to have been truncated or rewritten
+// in place, check_intact throws. Copied records stay as they are; mapped ones may then read as zeros or as the new
+// content, and a topology stays in bounds with any content (RecordSource).
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
     // Reads the index of the mesh and opens the files of records; reads nothing of them. Throws Error that names the
@@ -27,12 +27,12 @@ public:
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
     // Returns a topology that takes a record when it is first used. is_trusted: this process has written the records,
-    // so their content is not checked; they are read.
+    // so their content is not checked. Such records are always copied.
     [[nodiscard]] Topology topology(bool is_trusted = false) const;
     // Reads a record. Throws Error that names the file when it cannot be read, is of a newer format or of another
     // dataset, or when the record does not match its checksum.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
-    // Returns a record in its mapped file; likewise. Only for FileAccess::mapped.
+    // Returns a record in its mapped file. Throws like read. Only for FileAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
     // Throws Error when a file was changed in place or replaced, and a record of the open file does not have its
@@ -62,7 +62,7 @@ private:
     BlockIndex index_;
     std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by kind, by number
     mutable std::mutex checking_;                             // guards changed_at of all files
-    // By kind, by block: 1 if the mapped record has had its checksum.
+    // By kind, by block: 1 if the mapped record was once found to have its checksum.
     std::array<std::unique_ptr<std::atomic<std::uint8_t>[]>, 3> verified_;
 };
 

@@ -152,7 +152,7 @@ void append_after(const std::filesystem::path& file, std::uint64_t size, std::sp
     if (::fstat(out.get(), &status) != 0) refuse_errno(file, "cannot be read");
     if (static_cast<std::uint64_t>(status.st_size) < size)
         refuse_damage(file, "has " + std::to_string(status.st_size) + " bytes instead of " + std::to_string(size));
-    if (status.st_nlink > 1) { // a backup has the same file, and must not change
+    if (status.st_nlink > 1) { // a backup shares the file, and must not change
         std::vector<std::byte> all(size);
         InputFile(file).read(0, all);
         all.insert(all.end(), bytes.begin(), bytes.end());

@@ -33,7 +33,7 @@ private:
 [[nodiscard]] std::string sentence_for_clients(const std::exception& error);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
-// Adds that the dataset is damaged, and what to do.
+// Throws FileError. Adds to the sentence that the dataset is damaged, and what to do.
 [[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& sentence);
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 
@@ -95,8 +95,8 @@ public:
     explicit InputFile(const std::filesystem::path& file);
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::uint64_t size() const { return size_; } // in bytes, when it was opened
-    // Returns the times of the last changes of its content and of its status, in nanoseconds. They differ from earlier
-    // ones if the content may have changed, and when the file is deleted.
+    // Returns the times of the last changes of its content and of its status, in nanoseconds. They change whenever the
+    // content changes, and when the file is deleted.
     [[nodiscard]] std::array<std::int64_t, 2> changed_at() const;
     [[nodiscard]] bool is_deleted() const; // no path leads to it any more, so no other program can change it
     // Fills `to` with the bytes from `offset` on. Throws FileError when the file has fewer bytes or cannot be read.

@@ -1,5 +1,5 @@
-// The index of a mesh's blocks: which file holds each record, and what is known of all blocks before a record is read.
-// Bytes: store/README.md, "Blocks".
+// The index of a mesh's blocks: which file holds each record, and the tables of all blocks, which are known before a
+// record is read. Bytes: store/README.md, "Blocks".
 #pragma once
 
 #include "ciel/record_source.hpp"

@@ -1,5 +1,5 @@
 // The binary files of a dataset that are read as a whole: the head (file_head.hpp), arrays at offsets that the file
-// tells, and XXH3-64 of all bytes before it at the end.
+// tells, and at the end XXH3-64 of all bytes before.
 #pragma once
 
 #include "store/files/files.hpp"
@@ -45,7 +45,7 @@ public:
         bytes_ = bytes.first(bytes.size() - sizeof sum);
         if (checksum_number(bytes_) != sum) refuse_damage("does not match its checksum");
     }
-    // Throws Error when the array does not lie inside.
+    // Throws Error when the array does not lie inside the file.
     template <class T>
     [[nodiscard]] std::vector<T> array(std::uint64_t begin, std::uint64_t count) const {
         if (begin > bytes_.size() || count > (bytes_.size() - begin) / sizeof(T))

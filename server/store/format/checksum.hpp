@@ -15,7 +15,7 @@ inline constexpr std::size_t checksum_page_bytes = 1 << 16;
 [[nodiscard]] std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum_text(std::uint64_t number);
-[[nodiscard]] std::uint64_t checksum_number(const std::string& text); // of what `checksum` returned
+[[nodiscard]] std::uint64_t checksum_number(const std::string& text); // the number in a text that `checksum` returned
 [[nodiscard]] bool is_checksum(const std::string& text);
 
 } // namespace ciel::store

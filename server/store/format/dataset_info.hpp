@@ -16,8 +16,8 @@ namespace ciel::store {
 enum class Association { point, cell, boundary_face };
 
 // Where the values of an array come from. original: from the imported file. interpolated: from values on cells.
-// derived: computed by the reader of the file format. unknown: another program wrote the dataset, or CIEL did before it
-// stored origins.
+// derived: computed by the reader of the file format. unknown: another program or an earlier version of CIEL wrote the
+// dataset.
 enum class Origin { unknown, original, interpolated, derived };
 
 struct ArraySource {
@@ -37,7 +37,7 @@ struct ArrayInfo {
     bool doubles = false; // stored as float64, else as float32; the same on all meshes
 
     [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
-    // Returns whether a value of one can stand where one of the other does, up to its precision.
+    // Returns whether both arrays have the same association and number of components.
     [[nodiscard]] bool has_shape_of(const ArrayInfo& other) const {
         return association == other.association && components == other.components;
     }
@@ -66,8 +66,8 @@ struct ArrayStep {                 // an array at one step
     // For an array on cells: the cells at the ends of `range`, then, if there are several components, those of each
     // component. Empty if the cells are not known, or if one of the ranges has no finite value.
     std::vector<CellExtremes> extremes;
-    // The array exists at this time, but its chunk may not be written yet (store/README.md). Until it is, values()
-    // throws.
+    // The array exists at this time, but its chunk need not be written yet (store/README.md). Until the chunk is
+    // written, values() throws.
     bool lazy = false;
     bool has_checksum = false; // false if the chunk was written with plain Zarr and cannot be verified
 };

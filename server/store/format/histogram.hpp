@@ -17,15 +17,15 @@ struct Histogram {
     Histogram() = default;
     Histogram(const std::array<double, 2>& of_range, std::size_t bins) : range(of_range), counts(bins) {}
 
-    std::array<double, 2> range{};      // of all bins; if both ends are equal, they are in the first bin
+    std::array<double, 2> range{};      // of all bins; if both ends are equal, that value is in the first bin
     std::vector<std::uint64_t> counts;  // by bin
     std::uint64_t below = 0, above = 0; // finite values outside the range
     std::uint64_t invalid = 0;          // NaN and infinite values
 
     void add(ValuesView values);
 
-    // Returns the histogram with fewer bins, equal to one that was counted with them; nullopt unless the number of bins
-    // is this one divided by a power of two.
+    // Returns the histogram that counting with fewer bins gives; nullopt unless `bins` is the number of bins of this
+    // one divided by a power of two.
     [[nodiscard]] std::optional<Histogram> with_bins(std::size_t bins) const;
     // Returns the value below which a share of the finite values lie, from 0 to 1, as if the values of a bin were
     // evenly spread over it. The lower end of the range if there are no finite values.

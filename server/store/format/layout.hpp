@@ -12,7 +12,7 @@
 namespace ciel::store::layout {
 
 inline constexpr int format_version = 2;
-inline constexpr std::uint16_t records_version = 2; // of the index and the files of records
+inline constexpr std::uint16_t records_version = 2; // of all binary files (file_head.hpp)
 inline constexpr const char* commit_marker = "steps.json";
 inline constexpr const char* step_table = "steps"; // a folder
 inline constexpr const char* group_document = ".zgroup";
@@ -32,14 +32,14 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 // 3, "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
-// The ranges of one chunk of an array. `array`: its directory.
+// Returns the file with the ranges of one chunk of an array. `array`: the directory of the array.
 [[nodiscard]] std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk);
 
 // Returns the directory name of an array: each byte but A-Z a-z 0-9 _ - becomes %XX. A long name is truncated and ends
 // in its hash.
 [[nodiscard]] std::string encode_name(const std::string& name);
 
-// The folder of a mesh's blocks, the index in it, and the file `number` of the records of one kind.
+// Return the index of a mesh's blocks, and file `number` of the records of one kind.
 [[nodiscard]] std::filesystem::path block_index(const std::filesystem::path& mesh);
 [[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number);
 

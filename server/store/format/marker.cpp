@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::uint64_t most_meshes = 1'000'000;
 constexpr std::uint64_t most_table_steps = 100'000'000;
-// ciel_steps. Readers of version 1 must refuse a dataset with a table, because they would see its last steps only.
+// Values of `ciel_steps`. Readers of version 1 must refuse a dataset with a table, because they would see its last
+// steps only.
 constexpr std::uint64_t plain_version = 1, table_version = 2;
 
 std::array<double, 2> parse_range(const JsonReader& value) {

@@ -15,7 +15,7 @@ struct MarkedArray {
     std::uint64_t chunk = 0;
     std::string checksum;                // empty if not given, as for chunks written with plain Zarr
     std::optional<ArrayStep> statistics; // nullopt if not given; the reader then computes them
-    bool lazy = false;                   // the chunk may not be written yet
+    bool lazy = false;                   // the chunk need not be written yet
 };
 
 struct MarkedStep {
@@ -26,14 +26,14 @@ struct MarkedStep {
 
 struct TableArray {
     std::string name;
-    std::vector<std::uint64_t> meshes; // with steps at which the array was written
+    std::vector<std::uint64_t> meshes; // those that have steps with the array
 };
 
 struct TableFacts {
     std::uint64_t steps = 0; // 0: there is no table
     std::string checksum;    // of the rows
     std::vector<TableArray> arrays;
-    std::vector<std::uint64_t> chunks; // by mesh: number after the last chunk; may be shorter than the meshes
+    std::vector<std::uint64_t> chunks; // by mesh: number after the last chunk; 0 for meshes without an entry
 };
 
 struct Marker {
@@ -43,7 +43,8 @@ struct Marker {
 };
 
 // Throws Error that names `file` and the place in it, also when times do not increase or a step is on a mesh that does
-// not exist. `chunk` defaults to the number of earlier steps on the same mesh, in the marker and in `chunks`.
+// not exist. `chunk` defaults to the number in the table's `chunks` plus that of earlier steps of the marker on the
+// same mesh.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 

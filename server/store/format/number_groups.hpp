@@ -11,7 +11,7 @@ struct NumberedGroups {
 };
 
 // Returns the boundary faces and all faces inside the mesh that a group has. `groups`: ids of faces of the mesh. Reads
-// all faces of the mesh. Throws Error when the mesh holds an index that is out of range, or a group an id.
+// all faces of the mesh. Throws Error when an index of the mesh or an id of a group is out of range.
 [[nodiscard]] NumberedGroups number_groups(const FaceMeshView& mesh, std::span<const std::vector<Index>> groups);
 
 } // namespace ciel::store

@@ -17,7 +17,7 @@ const Step& Steps::operator[](std::size_t step) const {
         const std::lock_guard lock(mutex_);
         if (known_[step]) return *known_[step];
     }
-    // Read without the lock, because it may take long: the ranges of an array that was appended with plain Zarr.
+    // Reads without the lock, because a read can take long: it computes the ranges of arrays appended with plain Zarr.
     auto read = std::make_shared<const Step>(read_(step));
     const std::lock_guard lock(mutex_);
     if (!known_[step]) known_[step] = std::move(read);

@@ -63,7 +63,7 @@ std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t beg
     return histograms;
 }
 
-// Blocks are sorted by their limits, and NaN would break the order.
+// Throws Error for a limit that is NaN: blocks are sorted by their limits, and NaN would break the order.
 std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
     std::vector<double> limits;
     if (floats) {

@@ -20,7 +20,7 @@ struct ValueRanges {
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                               std::uint64_t chunk_checksum);
-// Returns nullopt when the chunk of values with this checksum has replaced the one whose ranges these are. Throws Error
+// Returns nullopt when the ranges belong to another chunk than the one with the checksum `chunk_checksum`. Throws Error
 // that names `file` when the bytes are damaged, of another dataset, or of other numbers of blocks or scalars.
 // `chunk_bytes`: size of the chunk.
 [[nodiscard]] std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes,

@@ -47,10 +47,9 @@ struct EncodedGeometry {
 };
 
 // Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained: its
-// indices count within it, and vertices shared between batches are repeated with the same grid position. Triangles keep
-// their order. An array in `held` is named by its id and not sent.
-// `step`: grid step in length units, a power of two (quantize.hpp). Throws Error when array sizes or indices are
-// inconsistent.
+// indices refer to its own vertices, and vertices shared between batches are repeated with the same grid position.
+// Triangles keep their order. An array in `held` is named by its id and not sent. `step`: grid step in length units, a
+// power of two (quantize.hpp). Throws Error when array sizes or indices are inconsistent.
 [[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 

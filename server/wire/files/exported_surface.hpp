@@ -19,7 +19,7 @@ struct NamedValues {
     bool doubles = false;       // written as float64, else as float32
 
     [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
-    // Returns the named values as they are written.
+    // Returns a copy of `values` under a name, to be written in the type of `values`.
     [[nodiscard]] static NamedValues copy_of(std::string name, ValuesView values) {
         return {std::move(name), {values.begin(), values.end()}, values.has_doubles()};
     }
@@ -33,7 +33,7 @@ struct ExportSurface {
     std::vector<NamedValues> values;
     bool triangles = false;          // write triangles instead of polygons (STL always has triangles)
     Vec3d file_origin{};             // subtracted from the coordinates; stated in the file unless zero
-    std::span<const Vec3d> places{}; // of the vertices, as precise as the mesh; empty: origin + surface.positions
+    std::span<const Vec3d> places{}; // vertex positions, as precise as the mesh; empty: origin + surface.positions
 
     [[nodiscard]] Vec3d place(Index vertex) const {
         if (!places.empty()) return places[vertex] - file_origin;
@@ -43,8 +43,9 @@ struct ExportSurface {
 };
 
 // Returns the point to subtract from the coordinates in a file. Formats with floats need it, others use it on request.
-// It is zero where floats are fine enough for the mesh's bounds, else their center rounded to whole numbers. `bounds`:
-// minimum and maximum per axis. Files of one mesh fit together, because the point depends only on the bounds.
+// It is zero if floats are fine enough for the mesh's bounds, else the center of the bounds, rounded to whole
+// numbers. `bounds`: minimum and maximum per axis. Files of one mesh fit together, because the point depends only on
+// the bounds.
 [[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 struct ExportedCounts {

@@ -10,7 +10,7 @@ namespace ciel::wire {
 // have values of that name.
 class JoinedSurface {
 public:
-    // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: ExportSurface::places.
+    // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: as in ExportSurface.
     void add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places = {});
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }

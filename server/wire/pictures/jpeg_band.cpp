@@ -14,7 +14,9 @@
 namespace ciel::wire {
 namespace {
 
-constexpr int unit = 16; // pixels per side of an MCU: 4 luminance blocks and one of each chrominance, libjpeg's default
+// Pixels per side of an MCU (minimum coded unit): 4 luminance blocks and one of each chrominance, by libjpeg's
+// default.
+constexpr int unit = 16;
 constexpr int wished_units = 4; // fewest MCUs in a piece
 
 // Returns the number of MCUs in a piece: the smallest divisor of units_of_row from wished_units to 3 * wished_units,

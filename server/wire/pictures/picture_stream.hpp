@@ -19,7 +19,7 @@ public:
     PictureStream(const PictureStream&) = delete;
     PictureStream& operator=(const PictureStream&) = delete;
 
-    // Appends the encoded picture to `out`. rgb: rows from the top, 3 bytes a pixel. Throws Error when sizes do not
+    // Appends the encoded picture to `out`. `rgb`: rows from the top, 3 bytes a pixel. Throws Error when sizes do not
     // match or exceed the codec's limit; later calls still work.
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };

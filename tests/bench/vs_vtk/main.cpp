@@ -11,7 +11,7 @@
 #include <vtkObject.h>
 #include <vtkVersion.h>
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench ends loudly
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an exception may end the program
     CLI::App app{"CIEL against VTK on one dataset.", "vs_vtk"};
     std::string dataset, array;
     app.add_option("dataset", dataset, "NAME.ciel")->required();

@@ -29,7 +29,7 @@ void compare_covered(double ciel, double vtk) {
 
 } // namespace ciel::vs_vtk
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): a bench ends loudly
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an exception may end the program
     CLI::App app{"CIEL's pictures against VTK's of one dataset.", "vs_vtk_render"};
     std::string dataset, array;
     std::vector<std::string> tables{"volume", "frames"};

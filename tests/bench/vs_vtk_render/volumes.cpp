@@ -33,7 +33,7 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedra_of(vtkUnstructuredGrid* grid) {
     return filter->GetOutput();
 }
 
-// The mapper treats opacity as extinction per length and ignores the unit distance.
+// VTK's mapper takes the scalar opacity for extinction per length and ignores the unit distance.
 vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     constexpr std::size_t entries = 257;
     const auto colors = color::color_row(volume.scale, entries);
@@ -61,7 +61,8 @@ glm::dvec3 at(const SlabMesh& mesh, std::size_t corner) {
     return {p[0], p[1], p[2]};
 }
 
-// The count of samples relies on slices through the whole mesh. Compares their volume with that inside the boundary.
+// Checks that the slices fill the whole mesh, as the count of samples assumes. Compares their volume with the volume
+// inside the boundary. Throws Error if they differ.
 void check_samples(const bench::VolumePictures& pictures) {
     const render::Volume& volume = pictures.volume();
     const glm::dvec3 normal(volume.normal[0], volume.normal[1], volume.normal[2]);

@@ -1,4 +1,4 @@
-// The cuts that a query keeps when its surface moves on.
+// BlockCuts keeps the cuts of blocks that a query's surface has left.
 #include "blocks/block_cuts.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(BlockCuts, TheBlockThatWasLeftFirstGivesItsBuffers) {
     cut(cuts, blocks_from(0, many));
     cut(cuts, blocks_from(many, many));
     const Index* const buffer = cuts[many].polygon_cell.data();
-    cut(cuts, blocks_from(2 * many, many)); // takes those of the blocks from 0 on
+    cut(cuts, blocks_from(2 * many, many)); // reuses the buffers of the blocks from 0 on
     cuts.keep(blocks_from(many, many));
     EXPECT_TRUE(cuts[many].known);
     EXPECT_EQ(cuts[many].polygon_cell.data(), buffer);

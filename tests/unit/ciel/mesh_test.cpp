@@ -11,7 +11,8 @@
 namespace ciel {
 namespace {
 
-// The cube [0, n]^3 in n x n x n unit cells. Points and cells are shuffled, as in real files.
+// The cube [0, n]^3 in n x n x n unit cells, in layers from the top. `step_of_ids`: spreads the ids of neighboring
+// points, as in real files; 1: point ids in order.
 struct Box {
     static constexpr int n = 5, row = n + 1;
     std::vector<double> points;
@@ -43,7 +44,7 @@ struct Box {
     [[nodiscard]] VtkCells cells() const { return {types, offsets, connectivity}; }
     [[nodiscard]] Mesh mesh() const { return Mesh::from_cells({points, 3}, cells()); }
     [[nodiscard]] std::size_t point_count() const { return points.size() / 3; }
-    // Distance of each point from the center.
+    // Distance of each point from (2.4, 2.5, 2.6), near the center.
     [[nodiscard]] std::vector<double> radius() const {
         std::vector<double> values;
         for (std::size_t i = 0; i < points.size(); i += 3)

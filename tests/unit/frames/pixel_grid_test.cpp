@@ -105,7 +105,8 @@ TEST(pixel_grid, is_never_finer_than_floats_where_the_camera_looks) {
     EXPECT_GE(needed_grid(geometry, camera, size), 30 * std::ldexp(1.0, -24));
 }
 
-// The bounds are farther from the origin than floats of a quarter of a pixel reach.
+// Floats at the ends of the bounds are coarser than a quarter of a pixel. The grid must be fine enough all the same,
+// because the origin is near the eye.
 TEST(pixel_grid, is_a_quarter_of_a_pixel_at_an_origin_near_the_eye) {
     geometry::Geometry geometry = square(1e-4F, 1e-5F);
     annotations::Camera near = camera;

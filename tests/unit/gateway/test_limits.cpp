@@ -126,7 +126,8 @@ TEST(HeadSeconds, EndAHeadThatTricklesInAndAConnectionThatNeverBegins) {
     EXPECT_FALSE(body.is_answered()) << "a body has its own time";
 }
 
-// One line at a time, because a few blank lines are allowed. Each arrives before the time of the one before has ended.
+// A few blank lines are allowed before a request. Sends them byte by byte, so that each line arrives within the time
+// limit after the last one. The limit must not start again with each line.
 TEST(HeadSeconds, AreNotProlongedByBlankLines) {
     limits::Limits limits = patient();
     limits.head_seconds = short_time;

@@ -1,4 +1,4 @@
-// From a scene to what is written over its picture.
+// The annotations that a scene's picture gets: legends, captions, axes.
 #include "geometry/scene_annotations.hpp"
 
 #include "frames/frame_of.hpp"

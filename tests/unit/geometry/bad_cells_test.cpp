@@ -1,5 +1,5 @@
-// A cell whose value is no number is left out of all that shows its array, and nothing else is: its twin has the same
-// points and finite cells.
+// A cell whose value is not a finite number is left out of every layer that shows its array, and no other cell is. The
+// dataset "sound" has finite values in all cells, for comparison.
 #include "ciel/cell_geometry.hpp"
 #include "ciel/point_interpolation.hpp"
 #include "geometry/volume_cut.hpp"
@@ -21,9 +21,9 @@ namespace {
 using nlohmann::json;
 using testing::ElementsAre;
 
-// 5 x 5 x 5 hexahedra; the values of p are the x of the cells' centres.
+// 5 x 5 x 5 hexahedra. The value of p is the x coordinate of a cell's center.
 constexpr int edge = 5;
-constexpr Index in_the_middle = 62, at_the_side = 12; // ids of the file
+constexpr Index in_the_middle = 62, at_the_side = 12; // ids in the imported file
 
 class bad_cells : public testing::Test {
 protected:
@@ -56,14 +56,14 @@ protected:
         SceneGeometry geometry{Algorithm::signatures};
         return geometry.update({scene::parse({{"dataset", name}, {"layers", std::move(layers)}}), catalog.open(name)});
     }
-    // Ids of the file, one for each polygon.
+    // Returns the id in the imported file of each polygon's cell.
     std::vector<Index> cells_of(const std::string& name, const Drawable& drawable) {
         const auto ids = catalog.open(name)->dataset()->original_cell(0);
         std::vector<Index> cells;
         for (const Index cell : drawable.shape->surface.polygon_cell) cells.push_back(ids[cell]);
         return cells;
     }
-    // That exactly the polygons of one cell are missing, and how many those are.
+    // Expects that exactly the polygons of `cell` are missing. Returns their number.
     std::size_t missing_of(const std::string& name, Index cell, const json& layer) {
         const auto whole = show("sound", {{"a", layer}}), without = show(name, {{"a", layer}});
         EXPECT_EQ(whole->drawables.size(), without->drawables.size());

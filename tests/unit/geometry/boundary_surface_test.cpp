@@ -1,4 +1,5 @@
-// The polygons of boundaries and patches are those of the list of all faces, whichever list they were made from.
+// Boundaries and patches made from the numbered faces of a dataset have the same polygons as those made from the list
+// of all faces.
 #include "ciel/assemble.hpp"
 #include "ciel/mesh_faces.hpp"
 #include "geometry/cut.hpp"
@@ -16,7 +17,7 @@
 namespace ciel::geometry {
 namespace {
 
-// Groups on the boundary, inside the mesh, and on both.
+// A dataset with groups of faces on the boundary, inside the mesh, and in both places.
 class BoundarySurface : public testing::Test {
 protected:
     BoundarySurface() {
@@ -35,7 +36,7 @@ protected:
         writer.finish();
         dataset = store::Dataset::open(folder / "zoo.ciel");
     }
-    // From all faces of the mesh that was stored.
+    // Makes the surface from all faces of the mesh that was stored.
     [[nodiscard]] Surface expected(const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) const {
         FaceMeshView mesh = made.mesh.view();
         mesh.surface_origin = origin;
@@ -60,7 +61,7 @@ protected:
     std::shared_ptr<store::Dataset> dataset;
 };
 
-// A polygon as its cell and its corners from the lowest vertex on: vertices and their places.
+// A polygon as its cell and its corners, starting at the lowest vertex. A corner is a vertex and its position.
 using Corners = std::vector<std::pair<Index, Vec3f>>;
 std::multiset<std::pair<Index, Corners>> polygons_of(const Surface& surface) {
     std::multiset<std::pair<Index, Corners>> all;

@@ -42,10 +42,10 @@ protected:
 std::unique_ptr<test::Folder> cells::folder;
 
 json clip_x(double x) { return {{"type", "clip"}, {"axis", "x"}, {"value", test::box_origin[0] + x}}; }
-json threshold(double low, double high) { return {{"array", "U:x"}, {"range", {low, high}}}; } // z
+json threshold(double low, double high) { return {{"array", "U:x"}, {"range", {low, high}}}; } // U:x equals z
 const json surface{{"type", "surface"}, {"order", 1}};
 
-// What all drawables of a layer enclose as the picture shows them.
+// Returns the volume that all drawables enclose together after the clip planes have cut them.
 double enclosed(const Geometry& shown) {
     double six = 0;
     for (const Drawable& drawable : shown.drawables) {
@@ -132,10 +132,10 @@ TEST_F(cells, what_is_no_longer_shown_of_a_clip_is_given_back) {
     EXPECT_EQ(geometry.memory_bytes(), without);
 }
 
-// U:x is z: whole layers of cells, for the lattice's vertices lie on integers.
+// U:x equals z. The lattice's vertices have integer z, so a range of U:x keeps whole layers of cells.
 TEST_F(cells, a_threshold_shows_the_boundary_of_the_cells_kept) {
     json layer = surface;
-    layer["threshold"] = threshold(0, 1.25); // below the tips of pyramids in the next layer
+    layer["threshold"] = threshold(0, 1.25); // less than the z of the pyramids' tips in the next layer
     EXPECT_NEAR(enclosed(*show({{"s", layer}})), 36, 1e-3) << "the lowest layer";
     layer["threshold"]["keep"] = "any";
     EXPECT_NEAR(enclosed(*show({{"s", layer}})), 2 * 36, 6) << "and those above that touch it";
@@ -154,7 +154,7 @@ TEST_F(cells, a_threshold_shows_the_boundary_of_the_cells_kept) {
 
 TEST_F(cells, a_threshold_by_an_array_of_the_cells_asks_no_vertices) {
     json layer = surface;
-    layer["threshold"] = {{"array", "cell:q"}, {"range", {0, 1e6}}, {"keep", "any"}}; // the number of the cell
+    layer["threshold"] = {{"array", "cell:q"}, {"range", {0, 1e6}}, {"keep", "any"}}; // cell:q is the cell's id
     EXPECT_NEAR(enclosed(*show({{"s", layer}})), 216 - 8, 1e-3);
     layer["threshold"]["range"] = {7, 9};
     const auto some = show({{"s", layer}});

@@ -1,4 +1,4 @@
-// From a scene's words on colors to colors, by the cases that the browser is held to, too.
+// Color scales made from a scene's `color`, by cases in a file that the web client's tests use, too.
 #include "annotations/color_ticks.hpp"
 #include "annotations/ticks.hpp"
 #include "geometry/color_scale_of.hpp"
@@ -107,7 +107,7 @@ TEST(ColorScale, TakesACommonPowerOfTenOutOfItsNumbersUnlessItIsLogarithmic) {
     EXPECT_EQ(annotations::label_on(scale, 1e-5), "10⁻⁵");
 }
 
-// A tick at a step's end is a power of ten but for its rounding: the mantissa must not come out as 10.
+// Ticks at powers of ten are slightly off because of rounding. Their labels must not get a mantissa of 10.
 TEST(ColorScale, NoLabelOfALogarithmicScaleHasTenBeforeItsPower) {
     for (const int decades : {1, 6, 12})
         for (int low = -30; low <= 20; ++low)
@@ -146,7 +146,7 @@ TEST(ColorScale, TicksStayInsideAndInOrderWhateverTheRange) {
             }
 }
 
-// Ends that no float can hold, or whose difference none can, ends that are subnormal, and a long way from zero.
+// Ranges with ends or a width beyond float32, with subnormal ends, narrow ones far from zero, and ranges of one value.
 TEST(ColorScale, AnyRangeHasEndsThatAreWrittenAndAFiniteWidth) {
     for (const auto& range : {std::array{-1e308, 1e308},
                               {-3.4e38, 3.4e38},
@@ -187,7 +187,7 @@ TEST(ColorScale, AnyRangeHasEndsThatAreWrittenAndAFiniteWidth) {
     }
 }
 
-// Its legend has the numbers that whoever chose it wrote, not the floats next to them.
+// The legend of a given range shows the numbers of the scene, not the nearest floats.
 TEST(ColorScale, ARangeThatWasGivenIsWrittenAsItWas) {
     for (const json& row : cases()["ends"]) {
         const auto scale = color_scale_of(coloring_of(row[0]), {0, 1});

@@ -1,5 +1,5 @@
-// Layers that are switched on and show nothing: which, why, and that they have no legend. The box goes from 0 to 6
-// along each axis, beside its origin.
+// Visible layers that show nothing are named with the reason, and have no legend. The dataset is a box that goes from 0
+// to 6 along each axis, relative to box_origin.
 #include "geometry/empty_layers.hpp"
 
 #include "geometry/scene_annotations.hpp"
@@ -114,14 +114,15 @@ TEST_F(EmptyLayers, AreThoseThatPlanesCutAwayWhole) {
         EXPECT_EQ(now.empty[0].reason, "The clip planes cut away the whole layer.");
         EXPECT_EQ(legends(), 0U);
     }
-    // No vertex of the lattice is between these planes, but parts of cells are; and of the opposite ones nothing is.
+    // Between these planes are parts of cells, but no vertex of the lattice. The same planes inverted keep nothing.
     const json between{{"a", surface}, {"c", clip("x", 2.7)}, {"d", clip("x", 2.3, true)}};
     EXPECT_TRUE(show(between).empty.empty());
     const json beyond{{"a", surface}, {"c", clip("x", 2.3)}, {"d", clip("x", 2.7, true)}};
     EXPECT_EQ(show(beyond).empty.size(), 1U);
 }
 
-// Caps would close both sides of what has no inside.
+// Clip planes that leave at most a thin sheet or a corner of the box leave no geometry. Otherwise caps would be drawn
+// on both sides of the sheet.
 TEST_F(EmptyLayers, AreAllWherePlanesLeaveNoMoreThanASheet) {
     const json slice = colored({{"type", "slice"}, {"axis", "x"}, {"value", test::box_origin[0] + 2.3}});
     json oblique{{"type", "clip"}, {"origin", test::box_origin}, {"normal", {1, 1, 1}}, {"invert", false}};
@@ -129,7 +130,7 @@ TEST_F(EmptyLayers, AreAllWherePlanesLeaveNoMoreThanASheet) {
         {{"c", clip("x", 2.3)}, {"d", clip("x", 2.3, true)}},
         {{"c", clip("x", 2.3)}, {"d", clip("x", 2.3 - 1e-5, true)}},
         {{"c", clip("z", 0)}},
-        {{"c", oblique}}, // a corner
+        {{"c", oblique}}, // leaves one corner of the box
         {{"b", clip("y", 1)}, {"c", clip("x", 2.3)}, {"d", clip("x", 2.3, true)}},
     };
     for (json layers : planes)

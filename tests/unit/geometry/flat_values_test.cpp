@@ -1,4 +1,4 @@
-// Surfaces colored by an array of the cells. Every polygon has the value of its cell; no value is interpolated.
+// Surfaces colored by a cell array: every polygon has the value of its cell, and no value is interpolated.
 #include "geometry/surface_values.hpp"
 
 #include "geometry/clip.hpp"
@@ -30,7 +30,7 @@ protected:
         layer["color"] = {{"array", "cell:q"}};
         return layer;
     }
-    // That each triangle has at its three corners what its polygon's cell has.
+    // Expects that the three corners of each triangle have the value of their polygon's cell.
     void expect_flat(const Drawable& drawable) const {
         const auto of_cells = loaded->stored_scalar("cell:q", 0, store::Association::cell)->all();
         const Surface& surface = drawable.shape->surface;

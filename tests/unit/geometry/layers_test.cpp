@@ -1,4 +1,4 @@
-// What layers of every kind become, on the box of tests/support/small_dataset.
+// The drawables made from layers of every kind, on the box of tests/support/small_dataset.
 #include "frames/batches.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "store/catalog.hpp"
@@ -70,7 +70,7 @@ TEST_F(layers, edges_follow_their_surface_and_share_its_points) {
     }
 }
 
-// Only cells' own sides: a triangulation would add a diagonal to every quadrangle.
+// Edges are the sides of polygons, without the diagonals of their triangles.
 TEST_F(layers, edges_hold_the_sides_of_polygons_only) {
     json layer{{"type", "surface"}, {"edges", json::object()}};
     const auto shown = show({{"a", layer}});
@@ -99,7 +99,7 @@ TEST_F(layers, edges_are_counted_and_given_back) {
     EXPECT_EQ(geometry.memory_bytes(), without);
 }
 
-// On the plane x = 2.5 of the box, p = 2.5 + 2 y + 3 z: straight lines, whose length is known.
+// On the plane x = 0.5 of the box, p = 0.5 + 2 y + 3 z, so contour lines are straight and have a known length.
 TEST_F(layers, contour_lines_lie_where_the_array_has_the_values) {
     json layer = slice(0.5); // in front of the hole
     layer["contours"] = {{"array", "p"}, {"values", {6.5, 12.5, 1e6}}, {"width", 4}, {"color", "#00ff00"}};
@@ -119,7 +119,7 @@ TEST_F(layers, contour_lines_lie_where_the_array_has_the_values) {
         at_low += std::abs(p - 6.5) < 1e-4 ? 1U : 0U;
     }
     EXPECT_GT(at_low, 0U);
-    // 2 y + 3 z = 6 from (3, 0) to (0, 2); = 12 from (6, 0) to (0, 4).
+    // The line of p = 6.5 goes from (y, z) = (3, 0) to (0, 2), that of p = 12.5 from (6, 0) to (0, 4).
     EXPECT_NEAR(length(lines), std::hypot(3, 2) + std::hypot(6, 4), 1e-4);
     EXPECT_EQ(show({{"a", layer}})->drawables[1].revision, lines.revision) << "nothing has changed";
     layer["value"] = test::box_origin[0] + 1;
@@ -130,7 +130,7 @@ TEST_F(layers, contour_lines_lie_where_the_array_has_the_values) {
 
 TEST_F(layers, a_count_of_contour_lines_is_spread_evenly_inside_the_range) {
     json layer = slice(0.5);
-    layer["contours"] = {{"array", "U:x"}, {"count", 2}}; // z, from 0 to 6
+    layer["contours"] = {{"array", "U:x"}, {"count", 2}}; // U:x equals z, which goes from 0 to 6
     const auto heights = [&] {
         const auto shown = show({{"a", layer}});
         std::set<long> found;

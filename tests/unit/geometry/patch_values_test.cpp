@@ -1,4 +1,5 @@
-// What the solver has on the faces of patches colors boundaries, face by face, and nothing else.
+// The solver's values on the faces of patches (patch:p) color boundaries, one color for each face. Other uses are
+// refused.
 #include "geometry/scene_geometry.hpp"
 #include "store/catalog.hpp"
 #include "store/no_value.hpp"
@@ -17,7 +18,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-// 3 x 3 x 3 hexahedra. patch:p is the number of the boundary's face, but the last has no value.
+// 3 x 3 x 3 hexahedra. The value of patch:p on a boundary face is the face's number. The last face has no value.
 class patch_values : public testing::Test {
 protected:
     patch_values() {

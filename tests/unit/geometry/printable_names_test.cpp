@@ -1,4 +1,4 @@
-// A name with control characters does not cut short the sentence that refuses it.
+// Names with control characters are escaped in error messages. A zero byte would cut the message short.
 #include "ciel/printable.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "store/catalog.hpp"

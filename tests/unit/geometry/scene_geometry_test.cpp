@@ -61,7 +61,7 @@ TEST_P(scene_geometry, areas_are_those_of_the_box) {
                                       {"d", {{"type", "slice"}, {"order", 4}, {"axis", "x"}, {"value", 1000.5}}},
                                       {"e", {{"type", "slice"}, {"order", 5}, {"axis", "x"}, {"value", 1003.25}}}}));
     ASSERT_EQ(shown->drawables.size(), 5U);
-    EXPECT_NEAR(area(shown->drawables[0]), 6 * 36 + 6 * 4, 1e-3); // the box and the hole of edge 2
+    EXPECT_NEAR(area(shown->drawables[0]), 6 * 36 + 6 * 4, 1e-3); // the box of edge 6 and its hole of edge 2
     EXPECT_NEAR(area(shown->drawables[1]), 36, 1e-4);
     EXPECT_NEAR(area(shown->drawables[2]), 36 + 24, 1e-4);
     EXPECT_NEAR(area(shown->drawables[3]), 36, 1e-4);
@@ -77,7 +77,7 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colors) {
         const auto shown = show(document);
         const Drawable& drawable = shown->drawables.at(0);
         const auto& positions = drawable.shape->surface.positions;
-        ASSERT_EQ(time == 1, positions.empty()); // p has risen by 10: all below 7.5 are 0 and 10 above
+        ASSERT_EQ(time == 1, positions.empty()); // at time 1, p is at least 10 everywhere
         for (std::size_t i = 0; i < positions.size(); ++i) {
             const Vec3d at = test::in_box(shown->origin, positions[i]);
             EXPECT_NEAR(test::pressure(at, time), 7.5, 1e-4);
@@ -87,7 +87,8 @@ TEST_P(scene_geometry, iso_surface_has_the_value_and_the_interpolated_colors) {
     }
 }
 
-// What interpolation makes of the value differs by rounding: steps of color would speckle where it is their bound.
+// Interpolating the surface's own array gives its iso-value only up to rounding. If the value is a bound between two
+// color steps, the surface would show specks of both colors.
 TEST_P(scene_geometry, iso_surfaces_colored_by_their_own_array_have_one_color_each) {
     json layer = iso({7.1, 11.3, 13.7});
     layer["color"] = {{"array", "p"}, {"steps", 4}};
@@ -116,7 +117,7 @@ TEST_P(scene_geometry, what_a_scene_says_of_colors_arrives_at_the_renderer) {
 
 TEST_P(scene_geometry, an_array_without_a_logarithm_is_said_to_have_no_colors) {
     json layer = slice(1);
-    layer["color"] = {{"array", "U:z"}, {"log", true}}; // from -6 to 0
+    layer["color"] = {{"array", "U:z"}, {"log", true}}; // U:z goes from -6 to 0
     const auto shown = show(scene_of({{"s", layer}}));
     ASSERT_EQ(shown->lacking.size(), 1U);
     EXPECT_EQ(shown->lacking[0],
@@ -255,7 +256,7 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
     const render::Frame frame = frames::frame_of(*shown, parsed, 320, 200, 4);
     ASSERT_EQ(frame.primitives.size(), 3U);
     EXPECT_EQ(frame.primitives[2].color[3], 0.5F);
-    const std::size_t drawn_from[] = {1, 2, 0}; // the glass is the first of the layers
+    const std::size_t drawn_from[] = {1, 2, 0}; // drawables are in layer order: glass, iso, outline
     for (std::size_t i = 0; i < 3; ++i) {
         const render::Primitives& mesh = frame.primitives[i];
         const Drawable& drawable = shown->drawables.at(drawn_from[i]);

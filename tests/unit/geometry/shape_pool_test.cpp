@@ -1,4 +1,4 @@
-// The buffers of a surface that nobody looks at any more are those of the next one.
+// A shape that its last owner has released gives its buffers to the next surface.
 #include "ciel/assemble.hpp"
 #include "geometry/cut.hpp"
 
@@ -36,7 +36,7 @@ TEST(ShapePool, MayGoFirst) {
     held->surface.positions.resize(10);
 }
 
-// Pictures under way let go of them elsewhere.
+// A picture in progress may release a shape on another thread.
 TEST(ShapePool, TakesThemBackFromAnyThread) {
     const auto pool = ShapePool::make();
     for (int i = 0; i < 200; ++i) {
@@ -48,7 +48,7 @@ TEST(ShapePool, TakesThemBackFromAnyThread) {
     }
 }
 
-// One tetrahedron, to and fro.
+// Moves the iso-value to and fro in one tetrahedron.
 TEST(Cut, MovesWithoutNewBuffers) {
     const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     PolyhedraView input;

@@ -1,4 +1,5 @@
-// A slice in a side of the mesh and a surface layer there are in one place: one of them is seen, never parts of both.
+// A slice that lies in a side of the mesh coincides with a surface layer there. The picture shows one of them, never
+// parts of both.
 #include "frames/picture.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "render/renderer.hpp"
@@ -28,7 +29,8 @@ protected:
     std::shared_ptr<const Geometry> geometry_of(const json& layers) {
         return geometry.update({scene::parse({{"dataset", "box"}, {"layers", layers}}), loaded});
     }
-    // From a place off the middle, so that no side is seen straight.
+    // Draws the layers from a camera at (x, -3, z) that looks at the box's center, so that it sees every side
+    // obliquely.
     std::vector<std::uint8_t> picture(const json& layers, double x, double z) {
         const scene::Scene scene = scene::parse(
             {{"dataset", "box"},
@@ -99,7 +101,7 @@ TEST_F(SliceInASide, HidesTheWholeBoundaryThereFromEitherEnd) {
                               {"color", {{"solid", "#0000ff"}}}};
             const auto alone = picture({{"a", across}}, -2, z == 0 ? -14 : 20);
             const auto both = picture({{"a", across}, {"b", solid}}, -2, z == 0 ? -14 : 20);
-            const auto is_inside = [&](std::size_t i) { // not on the rim, where the walls beside it are as near
+            const auto is_inside = [&](std::size_t i) { // false on the rim, where adjacent sides are as near
                 return alone[i + 2] == 255 && alone[i - 1] == 255 && alone[i + 5] == 255;
             };
             std::size_t seen = 0;
@@ -131,7 +133,8 @@ TEST_F(SliceInASide, ShowsValuesEdgesAndContoursThere) {
     EXPECT_TRUE(geometry_of({{"a", slice(-1e-3, 1, 0)}})->drawables.at(0).indices().empty()) << "beside the mesh";
 }
 
-// The boundary's own faces are there: a second layer of them would be in the file that is exported, too.
+// A clip plane in a side of the mesh makes no cap, because the boundary's faces are there. A cap would be a second
+// layer of polygons, also in exported files.
 TEST_F(SliceInASide, AClipThereNeedsNoCap) {
     const json solid{{"type", "surface"}};
     json knife{{"type", "clip"}, {"origin", place(6, 0, 0)}, {"normal", {1, 0, 0}}};

@@ -94,7 +94,7 @@ TEST_F(volume_cut, slices_that_no_scene_counts_are_more_where_opacity_is_steep_a
     EXPECT_EQ(usual_slices(5, 5, 1000, 1000), 400U);
     EXPECT_EQ(usual_slices(5, 5, 450'000, 1000), 267U);
     EXPECT_EQ(usual_slices(5, 5, 2'000'000, 1000), 200U);
-    const double rise = std::log(10); // from 0 to 0.9
+    const double rise = std::log(10); // extinction at opacity 0.9 minus that at 0
     EXPECT_NEAR(steepness(std::vector<std::array<double, 2>>{{0, 0}, {1, 0.9}}), rise, 1e-12);
     EXPECT_NEAR(steepness(std::vector<std::array<double, 2>>{{0, 0.9}, {0.5, 0.9}, {0.6, 0}}), 10 * rise, 1e-9);
     EXPECT_TRUE(std::isinf(steepness(std::vector<std::array<double, 2>>{{0.5, 0}, {0.5, 0.9}})));
@@ -126,7 +126,7 @@ TEST_F(volume_cut, only_what_is_drawn_while_something_moves_is_cut_and_the_rest_
     EXPECT_EQ(cut_slices(still), 100U);
     EXPECT_EQ(still.identity, moving.identity);
     EXPECT_NE(still.revision, moving.revision);
-    const geometry::VolumeDrawable again = show(volume(100), true, {2, -9, 1}); // another view, the same axis
+    const geometry::VolumeDrawable again = show(volume(100), true, {2, -9, 1}); // another view with the same slice axis
     EXPECT_EQ(again.slabs, still.slabs);
     EXPECT_EQ(again.revision, still.revision);
 }

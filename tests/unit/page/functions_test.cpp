@@ -42,7 +42,7 @@ Overlay read_overlay(Reader& from) {
         label.box = {box[0], box[1], box[2], box[3]};
         overlay.labels.push_back(label);
     }
-    (void)from.numbers<4>(); // the halo
+    (void)from.numbers<4>(); // skips the color of the halo
     return overlay;
 }
 
@@ -128,7 +128,7 @@ TEST(PageFunctions, MakeTicksAndTexts) {
     EXPECT_EQ(results_of(exponent_of, results, {1, 1e9, 1, 0}).integer(), 0);
 
     Reader logarithmic = results_of(color_ticks, results, {1, 1000, 1, 0, 6, 257});
-    EXPECT_EQ(logarithmic.integer(), 28); // 1 to 9 of three decades, and 1000
+    EXPECT_EQ(logarithmic.integer(), 28); // 1 to 9 times 1, 10 and 100, and 1000
     EXPECT_EQ(results_of(label_on, results, {0, 10, 0, 0, -2.5}).text(), "−2.5");
     EXPECT_EQ(results_of(number_alone, results, {1e9, 6}).text(), "10⁹");
     EXPECT_EQ(results_of(times_power_of_ten, results, {5}).text(), " ×10⁵");

@@ -86,8 +86,5 @@ TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
     EXPECT_EQ(probed.values.at("cell:U:magnitude"), 5);
 }
 
-// Every kind of cell there is, non-convex ones too: a point between two cells is found in one of them, and the weights
-// reproduce a linear field.
-
 } // namespace
 } // namespace ciel::probe

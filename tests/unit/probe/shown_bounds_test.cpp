@@ -1,5 +1,5 @@
-// What clips and thresholds leave, as a box: against boxes that are known. The dataset goes from 0 to 6 along each
-// axis, beside its origin; p = x + 2 y + 3 z, U:x = z.
+// Compares the box around what clips and thresholds leave with known boxes. The dataset goes from 0 to 6 along each
+// axis, relative to box_origin; p = x + 2 y + 3 z, U:x = z.
 #include "probe/shown_bounds.hpp"
 
 #include "store/catalog.hpp"
@@ -33,7 +33,7 @@ const json volume{{"type", "volume"}, {"array", "p"}, {"slices", 20}};
 struct Row {
     const char* what;
     json layers;
-    Vec3d low, high; // beside the origin
+    Vec3d low, high; // relative to box_origin
 };
 
 TEST(ShownBounds, AreThoseOfWhatClipsAndThresholdsLeave) {

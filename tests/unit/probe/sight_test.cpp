@@ -1,5 +1,5 @@
-// What a line of sight meets, against layers whose places are known: the box goes from 0 to 6 beside its origin, with a
-// hole from 2 to 4 whose sides are the patch "body"; the patch "left" is at x = 0.
+// The layers that a line of sight crosses, at known positions. The box goes from 0 to 6 relative to box_origin and has
+// a hole from 2 to 4. The hole's sides are the patch "body"; the patch "left" is at x = 0.
 #include "probe/sight.hpp"
 
 #include "store/catalog.hpp"
@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 struct Seen {
-    double x = 0; // beside the box's origin
+    double x = 0; // relative to box_origin
     std::string layer;
     std::optional<std::string> patch;
     bool operator==(const Seen&) const = default;

@@ -68,8 +68,7 @@ color::ColorScale scale_of(const char* map, std::array<double, 2> range) {
     return scale;
 }
 
-// Absolute pressure in a slow flow: the range is only 26 float32 steps wide. Tests a smooth scale and one of 13 colors.
-// The values are doubles around 2^20 that differ by 2^-9 in all. As floats they would have one value.
+// The values are doubles around 2^20 that differ by at most 2^-9. As floats they would all be equal.
 TEST_P(ColorScalePicture, DoublesFarFromZeroHaveTheColorsOfTheSameDoublesAroundZero) {
     const double far = std::ldexp(1, 20);
     for (const int steps : {0, 7})
@@ -107,6 +106,7 @@ TEST_P(ColorScalePicture, DoublesFarFromZeroHaveTheColorsOfTheSameDoublesAroundZ
         }
 }
 
+// Absolute pressure in a slow flow: the range is only 26 float32 steps wide. Tests a smooth scale and one of 13 colors.
 TEST_P(ColorScalePicture, OfASmallRangeBesideItsValuesIsAsSmooth) {
     const double low = 101325 - 13.0 / 128, high = 101325 + 13.0 / 128;
     for (const int steps : {0, 13})

@@ -56,8 +56,8 @@ TEST_P(LightingTest, EachLightAddsItsStrength) {
     }
 }
 
-// Normals include the direction of the strongest highlight. Uniform color, clip planes and back sides use other
-// programs.
+// The normals include the direction of the strongest highlight. Clip planes and back sides are tested because they use
+// other shader programs.
 TEST_P(LightingTest, EachLightAddsWhatTheNormalTakesOfIt) {
     const double long_half = std::hypot(key[0], key[1], key[2] + 1);
     const Vec3d half{key[0] / long_half, key[1] / long_half, (key[2] + 1) / long_half};

@@ -1,4 +1,4 @@
-// Files that an append inspects, and leftovers of killed appends.
+// The number of files that an append inspects, and temporary files that killed appends have left.
 #include "support/store_box/box.hpp"
 #include "unit/store/counted_stat.hpp"
 
@@ -39,7 +39,7 @@ std::size_t stat_calls_of(const Work& work) {
     return test::stat_calls() - before;
 }
 
-// Both datasets have a table of steps.
+// The number of inspected files must not grow with the number of steps. Both datasets have a table of steps.
 TEST(AppendFiles, TheFilesOfOldStepsAreNotAskedFor) {
     const test::Folder scratch;
     std::vector<std::size_t> writing, reading;
@@ -69,7 +69,7 @@ TEST(AppendFiles, AReaderLooksAtNoFileOfAStepBeforeItIsShown) {
     EXPECT_EQ(stat_calls_of([&] { (void)reader->refreshed(); }), first);
 }
 
-// A process that holds the file open and locked, as replace_file does, until `done` is closed.
+// A process that keeps the file open and locked, as replace_file does, until this object is destroyed.
 class LivingWriter {
 public:
     explicit LivingWriter(const fs::path& file) {

@@ -1,4 +1,4 @@
-// Blocks on disk: what is written is what is read, and the README shows its bytes.
+// Blocks on disk: the bytes read are those written, and they are the ones that the README shows.
 #include "ciel/extract.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/checksum.hpp"
@@ -45,7 +45,7 @@ TEST(Blocks, HaveTheBytesThatTheReadmeShows) {
     EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
 }
 
-// Returns whether both give the same bytes for all blocks.
+// Expects the same bytes in all records of both topologies.
 void expect_same_records(const Topology& a, const Topology& b) {
     EXPECT_EQ(a.tables(), b.tables());
     ASSERT_EQ(a.block_count(), b.block_count());
@@ -130,7 +130,7 @@ TEST_P(BlocksBy, AFileThatShrinksIsLost) {
 INSTANTIATE_TEST_SUITE_P(Access, BlocksBy, testing::Values(FileAccess::mapped, FileAccess::read),
                          [](const auto& test) { return test.param == FileAccess::mapped ? "mapped" : "read"; });
 
-// A changed record may lead there (RecordSource).
+// An index in a changed record may lead up to 1 MiB beyond a record's end, which must be readable (RecordSource).
 TEST(Blocks, CanBeReadBeyondTheirEnd) {
     const test::Folder scratch;
     const Topology built = cells_of_all_kinds();
@@ -217,7 +217,7 @@ TEST(Ranges, AreWrittenForAppendedStepsToo) {
 TEST(Ranges, LetASurfaceReadTheBlocksThatItCrosses) {
     const test::Folder scratch;
     LoadedDataset loaded(written(scratch), 1U << 24);
-    const ScalarField p = loaded.scalar("p", 0); // p is x
+    const ScalarField p = loaded.scalar("p", 0); // p equals x
     const auto [low, high] = p.field->range();
     const double near_one_side = low + 0.06 * (high - low);
     const ScalarField plane = loaded.plane(0, {p.points.origin[0] + near_one_side, 0, 0}, {1, 0, 0});

@@ -1,4 +1,4 @@
-// Datasets of many steps: only the chunks that were used last, and those that somebody holds, stay mapped.
+// Datasets of many steps: only the most recently used chunks, and chunks that are in use, stay mapped.
 #include "ciel/extract.hpp"
 #include "store/cache/chunk_cache.hpp"
 #include "store/loaded.hpp"
@@ -26,7 +26,7 @@ std::size_t mapped_files(const fs::path& part) {
     return count;
 }
 
-// Each step has its own values and its own positions: x is moved by the number of the step.
+// Each step has its own values and positions: p is the number of the step, and x is moved by it.
 class ManySteps : public testing::Test {
 protected:
     void SetUp() override {

@@ -1,5 +1,5 @@
-// What opening and a surface read from the disk, as the system's page cache tells: opening reads no record and no
-// array, and a surface reads what it crosses.
+// Opening a dataset reads no record and no array from the disk, and a surface reads only the blocks that it crosses.
+// The tests ask the system which pages of the files are in its page cache.
 #include "ciel/extract.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "store/loaded.hpp"
@@ -33,7 +33,7 @@ protected:
                 files.push_back(entry.path());
         return files;
     }
-    // Returns the bytes of these files that are in the page cache. `part`: of their paths.
+    // Returns how many bytes of these files are in the page cache. `part`: counts only files whose path contains it.
     [[nodiscard]] std::size_t cached_in(const std::string& part) const {
         std::size_t bytes = 0;
         for (const fs::path& file : numbered_files())

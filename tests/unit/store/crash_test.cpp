@@ -200,7 +200,7 @@ void write_without_steps(const fs::path& directory) {
     }
 }
 
-// The steps pass from the marker to the table several times.
+// While the writer appends, steps are moved from the commit marker to the table several times.
 TEST(Crash, AWriterKilledAtAnyMomentLosesNoStepThatItHasTold) {
     const test::Folder scratch;
     const fs::path directory = scratch / "a.ciel";

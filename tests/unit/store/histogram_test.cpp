@@ -1,4 +1,4 @@
-// Histograms: those beside arrays are those that counting the values gives.
+// Histograms. Those stored beside arrays equal the counts of the values.
 #include "store/format/histogram.hpp"
 
 #include "store/format/layout.hpp"
@@ -33,7 +33,8 @@ TEST(HistogramTest, OfEqualValuesHasThemInTheFirstBin) {
     EXPECT_EQ(histogram_of(std::vector<float>{NAN}, 4).range, (std::array{0.0, 0.0}));
 }
 
-// Values at the edges of bins, and ranges whose width is subnormal or overflows.
+// Merging bins (with_bins) gives the same counts as counting with fewer bins, also for values at the edges of bins and
+// for ranges whose width is subnormal or overflows.
 TEST(HistogramTest, FewerBinsAreThoseThatCountingGives) {
     std::mt19937 random(7);
     const std::vector<std::array<double, 2>> ranges{{0, 1},      {-3, 1e-3},          {101325, 101325.001},

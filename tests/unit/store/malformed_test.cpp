@@ -74,7 +74,7 @@ Damage poke(const char* name, std::size_t index, T value) {
     };
 }
 
-// Gives a topology array of 32-bit ids another length, with a checksum that is right.
+// Gives a topology array of 32-bit ids another length and corrects the checksum.
 Damage resize_array(const char* name, std::size_t entries) {
     return [=](const fs::path& d) {
         const fs::path mesh = d / "meshes/0";
@@ -336,7 +336,7 @@ TEST(Damaged, AChunkIsVerifiedAtFirstTouch) {
     EXPECT_THROW((void)dataset->values("p", 2), Error) << "and stays refused";
 }
 
-// Returns the sentence with which the records of the box's only block are refused after `damage`.
+// Returns the message with which the records of the box's only block are refused after `damage`; empty if they are not.
 std::string refused_block(const Damage& damage) {
     const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
@@ -356,7 +356,7 @@ TEST(Damaged, ABlockIsVerifiedAtFirstTouch) {
     EXPECT_THAT(refused_block(flip("meshes/0/blocks/cells/0", 100)), testing::HasSubstr("checksum of block 0"));
 }
 
-// Files of 60 bytes more or less would be found when the dataset is opened.
+// The file of records shrinks while the dataset is open. If it had shrunk before, opening would fail.
 TEST(Damaged, RecordsThatShrinkWhileTheyAreOpenAreRefused) {
     const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));

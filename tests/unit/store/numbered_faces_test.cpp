@@ -1,4 +1,4 @@
-// The numbered faces of a stored mesh: the same in both formats, and read without the other faces.
+// The numbered faces of a stored mesh are the same in both formats and are read without the other faces.
 #include "ciel/mesh_faces.hpp"
 #include "store/dataset.hpp"
 #include "support/store_box/box.hpp"
@@ -18,7 +18,7 @@ class NumberedFacesTest : public testing::Test {
 protected:
     NumberedFacesTest() { test::write_box(directory, mesh); }
 
-    // Of the faces of the group, that with the id 1 is inside the mesh.
+    // Expects the boundary faces, followed by face 1, the only face of a group that is inside the mesh.
     void expect_faces(const Dataset& dataset) const {
         const FaceLists expected = numbered_faces(mesh.view(), std::vector<Index>{1});
         const FaceMeshView found = dataset.numbered_faces(0, 0), boundary = dataset.boundary(0, 0);

@@ -1,4 +1,5 @@
-// Values and positions are read and checked page by page: what no surface needs may be damaged.
+// Values and positions are read and checked page by page. Damage to a page is an error only for those who need the
+// page.
 #include "ciel/extract.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
@@ -16,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// 68,921 vertices: 5 pages of `p`, 13 pages of U and of the positions. p is the number of the vertex in the file's
-// order, which is the stored order.
+// A box of 68,921 vertices: p has 5 pages, U and the positions have 13 each. The value of p is the vertex id. Stored
+// and imported ids are equal.
 class PagedValuesTest : public testing::TestWithParam<FileAccess> {
 protected:
     static void SetUpTestSuite() {
@@ -27,7 +28,7 @@ protected:
     static void TearDownTestSuite() { pattern.reset(); }
     PagedValuesTest() { fs::copy(*pattern / "box.ciel", directory, fs::copy_options::recursive); }
 
-    // Changes a byte in place. Negative: from the end.
+    // Changes a byte in place. `at`: offset of the byte; if negative, from the end.
     static void flip(const fs::path& file, std::ptrdiff_t at) {
         std::string bytes = test::read_file(file);
         bytes.at(at < 0 ? bytes.size() - static_cast<std::size_t>(-at) : static_cast<std::size_t>(at)) ^= 1;
@@ -86,11 +87,11 @@ TEST_P(PagedValuesTest, AnIdIsReadFromItsPage) {
     EXPECT_THAT(error_of([&] { (void)dataset->original_cell(0); }), refused);
     EXPECT_THAT(error_of([&] { dataset->verify(); }), refused);
 
-    fs::remove_all(cells / "ranges"); // as an earlier CIEL has written it
+    fs::remove_all(cells / "ranges"); // earlier versions wrote no checksums of pages
     EXPECT_THAT(error_of([&] { (void)open()->original_cell(0, 1); }), refused) << "all of it is one page";
 }
 
-// The damage is half way up: a plane reads the blocks at both ends of its direction for its range.
+// The damage is half way up the box. At its ends every plane reads positions, to compute its range.
 TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
     flip(positions, static_cast<std::ptrdiff_t>(fs::file_size(positions) / 2));
     LoadedDataset loaded(open(), 1U << 30);
@@ -103,7 +104,7 @@ TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
     EXPECT_THAT(error_of([&] { (void)loaded.dataset()->points(0, 0); }), HasSubstr("does not match its checksum"));
 }
 
-// The open dataset maps the damaged file, so it has to be opened anew.
+// The open dataset still maps the damaged file, so only a dataset that is opened again can read the restored one.
 TEST_P(PagedValuesTest, ARestoredFileIsOpenedAnew) {
     const std::string content = test::read_file(p);
     flip(p, -1);
@@ -185,7 +186,7 @@ TEST_P(PagedValuesTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
     EXPECT_THAT(error_of([&] { (void)loaded.histogram("cell:p", 0, 100); }), HasSubstr(cells.string()));
 }
 
-// Copied pages are the process's own memory, and a truncated file does not take away what was read.
+// Copied pages count as the process's own memory. Values in them stay readable when the file is truncated.
 TEST_P(PagedValuesTest, OnlyCopiedPagesCountAsMemory) {
     const auto dataset = open();
     const auto values = dataset->values("p", 0);
@@ -223,7 +224,8 @@ TEST_P(PagedValuesTest, FieldsOnTheSamePositionsShareTheirLoader) {
     EXPECT_EQ(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}).points.loader, loader);
 }
 
-// As a CIEL that stored no checksums of pages wrote it: the offset at 128 is zero.
+// In files without checksums of pages, as earlier versions wrote them, the u64 at offset 128 is zero. The whole array
+// is then checked at its first use.
 TEST_P(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
     const fs::path file = layout::value_ranges(p.parent_path(), 0);
     std::string bytes = test::read_file(file);

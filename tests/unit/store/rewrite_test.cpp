@@ -1,4 +1,4 @@
-// A dataset written again holds the same, with blocks and ranges.
+// A dataset that is written again has the same content, and has blocks and ranges.
 #include "store/rewrite.hpp"
 
 #include "ciel/mesh_faces.hpp"
@@ -78,8 +78,8 @@ TEST_F(RewriteTest, HoldsTheSameAndHasBlocks) {
     EXPECT_THAT(shares, testing::ElementsAre(0, 0.2, 0.4, 0.6, 0.8)) << "one mesh and four steps";
 }
 
-// Faces of groups and values on boundary faces keep their places, also where blocks and lists have faces in other
-// orders, and where cells have collapsed.
+// Faces of groups and values on boundary faces keep their numbers, also where blocks and face lists order faces
+// differently, and in meshes with collapsed cells.
 TEST_F(RewriteTest, KeepsTheNumbersOfFaces) {
     for (const test::NamedMesh& named : test::all_meshes()) {
         const Assembled assembled = assemble(test::view(named.make()));

@@ -1,4 +1,4 @@
-// The table of steps: what a marker of text would say, read step by step, and kept apart from what was never committed.
+// The table of steps keeps every detail that the commit marker had, and ignores what was never committed.
 #include "store/append.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
@@ -75,7 +75,7 @@ TEST(StepTable, HasTheBytesThatTheReadmeShows) {
         << shown;
 }
 
-// A dataset with more steps than a marker holds.
+// A dataset with more steps than the commit marker keeps, so that they are in the table.
 class TabledSteps : public testing::Test {
 protected:
     static constexpr std::size_t count = 150;
@@ -211,7 +211,7 @@ TEST_F(TabledSteps, AreCountedByTheWriterThatAppendsADataset) {
     for (std::size_t step = 0; step < count; ++step) expect_step(*dataset, step);
 }
 
-// A step is committed before it may move to the table, so a table that cannot be written is no error of the step.
+// A step is committed before it moves to the table. If the table cannot be written, appending still succeeds.
 TEST_F(TabledSteps, StayInTheMarkerIfTheTableCannotBeWritten) {
     const fs::path few = scratch / "few.ciel";
     {
@@ -252,7 +252,7 @@ TEST_F(TabledSteps, OfABackupWithHardLinksStayAsTheyAre) {
     EXPECT_EQ(Dataset::open(backup)->steps().back().arrays.size(), 0U);
 }
 
-// An array that is on one mesh only is learnt from the table, and directories that no step names are not looked at.
+// The table tells which arrays each mesh has. Directories of arrays that no step names are not read.
 TEST_F(TabledSteps, NameTheMeshesOfTheirArrays) {
     const fs::path two = scratch / "two.ciel";
     const std::vector<float> p = test::values_of(27, 1), q = test::values_of(8, 1);
@@ -315,7 +315,8 @@ TEST_F(TabledSteps, ThatAreDamagedAreRefused) {
     expect_step(*open(), 0);
 }
 
-// Bytes with a right checksum: what one step names is compared with what the marker lists.
+// Changes the entry of a step and corrects the checksums. Arrays and chunks that do not exist, and wrong counts, must
+// be refused.
 TEST_F(TabledSteps, ThatNameWhatDoesNotExistAreRefused) {
     const std::string arrays = test::read_file(directory / "steps/arrays");
     const auto refusal = [&](std::size_t at, std::uint32_t value) -> std::string {

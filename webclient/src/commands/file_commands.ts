@@ -7,7 +7,7 @@ export type ExportFormat = "ply" | "stl" | "vtp";
 
 export class FileCommands {
   private calls = 0;
-  /** Cancels the call that the model tells of. */
+  /** Cancels the call in `model.longCall`. */
   private canceller: AbortController | null = null;
 
   constructor(
@@ -68,7 +68,7 @@ export class FileCommands {
     work: (progress: string, signal: AbortSignal) => Promise<void>,
   ): Promise<void> {
     const { longCall } = this.deps.model;
-    // Other pages of the session hear of the call too, and must not take it for one of theirs.
+    // Other pages of the session also receive the progress of this call. The random part distinguishes it from theirs.
     const name = `${++this.calls} ${Math.random()}`;
     const canceller = new AbortController();
     this.canceller = canceller;

@@ -48,13 +48,13 @@ export class Links {
   private async follow(): Promise<void> {
     if (location.hash === this.written) return;
     if (decodeSession(location.hash) !== null) {
-      location.reload(); // one page uses only one session: load it again
+      location.reload(); // a page uses only one session, so it is loaded again
       return;
     }
     const scene = await this.decoded();
     if (scene === null) return;
-    // Changes the local scene only after the server has accepted the new one. The link may be of another server or
-    // written by hand.
+    // The link may be of another server or written by hand. So the local scene changes only after the server has
+    // accepted the scene of the link.
     const { editor, session } = this.server();
     if (this.model.fatal.peek() === null) await editor.propose(scene);
     else await session.begin(scene);

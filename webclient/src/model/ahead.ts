@@ -21,7 +21,7 @@ export interface Ahead {
 
 type Segment = [Vec3, Vec3];
 
-/** Box edges as index pairs into corners(). z varies fastest there, so the two indices of an edge differ in one bit. */
+/** Box edges as pairs of indices into corners(). Each bit of an index is an axis, so an edge changes one bit. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((from) =>
   [1, 2, 4].flatMap((bit): [number, number][] => ((from & bit) === 0 ? [[from, from | bit]] : [])),
 );

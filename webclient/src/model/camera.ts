@@ -191,7 +191,7 @@ export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, p
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Largest factor for moving the camera back. Overlapping legends are accepted where more would be needed. */
+/** Largest factor for moving the camera back. If more would be needed, legends cover the box. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {

@@ -12,7 +12,7 @@ export const MOST_STEPS = 256;
 const FIRST_POINTS = 5;
 
 /**
- * Switches the logarithmic scale on or off. It excludes a symmetric scale, and its range is clipped to above zero.
+ * Switches the logarithmic scale on or off. Switching on removes `symmetric` and clips the range to above zero.
  * `before`: the coloring when the logarithm was switched on. Switching off restores `symmetric` from it, and also
  * `range` unless the user has changed the range since.
  */
@@ -44,7 +44,7 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   return { range: [-reach, reach] };
 }
 
-/** Sets a range of values of the data. A logarithmic scale begins above zero there, where the values do not. */
+/** Sets the range to `values`, a range of the data. A logarithmic scale gets only the part above zero. */
 export function withDataRange(coloring: Coloring, values: Range): ColoringChange | string {
   const isOneSided = coloring.log === true && coloring.symmetric !== true;
   return withRange(coloring, ...(isOneSided ? rangeAboveZero(values) : values));

@@ -4,7 +4,7 @@ import { DEFAULT_MAP, missingHex } from "./color_maps";
 import type { Coloring, Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 
-/** Decades of a logarithmic scale below the largest value, where the data's lowest value is zero or negative. */
+/** Number of decades of a logarithmic scale, counted from its largest value, if the lowest value is not above zero. */
 const LOG_DECADES = 6;
 /**
  * Largest absolute value of a range end. GPUs divide by the range's width, whose reciprocal must not be a denormal

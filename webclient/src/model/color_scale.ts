@@ -117,7 +117,10 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
-/** Share of the range. Values of a range that is as narrow as this slack are doubles, which are not rounded so far. */
+/**
+ * Largest slack for rounding, as a share of the range. Values of a range so narrow that floats would need more slack
+ * are doubles, which have smaller rounding errors.
+ */
 const LARGEST_SLACK = 1e-3;
 
 /**

@@ -24,8 +24,8 @@ export function update(model: Model, change: Partial<PageState>): void {
 }
 
 /**
- * Camera of the current scene. A scene without a camera has the one that the server chose, or until that arrives the
- * default view. null if neither is known.
+ * Camera of the current scene. A scene without a camera has the one that the server chose, or until that camera has
+ * arrived, the default view. null if neither is known.
  */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;

@@ -57,7 +57,8 @@ const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
 /**
- * Coloring of a new clip layer's caps. Uses the first scalar, unless a visible whole boundary is colored by an array.
+ * Coloring of a new clip layer's caps by the first scalar. Empty if a visible layer shows the whole boundary colored by
+ * an array, because the caps then have the colors of that layer.
  */
 export function capColoring(scene: Scene | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(

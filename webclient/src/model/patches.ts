@@ -67,7 +67,7 @@ function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
 }
 
 export function withAll(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
-  if (these.length === all.length) return []; // the whole boundary may have more faces than its patches
+  if (these.length === all.length) return []; // the whole boundary: some of its faces may be in no patch
   return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
 }
 

@@ -56,7 +56,7 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** The array of a scalar or of an array's name. A probe reads all arrays, with those that are no scalars of layers. */
+/** The array of a scalar, or the array of this name: a probe also reads arrays that are no scalars of layers. */
 const arrayNamed = (description: DatasetDescription | null, name: string): ArrayInfo | undefined =>
   arrayOf(description, name) ??
   description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));

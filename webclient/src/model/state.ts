@@ -67,7 +67,7 @@ export interface Histogram {
   cells?: CellExtremes | undefined;
 }
 
-/** A picture or file that the server makes. */
+/** A call that makes a picture or a file. */
 export interface LongCall {
   words: string;
   /** Name of the call in call.progress. */

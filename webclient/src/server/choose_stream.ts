@@ -9,7 +9,7 @@ export interface StreamFacts {
   gesture: Gesture;
   /** Measured bytes per second of the connection; null until a frame was long enough to measure. */
   lineRate: number | null;
-  /** Whether a still has arrived. A long still measures the connection's rate. */
+  /** Whether a still has arrived. A still gives a line rate unless it is too short to be measured. */
   sawStill: boolean;
   /** Round trip of a call in milliseconds; null until one was answered. */
   roundTripMs: number | null;

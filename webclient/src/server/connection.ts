@@ -34,8 +34,8 @@ export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
 /**
- * Milliseconds until the next attempt: doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A random quarter prevents that all
- * clients reconnect at once.
+ * Milliseconds until the next attempt: doubles from FIRST_RETRY_MS to LAST_RETRY_MS. Up to a quarter is taken off at
+ * random, so that not all clients reconnect at once.
  */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));

@@ -43,6 +43,6 @@ export interface Core {
   readonly entry: Entry;
   readonly streams: { current(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
-  /** The server has this scene at this revision. */
+  /** Call when the server has this scene at this revision. */
   taken(revision: number, scene: Scene): void;
 }

@@ -43,8 +43,8 @@ interface Change {
   /** The local scene after this change. */
   scene: Scene;
   /**
-   * The change contained a layer that another client has removed. The user was told, so a refusal is not reported
-   * again.
+   * The change concerned a layer that another client has removed. The user has been told so, and a refusal by the
+   * server is not reported in addition.
    */
   isVain?: boolean;
 }
@@ -197,7 +197,7 @@ export class SceneEditor {
     );
   }
 
-  /** Takes the server's scene, then applies `onTheWay` and the queued changes on top of it. */
+  /** Takes the server's scene, then applies the unanswered changes `onTheWay` and the queued changes on top of it. */
   private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
@@ -230,7 +230,7 @@ export class SceneEditor {
       this.events.refused(new Error("The session is not open. Try again when the picture is back"));
       return;
     }
-    while (this.queue.length > 0) this.sendOldest(server); // so that undo reverts the latest change
+    while (this.queue.length > 0) this.sendOldest(server); // so that an undo reverts the latest change
     const since = this.timing.now();
     const before = new Set(this.unanswered); // changes sent before the step, which its result contains
     this.travelling += 1;

@@ -5,8 +5,8 @@ import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 const get: Fetch = (address, init) => fetch(address, init);
 
 /**
- * Number of consecutive HTTP answers after which WebSockets count as blocked. After a restart, the server answers HTTP
- * before the page tries a WebSocket again.
+ * Number of consecutive HTTP answers after which WebSockets count as blocked. One answer is not enough: a restarted
+ * server answers HTTP before the page tries a WebSocket again.
  */
 const TRIES_BEFORE_NO_SOCKET = 2;
 

@@ -76,7 +76,7 @@ const CORNERS = { triangles: 3, lines: 2, points: 1 } as const;
 /** Resolves when the decoder has loaded. Await before decoding a batch. Rejects if the browser has no WebAssembly. */
 export const geometryReady: Promise<void> = MeshoptDecoder.ready;
 
-/** A batch refers to arrays of an earlier frame that are not kept. The server must send all arrays again. */
+/** Thrown if a batch refers to arrays of an earlier frame that are not kept. The server must send all arrays again. */
 export class MissingArrays extends Error {}
 
 /** Reads consecutive arrays of a message. Throws Error if the message is shorter or longer than its arrays. */
@@ -100,8 +100,8 @@ class KeptArrays {
   private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
   /**
-   * Returns a mesh or its values and marks them as used by this frame. `decode`: null if the batch does not contain
-   * them. Throws MissingArrays if such arrays are not kept.
+   * Returns the arrays of a mesh or its values and marks them as used by this frame. `decode`: decodes them from the
+   * batch; null if the batch does not contain them. Throws MissingArrays if they are then not kept either.
    */
   use<Arrays>(id: string, frame: number, decode: (() => Arrays) | null): Arrays {
     const arrays = decode === null ? this.kept.get(id)?.arrays : decode();

@@ -29,8 +29,8 @@ export class Histograms {
   ) {}
 
   /**
-   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. Signal
-   * readers run again when it arrives. The fetch starts after the current rendering.
+   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. Code that
+   * reads signals runs again when the histogram arrives. The fetch starts after the current rendering.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);

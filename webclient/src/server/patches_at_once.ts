@@ -1,5 +1,5 @@
-// Number of scene changes that may wait for an answer: one per animation frame of a round trip, so that none waits for
-// the previous answer. More would queue on the server. Later changes are merged until they can be sent.
+// Number of scene changes that may wait for an answer: one per animation frame of a round trip, so that no change waits
+// for the answer to the previous one. More would queue on the server. Later changes are merged until they can be sent.
 
 const FRAME_MS = 16;
 /** Lower limit, enough for a local server. */
@@ -16,7 +16,7 @@ export class PatchesAtOnce {
     this.answers = [...this.answers.slice(1 - REMEMBERED), took];
   }
 
-  /** Changes that may wait for an answer. Based on the fastest answer, which did not wait for others on the server. */
+  /** Number of changes that may wait for an answer. Based on the fastest answer, which did not wait on the server. */
   get count(): number {
     if (this.answers.length === 0) return LEAST;
     return Math.min(MOST, LEAST + Math.floor(Math.min(...this.answers) / FRAME_MS));

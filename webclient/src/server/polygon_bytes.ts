@@ -1,5 +1,5 @@
-// Bytes that polygons take on the line, estimated from the frames that have arrived. A frame holds what has changed; the
-// first one after a switch from pictures holds everything.
+// Estimates the bytes of polygons in frames, from the frames that have arrived. A frame contains only the changed
+// polygons. The first frame after a switch from pictures contains all polygons.
 
 const USUAL_TRIANGLE_BYTES = 8;
 
@@ -7,24 +7,24 @@ export class PolygonBytes {
   private newest: { bytes: number; triangles: number } | null = null;
   private mostOfTriangle = 0;
 
-  /** A frame has arrived. `triangles`: of the whole scene. */
+  /** Call for each frame of polygons. `triangles`: number of triangles of the whole scene. */
   presented(bytes: number, triangles: number): void {
     this.newest = { bytes, triangles };
     if (triangles > 0) this.mostOfTriangle = Math.max(this.mostOfTriangle, bytes / triangles);
   }
 
-  /** Forgets the frames, when another dataset is shown. */
+  /** Forgets all frames. Call when another dataset is shown. */
   forget(): void {
     this.newest = null;
     this.mostOfTriangle = 0;
   }
 
-  /** Bytes of all polygons of a scene with this many triangles. */
+  /** Estimated bytes of all polygons of a scene with this number of triangles. */
   all(triangles: number): number {
     return (this.mostOfTriangle > 0 ? this.mostOfTriangle : USUAL_TRIANGLE_BYTES) * triangles;
   }
 
-  /** Bytes of the next change of a value: as many of a triangle as the newest change took. */
+  /** Estimated bytes of the next change of a value: the bytes per triangle of the newest frame, times `triangles`. */
   change(triangles: number): number {
     const { newest } = this;
     return newest === null || newest.triangles === 0
@@ -32,7 +32,7 @@ export class PolygonBytes {
       : (newest.bytes / newest.triangles) * triangles;
   }
 
-  /** Triangles of the newest frame; 0 before the first. */
+  /** Number of triangles of the scene in the newest frame; 0 before the first frame. */
   get triangles(): number {
     return this.newest?.triangles ?? 0;
   }

@@ -29,7 +29,7 @@ const clock = {
   clearTimeout: (timer: number): void => window.clearTimeout(timer),
 };
 
-/** A power of two: the server then answers with what is stored beside the array and reads no value. */
+/** A power of two: the server then answers from the histogram stored beside the array and reads no value. */
 const HISTOGRAM_BINS = 128;
 const RATE_MS = 500;
 

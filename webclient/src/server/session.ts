@@ -43,8 +43,8 @@ export class Session {
   private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
   /**
-   * Scene to open the session with instead of the editor's scene. The server refused the editor's scene, or has never
-   * had it.
+   * Scene passed to begin() and not shown yet; null if there is none. The session is opened with it instead of the
+   * editor's scene.
    */
   private chosen: Scene | null = null;
   private view = 0;
@@ -183,7 +183,7 @@ export class Session {
       state,
     );
     this.host.opened(state);
-    // Another page may have opened the session before, with another dataset.
+    // If another page has opened the session before, the session has the scene of that page.
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.sentStream = this.host.stream();

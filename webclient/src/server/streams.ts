@@ -109,8 +109,8 @@ export class Streams {
   }
 
   /**
-   * Shows the reason for the choice. The text stays while `about` is the same, because its numbers vary with every
-   * frame.
+   * Shows the reason for the choice. The text stays while `about` is the same, because the numbers in the text vary
+   * with every frame.
    */
   private say(about: string, streamWhy: string): void {
     if (about === this.said) return;

@@ -3,8 +3,8 @@
 import type { FrameHeader } from "../generated/frame_header";
 
 /**
- * Number of frames kept for a view. The server sends at most this many before the first acknowledgement, and early
- * frames are not acknowledged.
+ * Number of frames kept for a view. By default, the server sends at most this many before the first acknowledgement
+ * (its limit unacknowledged_frames), and early frames are not acknowledged.
  */
 const MOST_FRAMES = 2;
 

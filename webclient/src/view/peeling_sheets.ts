@@ -8,8 +8,8 @@ export interface Sheet {
 }
 
 /**
- * Render targets of a picture. The two of `layers` alternate between current and previous layer and share a color
- * texture.
+ * Render targets of a picture. The two sheets in `layers` alternate between current and previous layer and share a
+ * color texture.
  */
 export interface Sheets {
   opaque: Sheet;

@@ -28,7 +28,7 @@ struct PolyhedraView {
 };
 
 // Cells that assemble() left out for one reason. Faces that they shared with other cells become boundary faces.
-// Exception: the neighbours of a repeated cell stay matched with the first copy.
+// Exception: the neighbors of a repeated cell stay matched with the first copy.
 struct BadCells {
     enum class Reason {
         open,
@@ -51,7 +51,7 @@ struct AssembleReport {
     std::uint64_t internal_boundaries = 0;
     std::uint64_t short_faces = 0;  // faces with fewer than three vertices, left out of cells that are kept
     std::vector<Index> first_short; // input ids of the first 10 cells with short faces, or fewer
-    // Cells that are wound like their neighbours although their volume is then negative (folded curvilinear grids).
+    // Cells that are wound like their neighbors although their volume is then negative (folded curvilinear grids).
     // They are kept.
     std::uint64_t inverted_cells = 0;
     std::vector<Index> first_inverted; // input ids of the first 10 inverted cells, or fewer
@@ -62,7 +62,7 @@ struct Assembled {
     FaceMesh mesh;
     std::vector<Index> original_vertex;     // stored vertex -> input vertex; unused input vertices are dropped
     std::vector<Index> original_cell;       // stored cell -> input cell
-    std::vector<std::uint64_t> face_source; // stored face -> the owner's face in the input; tells its patch
+    std::vector<std::uint64_t> face_source; // stored face -> the owner's face in the input
     AssembleReport report;
 };
 

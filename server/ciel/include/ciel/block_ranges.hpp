@@ -12,7 +12,7 @@
 
 namespace ciel {
 
-// By block, over all its vertices, those that it shares with other blocks too.
+// One entry per block, over all its vertices, including those that it shares with other blocks.
 struct BlockRanges {
     std::vector<double> low, high;      // of the finite values; low > high if there are none
     std::vector<std::uint32_t> missing; // number of vertices with NaN or an infinity

@@ -26,8 +26,9 @@ public:
     // centroid, the same fan for both of its cells, so cells have no gaps between them.
     [[nodiscard]] Index cell_at(const Vec3d& position) const;
 
-    // Returns the weights of the cell's vertices at a position in the cell. They are linear in the tetrahedra (cell
-    // centre, face centroid, edge), so they are exact for linear fields. A vertex may be listed more than once.
+    // Returns the weights of the cell's vertices at a position in the cell. The cell is divided into one tetrahedron
+    // per edge of a face: the ends of the edge, the centroid of the face and the center of the cell. The weights are
+    // linear in each tetrahedron, so they are exact for linear fields. A vertex may be listed more than once.
     [[nodiscard]] VertexWeights weights_in(Index cell, const Vec3d& position) const;
 
     // Returns the vertex of the cell that is nearest to a position.

@@ -16,7 +16,7 @@ struct HalfSpace {
 struct ClippedSurface {
     Surface surface;            // input vertices that are kept come first; `points` has entries for them only
     std::vector<double> values; // one per vertex; empty if the input had none
-    std::vector<Vec3d> places;  // likewise
+    std::vector<Vec3d> places;  // one per vertex; empty if the input had none
 };
 
 // Returns the part of `surface` inside all half-spaces. `values`: one per vertex, or empty; throws Error on another
@@ -25,7 +25,8 @@ struct ClippedSurface {
 // Values and normals are interpolated at new vertices. Two polygons that share a side share its new vertex, so no
 // cracks open. The result has no chunks.
 // Vertices at most `slack` outside a plane are kept. Otherwise rounding would tear a surface that lies in the plane,
-// such as a cap. The parts of a polygon that is not convex may stay joined by an edge along the plane, passed twice.
+// such as a cap. A polygon that is not convex may be clipped into several parts. They stay one polygon, joined by edges
+// in the plane that its loop passes twice.
 [[nodiscard]] ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
                                           double slack, std::span<const Vec3d> places = {});
 

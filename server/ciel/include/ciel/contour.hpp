@@ -1,5 +1,5 @@
-// Iso-surfaces and slices of a mesh: functions for one call, and an incremental Contour for sliders (paper, algorithms
-// 1 to 4). Cell and point ids in the results are the caller's.
+// Iso-surfaces and slices of a mesh: functions for single surfaces, and an incremental Contour for sliders (paper,
+// algorithms 1 to 4). Cell and point ids in the results are the caller's.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -51,8 +51,8 @@ private:
 [[nodiscard]] Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options = {});
 
 // Interpolates `values` at the points of the surface. values: one row per point of the mesh. Returns one row of the
-// same width per point of the surface, row by row. Throws Error on another number of rows. Given the points of the
-// mesh, it returns positions in double precision; Surface::positions are floats.
+// same width per point of the surface, row by row. Throws Error on another number of rows. If `values` are the points
+// of the mesh, the result is the positions of the surface's points in double precision; Surface::positions are floats.
 [[nodiscard]] std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values);
 
 // Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). values: one

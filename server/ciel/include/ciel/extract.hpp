@@ -39,7 +39,8 @@ struct Surface {
     std::vector<Index> polygon_offset{0}; // polygons + 1, into polygon_vertex
     std::vector<Index> polygon_vertex;
     std::vector<Index> polygon_cell; // mesh cell that each polygon cuts
-    std::vector<Index> polygon_face; // for surfaces of mesh faces: place in their list, or none; else empty
+    // For surfaces of mesh faces: index of each polygon's face in its FaceMeshView, or none; else empty.
+    std::vector<Index> polygon_face;
 
     // Consecutive polygons of one block: the unit of streaming and culling.
     struct Chunk {
@@ -49,10 +50,11 @@ struct Surface {
 };
 
 enum class Normals {
-    // The normalized gradient of the field. Where it is zero or points against the polygons around the point, their
-    // area-weighted normal.
+    // The normalized gradient of the field. Where the gradient is zero or points against the polygons around the point,
+    // the area-weighted normal of these polygons.
     gradient,
-    // The area-weighted normal of the polygons around the point. Needs no gradients, which a new field must compute.
+    // The area-weighted normal of the polygons around the point. Faster after a change of the field, because no
+    // gradients are computed.
     polygons
 };
 
@@ -93,10 +95,10 @@ public:
     // of vertices or cells differ.
     void set_mesh(const FaceMeshView& mesh);
 
-    // Limits the next extractions to some blocks, in any order; nullopt, the default: all blocks. The surface is that
-    // of all blocks without the polygons of the others and without the points that only those have, to the bit. Normals
-    // from polygons are an exception: only the remaining polygons count. Without normals, only the cells of these
-    // blocks are read, unless the algorithm is propagation. Throws Error if a block does not exist.
+    // Limits the next extractions to some blocks, in any order; nullopt, the default: all blocks. The surface then has
+    // only the polygons in these blocks and the points of these polygons, with the same bits as in the surface of all
+    // blocks. Normals from polygons may differ, because only the remaining polygons count. Without normals, only the
+    // cells of these blocks are read, unless the algorithm is propagation. Throws Error if a block does not exist.
     void set_blocks(std::optional<std::span<const Index>> blocks);
 
     // Writes the iso-surface at `nu` to `out` and reuses its buffers. A vertex is high when its value >= nu. Cells that

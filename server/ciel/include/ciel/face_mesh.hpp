@@ -30,10 +30,10 @@ struct FaceMeshView {
     Ids face_vertex;                          // vertex ids, loop by loop
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
-    std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if somebody else does
+    std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if the caller keeps them
     // Null if all positions can be read. If not, extraction, slices, gradients, CellLocator, face_surface,
-    // threshold_surface, vertices_of_cells, boundary_faces_at, size_of_faces and slab_boundary load those that they
-    // use. All other functions need loader->load of all vertices before.
+    // threshold_surface, vertices_of_cells, boundary_faces_at, size_of_faces and slab_boundary load the positions that
+    // they use. Before any other function, the caller must call loader->load for all vertices.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
@@ -56,7 +56,7 @@ struct FaceMeshView {
     }
 };
 
-// The positions of surfaces are relative to `origin`, too.
+// Returns a view of these arrays. Positions of surfaces are relative to `origin`, too: surface_origin is `origin`.
 [[nodiscard]] inline FaceMeshView face_mesh_view(Vec3d origin, ValuesView positions,
                                                  std::span<const std::uint8_t> cell_types,
                                                  std::span<const std::uint64_t> face_offset,
@@ -78,7 +78,7 @@ struct FaceMeshView {
 struct FaceMesh {
     Vec3d origin{};
     std::vector<float> positions;
-    std::vector<double> double_positions; // replace `positions` unless empty
+    std::vector<double> double_positions; // used instead of `positions` unless empty
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> face_offset{0};
     std::vector<Index> face_vertex;

@@ -33,11 +33,11 @@ public:
     // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
     // The iso-surface at 0 is a slice. The values are doubles if the positions are.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
-    // Makes such distances on the vertices of a topology. points: their positions; faces are not used, and positions
+    // Makes the same distance on the vertices of a topology. points: their positions; faces are not used, and positions
     // are loaded when they are read. boxes: what block_boxes returned for these positions. Computes the distances in a
     // block when the block is cut, so a plane that crosses few blocks costs little. `keep_alive` owns the positions.
-    // The topology must outlive the field. Throws Error when the topology, the points and the boxes have other numbers
-    // of vertices or blocks.
+    // The topology must outlive the field. Throws Error when the topology, the points and the boxes differ in their
+    // numbers of vertices or blocks.
     [[nodiscard]] static Field plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin,
                                      const Vec3d& normal, const BlockBoxes& boxes,
                                      std::shared_ptr<const void> keep_alive);
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] std::array<double, 2> range() const; // [min, max] of the finite values; {0, 0} when there are none
 
     // Returns the vertices that are strict local minima under the order (value, vertex id), sorted in that order
-    // (paper, section 2.2). Vertices without a value are neither minima nor neighbours.
+    // (paper, section 2.2). Vertices without a value are neither minima nor neighbors.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
 
     // Declares that the values are plane_distance(mesh, ., normal) on the mesh of `where`. Extrema are then searched

@@ -12,19 +12,19 @@
 namespace ciel {
 
 // Candidates for extrema in one mesh at fixed positions, valid for all directions. The first call of `find` computes
-// them. Thread-safe. The mesh may have its boundary faces only. `keep_alive` owns its arrays.
+// them. Thread-safe. The mesh may have only its boundary faces. `keep_alive` owns the arrays of the mesh.
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
         : mesh_([mesh, keep_alive = std::move(keep_alive)] { return mesh; }) {}
-    // Calls `mesh` in the first call of `find`. Its arrays must live as long as the function.
+    // The first call of `find` calls `mesh` to get the mesh, whose arrays must live as long as the function object.
     explicit GeometricVertices(std::function<FaceMeshView()> mesh) : mesh_(std::move(mesh)) {}
 
     struct Found {
         // Ids in ascending order: boundary vertices, and interior vertices with a reflex or flat corner.
         std::vector<Index> vertices;
         // `vertices` is complete only for fields whose absolute distances do not exceed this. Larger distances may
-        // round to the same float at neighbouring vertices.
+        // round to the same float at neighboring vertices.
         double largest_distance = 0;
     };
     // `topology` must be that of the same mesh. Uses all threads of the parallel loop.

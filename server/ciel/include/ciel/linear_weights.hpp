@@ -1,7 +1,7 @@
 // Interpolation weights for values at scattered positions around a point. The interpolation is exact for linear fields
-// if values surround the point. Along some directions they do not: along the normal at a boundary, and across a mesh of
-// one layer of cells. The caller leaves these directions out, and the interpolation is exact along the others. Not in
-// the paper.
+// if the positions surround the point. At a boundary they do not surround it along the normal, and in a mesh of one
+// layer of cells not across the layer. The caller leaves these directions out, and the interpolation is exact along the
+// others. Not in the paper.
 // This work is based on: D. G. Holmes, S. D. Connell, Solution of the 2D Navier-Stokes equations on unstructured
 // adaptive grids, AIAA 89-1932, 1989 (the pseudo-Laplacian and its clipped weights).
 #pragma once

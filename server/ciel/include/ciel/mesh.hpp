@@ -65,7 +65,7 @@ public:
     [[nodiscard]] const MeshReport& report() const;
     [[nodiscard]] const Topology& topology() const;   // lives as long as any copy of this mesh
     [[nodiscard]] const FaceMeshView& stored() const; // lives as long as any copy of this mesh
-    // Returns the fits that all fields on this mesh share.
+    // Returns the CellFits that all fields on this mesh share.
     [[nodiscard]] const std::shared_ptr<CellFits>& cell_fits() const;
 
     // Returns the caller's id of each stored vertex or cell; empty if stored ids and the caller's ids are equal.

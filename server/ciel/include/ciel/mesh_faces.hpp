@@ -15,8 +15,8 @@ namespace ciel {
 [[nodiscard]] std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> ids,
                                                 std::span<const std::uint8_t> kept = {});
 
-// Returns the boundary faces that lie in the level set of `level`: each vertex's value differs from it by at most
-// `tolerance`. The field is on the mesh's vertices.
+// Returns the boundary faces that lie in the level set of `level`: the value of each of their vertices differs from
+// `level` by at most `tolerance`. The field is on the mesh's vertices.
 [[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level,
                                                       double tolerance);
 
@@ -33,8 +33,9 @@ namespace ciel {
 // Returns the vertices of a cell in ascending order. Reads its block.
 [[nodiscard]] std::vector<Index> corners_of_cell(const Topology& topology, Index cell);
 
-// Returns whether two meshes have the same number of vertices and the same cells: faces of the same vertices in the
-// same sense, in any order and from any corner on. Reads all blocks of both. Uses all threads of the parallel loop.
+// Returns whether two meshes have the same number of vertices and the same cells. Two cells are the same if their faces
+// have the same vertices in the same direction; the order of the faces and the first corner of each may differ. Reads
+// all blocks of both meshes. Uses all threads of the parallel loop.
 [[nodiscard]] bool same_cells(const Topology& a, const Topology& b);
 
 struct FacesSize {

@@ -1,6 +1,6 @@
-// Converts cell values to point values: weighted means over the cells around each vertex (linear_weights.hpp). They are
-// exact for linear fields if the cell centers surround the vertex; on the boundary, for fields that vary along the
-// boundary. They never leave the range of the cell values. Not in the paper.
+// Converts cell values to point values: weighted means over the cells around each vertex (linear_weights.hpp). The
+// means are exact for linear fields if the cell centers surround the vertex; at a boundary vertex, for linear fields
+// that do not vary along the normal. They never leave the range of the cell values. Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"

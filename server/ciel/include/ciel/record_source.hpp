@@ -25,16 +25,16 @@ public:
     RecordSource& operator=(const RecordSource&) = delete;
     virtual ~RecordSource() = default;
 
-    // Returns the bytes of a record. They begin at a multiple of 8 and stay where they are as long as the source.
-    // Called from any thread. Throws Error when they cannot be read. The bytes of a source that is not trusted may
-    // change at any time, as those of a mapped file do when another process writes the file. Results may then be wrong,
-    // but they stay in range, or Error is thrown. A source whose bytes may change must let at least 1 MiB after the end
-    // of each record be read: a changed index of 16 bits, or a sum of a few, may lead there.
+    // Returns the bytes of a record. Their address is a multiple of 8 and stays the same while the source lives. Called
+    // from any thread. Throws Error when they cannot be read. The bytes of a source that is not trusted may change at
+    // any time, as those of a mapped file do when another process writes the file. Results may then be wrong, but their
+    // ids are in range, or Error is thrown. If the bytes may change, at least 1 MiB after the end of each record must
+    // be readable, because a changed index of 16 bits, or a sum of a few such indices, may lead there.
     [[nodiscard]] virtual std::span<const std::byte> record(Index block, RecordKind kind) = 0;
     // Returns whether the bytes come from this process and never change. If not, each record is checked when it is
     // first used.
     [[nodiscard]] virtual bool is_trusted() const { return false; }
-    // Returns the memory of the records that is the process's own; mapped bytes are not.
+    // Returns the size of the memory that the source has allocated for records. Mapped bytes do not count.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 };
 

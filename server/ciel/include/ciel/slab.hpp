@@ -52,9 +52,10 @@ struct SlabSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Returns the boundary of all cells whose limits are not not_filled, wound outwards. boundary: the boundary faces of
-// the mesh. boxes: what block_boxes returned for its positions. Reads blocks as threshold_surface does, and none if all
-// cells are filled. Throws Error when the arguments are of another mesh than the topology.
+// Returns the boundary of the filled cells, wound outwards. A cell is filled unless its limits are not_filled.
+// boundary: the boundary faces of the mesh. boxes: what block_boxes returned for its positions. Reads blocks as
+// threshold_surface does, and none if all cells are filled. Throws Error when the arguments are of another mesh than
+// the topology.
 [[nodiscard]] SlabMesh slab_boundary(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                                      const SlabProperty& property);
 

@@ -33,7 +33,7 @@ struct BlockPolygons {
 // ascending order of value. `cut` is valid during the call. `sweep` rethrows its exceptions.
 using OnCut = std::function<void(std::size_t value, Index block, const BlockPolygons& cut)>;
 
-// Buffers that sweeps reuse, so that a repeated sweep allocates no memory. They never shrink. One sweep at a time.
+// Buffers that sweeps reuse, so that a repeated sweep allocates no memory. They never shrink. For one sweep at a time.
 struct SweepScratch {
     std::shared_ptr<Propagation> propagation; // used with Algorithm::propagation only
     std::vector<std::size_t> order;           // indices of the values, by ascending value

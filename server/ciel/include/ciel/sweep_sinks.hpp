@@ -13,8 +13,9 @@ namespace ciel {
 //     void check(const FaceMeshView& mesh) const; // throws Error if an array of the sink has a wrong size
 //     void write(const BlockPolygons& cut, Piece& piece) const;
 //     void join(std::span<const Piece* const> pieces, Out& out) const;
-// SliceSink and SlabSink return points that the cuts of two blocks may both have. So the number of points depends on
-// the block size. Polygons and the triangles of SliceSink do not; a fan of SlabSink may start at another corner.
+// SliceSink and SlabSink return a point on an edge that two blocks share once per block. So the number of points
+// depends on the block size. The polygons and the triangles of SliceSink do not depend on it. With another block size,
+// a fan of SlabSink may start at another corner.
 
 // Sink for blended slices: indexed triangles, a fan per polygon, with a property at the points.
 struct SliceSink {
@@ -61,8 +62,8 @@ struct SweepParts {
 };
 
 // Writes the sink's result for values[i] to out[i] and reuses the buffers of `out`. All algorithms give the same bits.
-// Returns false, with `out` unspecified, when `stop` was requested. Throws Error as the other `sweep` does, and when an
-// array of the sink has a wrong size. `parts` may be used by one call at a time.
+// Returns false, with `out` unspecified, when `stop` was requested. Throws Error as the `sweep` of sweep.hpp does, and
+// when an array of the sink has a wrong size. `parts` may be used by one call at a time.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, SweepParts<Sink>& parts, std::vector<typename Sink::Out>& out, const StopToken& stop = {},

@@ -14,11 +14,11 @@ enum class InRange { all, any }; // which vertices of a cell must lie in the ran
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values,
                                                        std::array<double, 2> range, InRange vertices);
 // Likewise, for the values of a field on the vertices. Reads the blocks whose range holds an end of `range` or in which
-// vertices have no value. The flag of a cell without faces means nothing.
+// vertices have no value. The flag of a cell without faces is unspecified.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const Field& field, std::array<double, 2> range,
                                                        InRange vertices);
-// Returns the number of cells with a corner whose value `counts`, which must be false for finite values. values: those
-// that the field was made of. Reads the blocks in which vertices have no finite value.
+// Returns the number of cells with a corner for whose value `counts` returns true. `counts` must return false for
+// finite values. values: those that the field was made of. Reads the blocks in which vertices have no finite value.
 [[nodiscard]] std::size_t count_cells_without_value(const Field& field, ValuesView values,
                                                     bool (*counts)(double value));
 // Returns one flag per cell: 1 if its value lies in the range, which includes both ends. NaN is outside.
@@ -38,12 +38,12 @@ struct CellFace { // a face, seen from one of its two cells
 [[nodiscard]] inline Surface threshold_surface(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
-// Returns a surface of the same polygons, without the list of all faces: the boundary faces of kept cells, then the
+// Returns a surface of the same polygons, but needs no list of all faces: the boundary faces of kept cells, then the
 // faces inside the mesh, block by block. boundary: the boundary faces of the mesh. boxes: what block_boxes returned for
-// its positions. Reads the blocks that have cells of both kinds, and those of kept cells whose box touches such a block
-// or one without kept cells. polygon_face is the place in `boundary`, `none` inside. Uses all threads of the parallel
-// loop. Throws Error when the arguments have other numbers of cells, vertices or blocks than the topology, and when a
-// record is damaged.
+// its positions. Reads the blocks that have both kept cells and others. Of the blocks with only kept cells, reads those
+// whose box touches the box of a block with a cell that is not kept. polygon_face is the index of the face in
+// `boundary`, or `none` for a face inside the mesh. Uses all threads of the parallel loop. Throws Error when the
+// arguments have other numbers of cells, vertices or blocks than the topology, and when a record is damaged.
 [[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                                         std::span<const std::uint8_t> kept);
 

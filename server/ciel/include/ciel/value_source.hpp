@@ -1,5 +1,6 @@
 // ValueSource and VertexLoader: numbers at vertices that lie in a file and are read when a block of cells needs them.
-// With them a surface costs what it crosses, not what the mesh has. Not in the paper, whose meshes are in memory.
+// With them the cost of a surface depends on the blocks that it crosses, not on the size of the mesh. Not in the paper,
+// whose meshes are in memory.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,8 +12,8 @@
 
 namespace ciel {
 
-// The values of a Field, one per vertex in the topology's vertex order. Any thread may call it at any time. `read`
-// throws Error when the values cannot be read; the next call may succeed.
+// The values of a Field, one per vertex in the topology's vertex order. Any thread may call the functions at any time.
+// `read` throws Error when the values cannot be read; the next call may succeed.
 class ValueSource {
 public:
     ValueSource() = default;
@@ -25,7 +26,7 @@ public:
     // Set out[i] to the value of vertex first + i. Called for doubles if has_doubles(), else for floats.
     virtual void read(Index first, std::span<float> out) const = 0;
     virtual void read(Index first, std::span<double> out) const = 0;
-    // Set out[i] to the value of vertices[i], of which each exists.
+    // Set out[i] to the value of vertices[i]. All these vertices exist.
     virtual void read(std::span<const Index> vertices, std::span<float> out) const = 0;
     virtual void read(std::span<const Index> vertices, std::span<double> out) const = 0;
 };

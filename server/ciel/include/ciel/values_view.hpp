@@ -13,8 +13,8 @@
 
 namespace ciel {
 
-// Does not own the values. As a range it has doubles; a float becomes the double that is equal to it, and a NaN keeps
-// its payload.
+// Does not own the values. Returns each value as a double: a float becomes the double that is equal to it, and a NaN
+// keeps its payload.
 class ValuesView {
 public:
     class Iterator {
@@ -78,7 +78,7 @@ public:
         part.size_ = count;
         return part;
     }
-    // Calls f(span of floats) or f(span of doubles): for loops in which asking at each value would cost.
+    // Calls f(span of floats) or f(span of doubles). Lets a loop test the type once instead of at each value.
     template <class F>
     decltype(auto) with(F&& f) const {
         return doubles_ ? f(std::span(static_cast<const double*>(begin_), size_))
@@ -95,7 +95,7 @@ private:
     bool doubles_ = false;
 };
 
-// Returns whether each value is equal to a float. A NaN is.
+// Returns whether each value is equal to a float. NaN and infinities count as equal.
 [[nodiscard]] inline bool are_floats(ValuesView values) {
     constexpr double largest = std::numeric_limits<float>::max();
     return !values.has_doubles() || std::ranges::all_of(values, [](double value) {
@@ -104,7 +104,8 @@ private:
     });
 }
 
-// Returns value - origin as the nearest floats. Values that differ by little then differ as floats, too.
+// Returns value - origin, rounded to float, for each value. With `origin` near the values, values that differ by little
+// differ as floats, too.
 [[nodiscard]] inline std::vector<float> floats_from(double origin, ValuesView values) {
     std::vector<float> floats(values.size());
     for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = static_cast<float>(values[i] - origin);

@@ -14,12 +14,12 @@ namespace ciel {
 // while the same vertices are high. The next cut reuses the buffers.
 struct ActiveBlock {
     std::vector<std::uint64_t> signature;   // one bit per local vertex, set if high
-    bool known = false;                     // the other members are the cut of `signature`
+    bool known = false;                     // whether the other members are the cut of `signature`
     std::vector<std::uint64_t> active;      // one bit per local edge, set if active
     std::vector<Index> rank;                // number of active edges before each word of `active`
     std::vector<std::array<Index, 2>> ends; // by active edge, ascending: local end vertices, the lower first
     Index ghosts = 0;                       // number of active ghost edges, which are the first of `ends`
-    std::vector<Index> adopted;      // those of them whose points the block makes (AdoptedEdges): indices in `ends`
+    std::vector<Index> adopted;      // indices in `ends` of the ghosts whose points this block makes (AdoptedEdges)
     std::vector<Index> polygon_cell; // local cell of each polygon, ascending
     std::vector<Index> polygon_end;  // end of each polygon in polygon_edge
     std::vector<Index> polygon_edge; // local edges of each polygon

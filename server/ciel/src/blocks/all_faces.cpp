@@ -29,7 +29,7 @@ public:
         block.with([&](const auto& polyhedra) { add(block, polyhedra); });
     }
 
-    // Calls f(loop, owner, neighbour) for each, in the order of the owners.
+    // Calls f(loop, owner, neighbor) for each face, in the order of the owners.
     template <class F>
     void for_each(F&& f) const {
         std::vector<Index> order(owner_.size());
@@ -63,7 +63,8 @@ private:
             }
         }
     }
-    // Returns whether the cell owns the face of its half-edge, and then keeps both of its cells.
+    // Returns whether the cell owns the face of its half-edge `half_edge`. If so, appends the two cells of the face to
+    // owner_ and neighbour_.
     bool owns(Index cell, Index half_edge) {
         const HalfEdge mate = topology_.mate_polyhedron(half_edge_in(b_, half_edge));
         if (mate == no_half_edge) return false;
@@ -94,7 +95,7 @@ FaceLists all_faces(const Topology& topology, const FaceMeshView& boundary) {
             add_face(loop, boundary.owner[next], none, lists);
         }
     };
-    constexpr Index at_once = 64; // so that few results are in memory beside the lists
+    constexpr Index at_once = 64; // limits the results that are in memory beside the lists
     for (Index first = 0; first < blocks; first += at_once) {
         std::array<std::optional<InnerFacesOf>, at_once> found;
         parallel_for(std::min(at_once, blocks - first), 1, [&](std::size_t begin, std::size_t end) {

@@ -1,21 +1,21 @@
 // The cells of a block: all that a surface, a slice and a picture need of the paper's half-edge structure (section 2.2,
-// figure 3). Without pointers; consecutive cells are in a block, with 16-bit local ids. Nothing changes after the
+// figure 3). A block has consecutive cells, 16-bit local ids and no pointers. The kernel changes nothing after the
 // build, so any thread may read.
 //
 // The cells of one standard type in a block are a StandardSection. A cell stores its vertices and its edges; all else
 // is the same for all cells of the type and is in StandardShape. All other cells of a block are its PolyhedralSection.
-// Inner faces lie between two of these cells and are stored once. Tail faces have only one of these cells; their loops
-// also run in the direction of the mesh's loop.
+// An inner face lies between two cells of this section and is stored once. A tail face has only one cell in the
+// section. All stored loops run in the direction of the mesh's loop.
 //
 // Local half-edges are numbered section by section. In a standard cell, they have the order of its shape. In a
 // PolyhedralSection, the half-edges of inner faces are 2 * corner + side; after them, tail faces have one half-edge per
 // corner. Side 0 of a face is the owner's and runs along the stored loop; side 1 runs against it.
 // An entry is a place where a vertex occurs: a corner of a standard cell or a corner of a stored loop.
 //
-// The entries of a viewed array may change after their check (RecordSource), but the sizes of the arrays and all other
-// members may not. So an entry is an index only into arrays of the records, into scratch arrays with room for each
-// number of 16 bits (local_ids), or after a comparison. Ids of 32 bits do not change: topology.cpp copies their
-// records.
+// The elements of a viewed array may change after their check (RecordSource); the sizes of the arrays and all other
+// members do not change. So an element is used as an index only into arrays of the records, into scratch arrays with
+// room for every 16-bit number (local_ids), or after a comparison with the size. Ids of 32 bits do not change, because
+// topology.cpp copies their records.
 #pragma once
 
 #include "blocks/record.hpp"
@@ -47,7 +47,7 @@ using Viewed = std::span<const T>;
 struct Ghosts {
     std::span<const std::array<std::uint16_t, 2>> narrow; // (neighbor, index); empty if an index needs 32 bits
     std::span<const std::array<std::uint32_t, 2>> wide;
-    std::vector<Index> begin; // by neighbor: id of the first that it owns
+    std::vector<Index> begin; // by neighbor: id of the first vertex or edge that it owns
     Index last = 0;           // last id of the mesh
 
     [[nodiscard]] std::size_t size() const { return narrow.size() + wide.size(); }
@@ -64,7 +64,8 @@ struct Ghosts {
     }
 
 private:
-    // Limits what a changed record names to ids that exist. A record with a ghost has a neighbor (check_ghosts).
+    // Returns an id that exists, even if the record has changed. A record with a ghost has a neighbor (check_ghosts),
+    // so `begin` is not empty.
     [[nodiscard]] Index id(Index neighbour, Index index) const {
         return std::min(begin[std::min(neighbour, static_cast<Index>(begin.size() - 1))] + index, last);
     }
@@ -87,7 +88,7 @@ struct StandardSectionOf {
     Array<std::uint16_t> cell;                  // local cells, ascending; empty means all cells of the block
     Array<std::uint16_t> vertex;                // shape->corners local vertices per cell
     Array<std::uint16_t> edge;                  // shape->edges local edges per cell
-    Array<std::uint64_t> group_parts;           // by group of cells: one bit per part of the vertices that it uses
+    Array<std::uint64_t> group_parts;           // by group of cells: one bit per part (vertices_per_part) that it uses
 
     [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }
@@ -108,7 +109,7 @@ struct PolyhedralSection {
     Array<Local> edge;   // local edge from this corner to the next
     // By face:
     Array<Local> face_begin;               // first corner of the face; one more at the end
-    Array<std::array<Local, 2>> face_cell; // cell of the section by side; twice the same for a tail face
+    Array<std::array<Local, 2>> face_cell; // [side]: cell of the section; a tail face has it twice
     Array<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
     Array<Local> face_rank;                // number of faces that start before each word of face_start
     // By word of face_start: one bit per part of the vertices of its corners. Empty in records of earlier versions.
@@ -134,14 +135,14 @@ struct PolyhedralSection {
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
-    // Here and in previous_in_loop, a changed record must not lead below 0.
+    // Here and in previous_in_loop, the result does not wrap around below 0, even if the record has changed.
     [[nodiscard]] Index face(Index corner_id) const {
         const std::uint64_t up_to = ~std::uint64_t{0} >> (63 - corner_id % 64);
         const Index begun = Index{read_once(face_rank[corner_id / 64])} +
                             static_cast<Index>(std::popcount(read_once(face_start[corner_id / 64]) & up_to));
         return begun - Index{begun != 0};
     }
-    // The corners of a face. `end` is not below `begin`, whatever the record holds.
+    // The corners of a face. `end` is never below `begin`, even if the record has changed.
     struct Loop {
         Index begin, end;
         [[nodiscard]] Index size() const { return end - begin; }
@@ -164,8 +165,8 @@ struct PolyhedralSection {
         const Index begin = read_once(cell_face_begin[i]), end = read_once(cell_face_begin[i + 1]);
         return {cell_face.data() + begin, std::max(begin, end) - begin};
     }
-    // Calls f(face, corner) for all corners, face by face. Ends after as many calls as there are corners, because it
-    // never goes back.
+    // Calls f(face, corner) for all corners, face by face. The corner never decreases, so the loop ends even if the
+    // record changes.
     template <class F>
     void for_corners(F&& f) const {
         for (Index face_id = 0, k = 0, faces = face_count(); face_id < faces; ++face_id)
@@ -198,9 +199,10 @@ struct BlockOf {
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
-    RecordBytes copied; // the record itself if its ids have 32 bits: a copy, which cannot change
+    RecordBytes copied; // if the ids have 32 bits: a copy of the record, which cannot change; else empty
 
-    // Return ids that exist in the mesh, whatever `local` of 16 bits a changed record holds.
+    // vertex, cell and edge_id return ids that exist in the mesh for any 16-bit `local`, because a changed record may
+    // hold any number.
     [[nodiscard]] Index vertex(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_vertex.size());
         return local < ghosts ? ghost_vertex[local] : std::min(own_vertex_begin + local - ghosts, last_vertex);

@@ -27,7 +27,7 @@ struct BlockAroundOf {
     std::variant<AroundArrays<std::uint16_t, Array>, AroundArrays<std::uint32_t, Array>> arrays;
     RecordBytes copied; // as in BlockOf
 
-    // Returns the index in border_vertex; none if no other block has the vertex.
+    // Returns the index of the vertex in border_vertex, or none if no other block has the vertex.
     [[nodiscard]] Index border_place_of(Index local_vertex) const {
         return with([&](const auto& all) {
             const auto found = std::ranges::lower_bound(all.border_vertex, local_vertex);
@@ -43,7 +43,7 @@ struct BlockAroundOf {
 };
 using BlockAround = BlockAroundOf<Viewed>;
 
-// Calls f(PolyhedralSection, AroundArrays) of a block, whose ids have the same size.
+// Calls f(PolyhedralSection, AroundArrays) with those of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {
@@ -51,8 +51,8 @@ decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f)
     });
 }
 
-// Returns the entry that `list`, the next_entry of a section whose entries start at `begin`, names after `entry`.
-// Throws Error if it does not ascend, because a changed list might then not end.
+// Returns the entry after `entry` in `list`, the next_entry of a section whose entries start at `begin`. Throws Error
+// if it is not above `entry`: a changed list might otherwise have no end.
 template <class Local>
 [[nodiscard]] Index next_entry(std::span<const Local> list, Index entry, Index begin) {
     const Index next = read_once(list[entry - begin]);

@@ -49,7 +49,7 @@ void BlockBuilder::sort_cells() {
 }
 
 // Returns true when 16 bits are enough for each kind of local id: entries (block.hpp), half-edges of standard cells
-// and the references to twins after them, sides of faces, vertices, and edges.
+// together with the twins numbered after them (BlockMatesOf::mate), sides of faces, vertices, and edges.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);

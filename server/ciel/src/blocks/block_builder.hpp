@@ -15,8 +15,8 @@ struct BuiltBlock {
     BlockMatesOf<Owned> mates;
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
-    // A side of a face whose mate belongs in a BlockMates::twin: the mate is in another block or section, or does
-    // not exist.
+    // A side of a face whose mate is in another block or section, or does not exist. link_blocks stores the mate of
+    // such a side as a twin (BlockMates::twin).
     struct Tail {
         Index face, side; // mesh face; 0: side of the owner, 1: side of the neighbor
         Index anchor;     // local half-edge at the face's first corner: leaves it on side 0, leads to it on side 1
@@ -59,9 +59,9 @@ private:
     std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: local half-edge at the first corner, or none
 };
 
-// Fills the PolyhedralSection of `built` with `cells`, and their mates. Their local half-edges and entries come after
-// those of the standard sections. Faces with only one of `cells` become tails of `built`. Sets `anchor` for the sides
-// of `cells`. Throws Error, naming the cell, when a cell is not closed.
+// Fills the PolyhedralSection of `built` with `cells`, and sets the mates of their half-edges. Their local half-edges
+// and entries come after those of the standard sections. Faces with only one of `cells` become tails of `built`. Sets
+// `anchor` for the sides of `cells`. Throws Error, naming the cell, when a cell is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor);

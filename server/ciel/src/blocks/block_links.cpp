@@ -168,8 +168,8 @@ void Linker::ring_vertices() {
     for_blocks(built_.size(), [&](Index b) { link_border(b, next); });
 }
 
-// Sets the neighbors of a block around its vertices, border_block and border_place. `next`: slot -> next slot of the
-// same vertex around its ring.
+// Sets BlockAround::neighbour, border_block and border_place of a block. `next`: slot -> next slot of the same vertex
+// around its ring.
 void Linker::link_border(Index b, std::span<const Index> next) {
     const BlockOf<Owned>& block = built_[b].block;
     BlockAroundOf<Owned>& around = built_[b].around;
@@ -326,7 +326,7 @@ HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
     return half_edge_in(block_of(h), turn(built_[block_of(h)].block, local_of(h), steps));
 }
 
-// Sets the neighbors of a block across its faces, and the twins.
+// Sets BlockMates::neighbour and the twins of a block.
 void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& mates) {
     for (const HalfEdge twin : twins)
         if (twin != no_half_edge) mates.neighbour.push_back(block_of(twin));
@@ -345,7 +345,7 @@ void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& ma
         mates.arrays);
 }
 
-// Moves the blocks to their records.
+// Writes the blocks as records and frees them.
 void Linker::write_records() {
     const std::size_t count = built_.size();
     for (const BuiltBlock& b : built_) {

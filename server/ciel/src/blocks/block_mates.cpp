@@ -16,7 +16,7 @@ Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& poly
     }
     const Index k = polyhedra.corner(h), own = polyhedra.face(k);
     const std::span<const Local> faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
-    Index left = longest_search; // corners; when none are left, fill_polyhedra stores an escape
+    Index left = longest_search; // corners to search; fill_polyhedra stores an escape for a mate beyond
     for (Index i = bits; i < faces.size() && left > 0; i += escape) {
         const Index other = faces[i] / 2;
         if (other == own) continue;

@@ -15,7 +15,7 @@ namespace ciel {
 [[nodiscard]] inline Index block_of(HalfEdge h) { return static_cast<Index>(static_cast<std::uint64_t>(h) >> 32); }
 [[nodiscard]] inline Index local_of(HalfEdge h) { return static_cast<Index>(h); }
 
-// Stands for a mate on the boundary.
+// Stored instead of a mate for faces on the boundary, which have none.
 inline constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
 
 struct MateEscape {
@@ -39,8 +39,8 @@ struct MateArrays {
         return Index{mate_face[half_edge / 2]} >> 4 * (half_edge % 2) & 15U;
     }
     // Returns the half-edge of the same edge in the adjacent face of the cell. In a face that collapsed to a line, the
-    // mate may be in the face itself. Both are numbered within the section. Returns none, or a half-edge that does not
-    // exist, if the record has changed.
+    // mate may be in the face itself. The argument and the result are numbered within the section. If the record has
+    // changed, may return none or a half-edge that does not exist.
     [[nodiscard]] Index mate(const PolyhedralSection<Local, Array>& polyhedra, Index half_edge) const;
 };
 
@@ -61,7 +61,7 @@ struct BlockMatesOf {
 };
 using BlockMates = BlockMatesOf<Viewed>;
 
-// Calls f(PolyhedralSection, MateArrays) of a block, whose ids have the same size.
+// Calls f(PolyhedralSection, MateArrays) with those of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_mates(const Block& block, const BlockMates& mates, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {

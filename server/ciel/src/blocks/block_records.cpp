@@ -85,8 +85,8 @@ std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> 
     return owners;
 }
 
-// The section of ghosts: (neighbor, index among what it owns), of 16 bits each if all fit, else of 32. Must live until
-// the record is finished.
+// The section of ghosts: (neighbor, index among the ids that the neighbor owns), in 16 bits each if all fit, else in
+// 32. Must live until the record is finished.
 struct NamedGhosts {
     std::vector<std::array<std::uint16_t, 2>> narrow;
     std::vector<std::array<std::uint32_t, 2>> wide;

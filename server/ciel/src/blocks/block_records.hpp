@@ -1,6 +1,7 @@
-// A block's three records (not in the paper): what the builder's tables become, and what the kernel reads afterwards. A
-// record has no pointer, no position and no mesh-wide number: another block is an index into the record's list of
-// neighbors, whose entries are distances between block numbers. Local order is mesh order.
+// A block's three records (not in the paper). The tables of BlockBuilder are written to records, and the kernel reads
+// only the records afterwards. A record has no pointer, no position and no mesh-wide number: another block is an index
+// into the record's list of neighbors, whose entries are distances between block numbers. Local ids of cells, vertices
+// and edges have the order of the mesh-wide ids.
 #pragma once
 
 #include "blocks/block_around.hpp"
@@ -9,11 +10,11 @@
 
 namespace ciel {
 
-// Where the numbers of the blocks begin in the mesh; one more at the end.
+// Where the ids of each block begin in the mesh. The first four lists have one more entry at the end.
 struct BlockNumbers {
     std::vector<Index> cell, vertex, edge; // a block's first cell; its first owned vertex; its first owned edge
     std::vector<Index> slot;               // the sum of vertex_count of the blocks before (Block::vertex_begin)
-    // By block: its numbers of half-edges and of border vertices, with which links from other blocks are compared.
+    // By block: its numbers of half-edges and of border vertices, against which links from other blocks are checked.
     std::vector<Index> half_edges, border_vertices;
 
     [[nodiscard]] std::size_t block_count() const { return cell.empty() ? 0 : cell.size() - 1; }

@@ -20,7 +20,7 @@ struct Topology::Blocks {
     TopologyCounts counts;
     std::unique_ptr<RecordSource> source;
 
-    // Call when the numbers and the source are set.
+    // Call once, after `numbers` and `source` are set.
     void begin();
     [[nodiscard]] Index count() const { return static_cast<Index>(numbers.block_count()); }
     [[nodiscard]] Index slot_count() const { return numbers.slot.empty() ? 0 : numbers.slot.back(); }
@@ -41,7 +41,7 @@ struct Topology::Blocks {
     // Returns the vertex in the block that owns it, or {none, none} if no cell has it.
     [[nodiscard]] BlockVertex first_with(Index vertex) const;
     // Returns the vertex in the next block that has it, on a walk that began in block `start`. Throws Error if a record
-    // is damaged so that the walk would not come back there.
+    // is damaged so that the walk would not come back to `start`.
     [[nodiscard]] BorderVertex next_in_ring(BorderVertex at, Index start) const {
         const BlockAround& here = around(at.block);
         const auto next = here.with([&](const auto& all) {
@@ -53,7 +53,7 @@ struct Topology::Blocks {
         if (!is_trusted_) check_ring(at, next, start);
         return next;
     }
-    // Throws Error if a changed record leads beyond the vertices of the block.
+    // Returns the local vertex. Throws Error if a changed record leads beyond the vertices of the block.
     [[nodiscard]] Index vertex_at(BorderVertex at) const {
         const Index vertex = around(at.block).with([&](const auto& all) {
             return at.place < all.border_vertex.size() ? Index{read_once(all.border_vertex[at.place])} : none;
@@ -67,8 +67,8 @@ struct Topology::Blocks {
     // Returns the first half-edge that leaves the vertex at `entry`. If `entry` is end_of_list, continues in the next
     // block of the ring of the vertex.
     [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // Returns the first half-edge that leaves the vertex in the blocks after at.block around its ring, at.block itself
-    // last.
+    // Returns the first half-edge that leaves the vertex in the blocks of its ring: first those after at.block, at last
+    // at.block itself.
     [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
     // Returns the block and the local number of a half-edge. Throws Error if the mesh does not have it: the record that
     // led to it has changed, or the caller has made it up.
@@ -101,14 +101,15 @@ private:
     bool is_trusted_ = true;
 };
 
-// Makes sure that a walk from half-edge to half-edge ends: after a change of the records it might not come back to its
-// start.
+// Makes sure that a walk from half-edge to half-edge ends: after a change of the records, the walk might never come
+// back to its start.
 class WalkEnds {
 public:
     explicit WalkEnds(const TopologyCounts& counts) : most_(counts.half_edges) {}
 
-    // Call at each step. Throws Error when the walk is in a circle without its start, or longer than any. Compares with
-    // one half-edge only, which it replaces ever more seldom (Brent's algorithm).
+    // Call at each step. Throws Error when the walk runs in a circle that does not contain its start, or has more steps
+    // than the mesh has half-edges. Compares `h` with one earlier half-edge: that of the last step whose number is 8,
+    // 16, 32 and so on (Brent's algorithm).
     void step(HalfEdge h) {
         if (h == seen_ || steps_ > most_) [[unlikely]]
             refuse_changed("the half-edges around a vertex do not come back to the first");

@@ -1,4 +1,5 @@
-// The faces of a block's cells as loops of vertices (paper, section 2.2: what walks around a cell's faces would find).
+// The faces of a block's cells as loops of vertices. They are the loops that walks around a cell's faces by the paper's
+// operators (section 2.2) would find.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -38,7 +39,7 @@ template <class Local, template <class> class Array>
     return loop;
 }
 
-// Adds a face with these corners, as a cell on this side of it sees it.
+// Adds the face with the corners `loop`, wound outwards from its cell on side `side`.
 template <class Local, template <class> class Array>
 void add_face(const Block& block, const PolyhedralSection<Local, Array>& section,
               const typename PolyhedralSection<Local, Array>::Loop& loop, Index side, CellLoops& loops) {
@@ -67,8 +68,8 @@ void read_loops(const Block& block, const PolyhedralSection<Local, Array>& secti
     }
 }
 
-// Calls f(cell of the mesh, loops) for each cell of the block, section by section. The loops are replaced by the next.
-// Ends, whatever the records hold: all cells together have no more corners than the block has half-edges.
+// Calls f(cell of the mesh, loops) for each cell of the block, section by section. `loops` is overwritten for the next
+// cell. Throws Error if the cells have more corners than the block has half-edges, so it ends for any changed record.
 template <class F>
 void for_cells(const Block& block, CellLoops& loops, F&& f) {
     std::size_t corners = 0;

@@ -28,12 +28,12 @@ private:
     Index number_;
 };
 
-// The local end vertices of each edge, as the cells tell them.
+// The local end vertices of each edge, taken from the first face or cell that has the edge.
 class EdgeEnds {
 public:
     explicit EdgeEnds(Index edges) : ends_(edges, unknown) {}
 
-    // Returns false if the edge has other ends, or only one, or does not exist.
+    // Returns false if the edge does not exist, a equals b, or an earlier call gave the edge other ends.
     [[nodiscard]] bool agrees(Index edge, Index a, Index b) {
         if (edge >= ends_.size()) return false; // the record changed after the check of its numbers
         const std::uint64_t here = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -44,7 +44,7 @@ public:
 
 private:
     static constexpr std::uint64_t unknown = ~std::uint64_t{0};
-    std::vector<std::uint64_t> ends_; // both ends in one number, since two compare slower
+    std::vector<std::uint64_t> ends_; // both ends in one number, which is faster to compare than two
 };
 
 template <class Section>
@@ -81,8 +81,8 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
-// Checks that `begin` leads from 0 to `end` without a step back, and, because it may change meanwhile, that it has no
-// more steps than there is room for.
+// Checks that `begin` runs from 0 to `end` in steps of at least `least`. The number of steps is also checked by itself,
+// because the entries may change during the check.
 template <class Array>
 void check_begins(const Checker& checker, const Array& begin, std::size_t end, std::size_t least, const char* what) {
     bool ascend = begin.front() == 0 && begin.back() == end;
@@ -164,10 +164,10 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
         checker.require(pairs.run(section, i, left, [](Index, Index, Index) {}), "a cell is not closed");
 }
 
-// Checks that each ghost is one of its owner's, and that they ascend. `begin`: first id of each block. `neighbours` are
-// those of the record.
+// Checks that each ghost is an id that its owner has, that the owner comes before block `number`, and that the ghosts
+// ascend. `begin`: first id of each block.
 void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const Index> begin, Index number) {
-    Index last = none, owner = none, first = 0, count = 0; // count: of what the owner of the last ghost has
+    Index last = none, owner = none, first = 0, count = 0; // count: number of the owner's ids
     const auto check = [&](Index neighbour, Index index) {
         if (neighbour != owner) {
             checker.require(neighbour < ghosts.begin.size(), "a ghost is not of a neighbor");

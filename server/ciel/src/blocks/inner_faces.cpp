@@ -25,7 +25,7 @@ InnerFaces::InnerFaces(const Topology& topology, const BlockBoxes& boxes, std::s
 
 void InnerFaces::for_blocks(const std::function<void(const OfBlock&)>& f) const {
     const std::vector<Index> blocks = blocks_to_read();
-    constexpr std::size_t at_once = 64; // so that few results are in memory
+    constexpr std::size_t at_once = 64; // limits the results that are in memory
     for (std::size_t first = 0; first < blocks.size(); first += at_once) {
         std::array<OfBlock, at_once> found;
         parallel_for(std::min(at_once, blocks.size() - first), 1, [&](std::size_t begin, std::size_t end) {
@@ -35,7 +35,8 @@ void InnerFaces::for_blocks(const std::function<void(const OfBlock&)>& f) const 
     }
 }
 
-// Blocks with both kinds of cells, and those of kept cells that may have a neighbour without.
+// Returns the blocks that have both kept cells and others. Of the blocks with only kept cells, adds those whose box
+// touches the box of a block with a cell that is not kept.
 std::vector<Index> InnerFaces::blocks_to_read() const {
     std::vector<Index> others; // by the low end of their box in x
     double widest = 0;

@@ -9,9 +9,9 @@
 
 namespace ciel {
 
-// The faces between a kept cell and one that is not kept. Reads the blocks that have cells of both kinds, and those of
-// kept cells whose box touches such a block or one without kept cells. `kept`: a flag per cell. boxes: what block_boxes
-// returned for the positions. The arguments must outlive the object.
+// The faces between a kept cell and one that is not kept. Reads the blocks that have both kept cells and others. Of the
+// blocks with only kept cells, reads those whose box touches the box of a block with a cell that is not kept. `kept`: a
+// flag per cell. boxes: what block_boxes returned for the positions. The arguments must outlive the object.
 class InnerFaces {
 public:
     struct OfBlock {
@@ -26,7 +26,7 @@ public:
     void for_blocks(const std::function<void(const OfBlock&)>& f) const;
 
 private:
-    enum class Has : std::uint8_t { no_cell, some, all }; // which kept cells a block has
+    enum class Has : std::uint8_t { no_cell, some, all }; // which cells of a block are kept
 
     [[nodiscard]] std::vector<Index> blocks_to_read() const;
     [[nodiscard]] bool boxes_touch(Index a, Index b) const;

@@ -12,11 +12,11 @@ public:
     // Calls paired(half-edge, mate, index of the mate's face among the faces of the cell) for each half-edge of a cell.
     // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Then any pairing of
     // opposite directions is valid, and pairs in different faces are preferred. Returns false if a half-edge has no
-    // mate, because the cell is not closed. `left`: how many half-edges the cells may still have; the run is given up
-    // and returns false when a changed record names more. Begin with the section's half_edge_count.
+    // mate, because the cell is not closed. `left`: number of half-edges that this cell and those after it may have.
+    // Set it to the section's half_edge_count before the first cell. If a changed record names more, returns false.
     template <class Section, class Paired> // Section: a PolyhedralSection
     [[nodiscard]] bool run(const Section& section, Index cell, Index& left, Paired&& paired) {
-        for (const Index edge : touched_) open_[edge] = none; // a call that ran out of memory may have left some
+        for (const Index edge : touched_) open_[edge] = none; // the last call may have ended early and left some
         waiting_.clear();
         touched_.clear();
         const auto faces = section.faces_of(cell);
@@ -60,8 +60,8 @@ private:
         paired(mate.half_edge, here.half_edge, here.face_of_cell);
     }
 
-    // Pairs the half-edges that `meet` left. In a face that collapsed to a line, both half-edges of a pair may be in
-    // that face.
+    // Pairs the half-edges that `meet` left unpaired. In a face that collapsed to a line, both half-edges of a pair may
+    // be in that face.
     template <class Paired>
     [[nodiscard]] bool pair_inside_faces(Paired& paired) {
         bool closed = true;
@@ -85,7 +85,7 @@ private:
         return closed;
     }
 
-    std::vector<Index> open_; // local edge -> list of the cell's unpaired half-edges, in waiting_; none between cells
+    std::vector<Index> open_; // local edge -> first of its unpaired half-edges, in waiting_; none when a call begins
     std::vector<Waiting> waiting_;
     std::vector<Index> touched_; // local edges of the cell
 };

@@ -21,13 +21,13 @@ using RecordBytes = std::vector<std::uint64_t>; // words, for their alignment
 
 class RecordWriter {
 public:
-    // Appends a section; an empty array needs none. The array must live until `finish`.
+    // Appends a critical section, unless the array is empty. The array must live until `finish`.
     template <class T>
     void add(std::uint16_t id, std::span<const T> array) {
         static_assert(std::is_trivially_copyable_v<T>);
         if (!array.empty()) sections_.push_back({id, critical, sizeof(T), std::as_bytes(array)});
     }
-    // The same for a section without which the record can be read: readers that do not know it skip it.
+    // Appends a section that is not critical: a reader that does not know the section skips it.
     template <class T>
     void add_optional(std::uint16_t id, std::span<const T> array) {
         if (!array.empty()) sections_.push_back({id, 0, sizeof(T), std::as_bytes(array)});
@@ -51,16 +51,17 @@ public:
     // Throws Error for another kind, a newer version, and sections that overlap the end or are given twice.
     RecordView(std::span<const std::byte> bytes, RecordKind kind);
 
-    // Returns a section's array; if the record does not have it, an empty one at the record's end, from where the bytes
-    // after the record can be read (RecordSource). Throws Error if its elements have another size.
+    // Returns a section's array, or an empty one if the record does not have the section. The empty array lies at the
+    // record's end, because an index from a changed record may lead beyond it and bytes there are readable
+    // (RecordSource). Throws Error if the elements have another size.
     template <class T>
     [[nodiscard]] std::span<const T> get(std::uint16_t id) const {
         const std::span<const std::byte> found = find(id, sizeof(T));
         return {reinterpret_cast<const T*>(found.data()), found.size() / sizeof(T)};
     }
-    // Returns the size of the section's elements in bytes; 0 if the record does not have it.
+    // Returns the size of the section's elements in bytes; 0 if the record does not have the section.
     [[nodiscard]] std::size_t element_size(std::uint16_t id) const;
-    // Call after the last `get`. Throws Error if a critical section was not asked for: this program does not know it.
+    // Call after the last `get`. Throws Error if no `get` asked for a critical section: this program does not know it.
     void check_all_known() const;
 
 private:
@@ -72,17 +73,17 @@ private:
 
     std::span<const std::byte> bytes_;
     std::vector<Entry> entries_;
-    mutable std::vector<bool> known_; // by entry: `get` has returned it
+    mutable std::vector<bool> known_; // by entry: whether `get` has returned the section
 };
 
-// Reads an entry of a record once. Its bytes may change (RecordSource), and the compiler may read a plain entry again
-// for each use.
+// Reads an element of a record once. The bytes of a record may change (RecordSource), and without `volatile` the
+// compiler may read an element again for each use.
 template <class T>
 [[nodiscard]] inline T read_once(const T& entry) {
     return *const_cast<const volatile T*>(&entry);
 }
 
-// Throws Error: a record changed after its check, so that `what`.
+// Throws Error with the message that a record changed while it was used. `what`: what is wrong with the record.
 [[noreturn]] void refuse_changed(const char* what);
 
 } // namespace ciel

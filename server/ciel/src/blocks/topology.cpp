@@ -128,8 +128,8 @@ void Topology::Blocks::begin() {
     is_trusted_ = source->is_trusted();
 }
 
-// The blocks of a ring ascend, but for one step from the last to the first. So a walk ends if it does not pass its
-// start.
+// Checks one step of a walk around a ring: both blocks must name the same mesh vertex, and the step must not pass the
+// block `start`. The blocks of a ring ascend, except for the step from the last to the first, so such a walk ends.
 void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
     const bool onwards =
         at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;
@@ -138,8 +138,8 @@ void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index star
              " of the mesh do not agree on a vertex; import the dataset again");
 }
 
-// Ids of 32 bits may lead anywhere, so the records of a block that has them are copied, and cannot change after their
-// check.
+// A changed id of 32 bits may lead anywhere. So the records of a block with such ids are copied, and the copies, which
+// cannot change, are checked.
 Block Topology::Blocks::read_cells(Index b) const {
     const std::span<const std::byte> record = source->record(b, RecordKind::cells);
     Block block = view_cells(record, b, numbers);

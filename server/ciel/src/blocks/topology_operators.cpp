@@ -13,7 +13,7 @@ struct InCell {
     Index cell, half_edge;
 };
 
-// Divides by a compile-time constant, chosen by shape. The operators do little besides this division.
+// Divides by a compile-time constant, chosen by shape, because this division is most of the work of an operator.
 InCell in_cell(const StandardSection& section, Index local_half_edge) {
     InCell place{};
     const Index at = local_half_edge - section.half_edge_begin;

@@ -26,8 +26,8 @@ public:
         size_ = blocks;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
-    // Returns the view of a block. If it is not made yet, returns make(), whose exceptions pass through; a later call
-    // then tries again.
+    // Returns the view of a block. Calls make() if the view is not made yet. If make() throws, so does this function,
+    // and a later call tries again.
     template <class Make>
     [[nodiscard]] const View& of(std::size_t block, Make&& make) const {
         if (const View* const made = views_[block].load(std::memory_order_acquire); made != nullptr) [[likely]]

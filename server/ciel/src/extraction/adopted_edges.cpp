@@ -8,12 +8,12 @@ namespace ciel {
 
 namespace {
 
-// Appends the active edges of the block whose owners are left out.
+// Appends the active edges of block `b` that a left-out block owns.
 void list_edges(const Topology::Blocks& blocks, const Cutter& cutter, Index b, const ActiveBlock& cut,
                 std::vector<AdoptedEdges::Edge>& out) {
     const Block& block = blocks.cells(b);
     const std::vector<Index>& begin = blocks.numbers.edge;
-    Index owner_begin = 0, owner_edges = 0; // the edges of the last owner, which is often the next one, too
+    Index owner_begin = 0, owner_edges = 0; // edges of the last owner, which often owns the next edge too
     bool is_left_out = false;
     Index end = 0;
     for (std::size_t w = 0; end < cut.ghosts; ++w)

@@ -1,8 +1,8 @@
-// The points of a surface of some blocks that lie on edges of the other blocks. Not in the paper.
+// The points of a surface of some blocks (Query::set_blocks) on edges that a left-out block owns. Not in the paper.
 //
-// Each edge of the mesh belongs to the first block that has it, which makes the point. If that block is left out, the
-// first of the remaining blocks that has the edge makes the same point, since all of them have the same values at its
-// ends.
+// The first block that has an edge owns the edge and makes its point. If this block is left out, the first remaining
+// block that has the edge adopts it and makes the point. The point is the same, because all blocks have the same values
+// at the ends of the edge.
 #pragma once
 
 #include "extraction/cutter.hpp"
@@ -20,12 +20,12 @@ public:
 
     // Finds the active edges of the cutter's blocks whose owners the cutter leaves out. Sets `adopted` of its cuts.
     void find(const Topology::Blocks& blocks, Cutter& cutter);
-    // Gives the next points, from `next` on, to the edges below `edge`. Returns the point after them. Call with
-    // ascending edges.
+    // Numbers the points of the adopted edges below `edge` that have no number yet, from `next` on. Returns the next
+    // free number. Call with ascending `edge`.
     [[nodiscard]] std::uint64_t number_below(Index edge, std::uint64_t next);
 
     [[nodiscard]] std::span<const Edge> edges() const { return edges_; } // ascending
-    // Returns the point of an edge of an owner that is left out.
+    // Returns the point of the adopted edge with the mesh-wide id `edge`.
     [[nodiscard]] Index point_of(Index edge) const;
     [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -29,7 +29,7 @@ bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
 std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView& boundary, ValuesView values) {
     if (values.size() != topology.counts().vertices) fail("a field must hold one value per vertex");
     const Topology::Blocks& blocks = topology.blocks();
-    std::atomic<std::uint64_t> sides{0}; // a face between two cells has two
+    std::atomic<std::uint64_t> sides{0}; // each ambiguous face counts twice; a boundary face once here and once below
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;
         std::vector<Index> loop;

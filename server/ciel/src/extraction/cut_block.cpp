@@ -240,8 +240,8 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Makes sure of a finished cut, whose polygons came from a record that may have changed meanwhile. `edges`: number of
-// ids that polygons may store.
+// Throws Error if a finished cut has a cell or an edge that does not exist: the record may have changed meanwhile.
+// `edges`: number of edge ids that polygons may store.
 void check_cut(const Block& block, Index edges, const ActiveBlock& cut) {
     const Index cells = block.cell_count;
     Index outside = 0; // no branches, so that it takes little of the time of the cut
@@ -257,7 +257,8 @@ void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     std::fill_n(scratch.active.begin(), words, std::uint64_t{0});
 }
 
-// Keeps the edges of the cut. The bits after the block's last edge are no edges; only a changed record sets them.
+// Copies the active edges from `scratch` to `cut`. Clears the bits after the block's last edge, which only a changed
+// record can set.
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     check_cut(block, block.edge_count, cut);
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
@@ -333,7 +334,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     const Index most = std::max(block.edge_count, Index{local_ids});
     grow(scratch.met, most);
     (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_most; // skips all numbers of the last cut, which may have thrown
+    scratch.met_before += scratch.met_most; // skips all numbers that the last cut may have used before it threw
     scratch.met_most = most;
     scratch.met_count = 0;
     if (scratch.met_before > none - most) {

@@ -17,10 +17,10 @@ struct CutScratch {
         Index high;  // one bit per corner of a standard cell, set if high; 0 for polyhedra
     };
     std::vector<std::uint8_t> high;              // by local vertex: 1 if high; zero-padded to a multiple of 64
-    std::uint64_t low_parts = 0, high_parts = 0; // one bit per part of the vertices: has low, has high vertices
+    std::uint64_t low_parts = 0, high_parts = 0; // one bit per part of the vertices: set if it has low (high) ones
     std::vector<ActiveCell> cell;                // active cells of one section, ascending, then unused entries
     Index cells = 0;                             // number of active cells in `cell`
-    std::vector<std::array<Index, 2>> ends;      // end vertices by local edge, if active; by point for MetEdges
+    std::vector<std::array<Index, 2>> ends;      // end vertices by active local edge; for MetEdges, by point
     std::vector<std::uint64_t> active;           // for SharedEdges: one bit per local edge, set if active
     // For MetEdges, by local edge: met_before + the point of the edge; less than met_before if the edge has no point in
     // this cut.

@@ -10,7 +10,7 @@
 // If a decider joins the high runs of a face, the walk leaves the face at the previous active edge instead.
 //
 // A record may change at any time (block.hpp), so no loop relies on what was read before: `spend` limits the steps
-// through faces, a polygon consists of entries that are crossed out, and `finish` makes sure of its edges.
+// through faces, `follow` uses each entry edge once, and `finish` checks the edges of each polygon.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -54,7 +54,7 @@ public:
 
 private:
     using Loop = typename PolyhedralSection<Local>::Loop;
-    // How often a cut visits a half-edge at most, without the turns at joined faces in `walk`.
+    // The most visits to each half-edge in a cut, not counting those of find_crossings in `walk`.
     static constexpr unsigned visits = 8;
 
     void spend(std::uint64_t steps) {
@@ -96,7 +96,7 @@ private:
     CutScratch& scratch_;
     ActiveBlock& cut_;
     Edges edges_;
-    std::uint64_t left_; // steps
+    std::uint64_t left_; // steps that may still be taken
 };
 
 // Prefetches the faces of a cell, which are scattered in memory. Without prefetching, half of the time was spent

@@ -20,8 +20,7 @@ public:
         decider_ = decider;
         cut_.forget();
     }
-    // Limits the next updates to some blocks; nullopt: to none of fewer than all. Throws Error if a block does not
-    // exist.
+    // Limits the next updates to some blocks; nullopt: all blocks. Throws Error if a block does not exist.
     void set_blocks(std::optional<std::span<const Index>> blocks);
     [[nodiscard]] bool has_all() const { return has_.empty(); }
     [[nodiscard]] bool has(Index block) const { return has_.empty() || has_[block] != 0; }
@@ -29,7 +28,7 @@ public:
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // blocks at the surface, ascending
-    [[nodiscard]] BlockCuts& cut() { return cut_; }                         // of the active blocks
+    [[nodiscard]] BlockCuts& cut() { return cut_; }                         // cuts of the active blocks
     [[nodiscard]] virtual std::size_t memory_bytes() const;
 
 protected:

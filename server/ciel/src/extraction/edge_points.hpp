@@ -9,8 +9,8 @@
 namespace ciel {
 
 // Returns the position of nu between two values, clamped to [0, 1]: 0 at `from`, 1 at `to`. All points are made with
-// this function, so the point of an edge has the same bits wherever it is made. Returns 0 if it is not a number: an
-// edge that a changed record names may end anywhere.
+// this function, so the point of an edge has the same bits wherever it is made. Returns 0 where the division gives NaN,
+// because the ends of an edge in a changed record may have any values.
 [[nodiscard]] inline double share_at(double nu, double from, double to) {
     const double share = (nu - from) / (to - from);
     return share >= 0 ? std::min(share, 1.0) : 0.0;

@@ -50,7 +50,7 @@ private:
 
     const Topology* topology_ = nullptr;
     const Field::Data* field_ = nullptr;
-    bool arrived_ = false; // the members below are valid for threshold_
+    bool arrived_ = false; // whether the members below are valid for threshold_
     double threshold_ = 0;
     std::vector<HalfEdge> active_edges_;    // half-edges, each from the low end to the high end of its edge
     std::vector<std::uint8_t> is_active_;   // by edge: 1 if in active_edges_

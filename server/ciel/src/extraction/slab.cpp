@@ -18,7 +18,7 @@ namespace ciel {
 
 namespace {
 
-// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must already be vertices of the mesh.
+// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must already be vertices of the SlabMesh.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -52,9 +52,9 @@ private:
         return taken;
     }
 
-    // Returns the corner where the fan of a polygon should start: no triangle is reversed, and preferably no other fan
-    // starts there. Where a fan folds back, the overlap would be blended twice. Of more than 64 corners about 64 are
-    // tried.
+    // Returns the corner where the fan of a polygon starts: the first one without a reversed triangle, else the best.
+    // Begins with a corner where no other fan starts, if there is one. A fan with a reversed triangle overlaps itself,
+    // and the overlap would be blended twice. Of more than 64 corners, 64 to 127 are tried.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
@@ -109,7 +109,8 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
-// Makes a SlabMesh of faces of the mesh. Each fan needs to know all vertices, so they come before the fans.
+// Makes a SlabMesh of faces of the mesh. `add` collects vertices and corners. `take` writes the fans, because FanWriter
+// needs all vertices first.
 class SlabFaces {
 public:
     SlabFaces(const FaceMeshView& points, const SlabProperty& property)
@@ -139,7 +140,7 @@ public:
 private:
     const FaceMeshView& points_;
     const SlabProperty& property_;
-    SparseArray<Index> local_; // by vertex: the number of vertices of the result when it was added
+    SparseArray<Index> local_; // by mesh vertex: its index in the result plus 1; 0 if it is not added
     std::vector<Index> corners_, cells_;
     std::vector<std::size_t> ends_; // by face: the end of its corners
     SlabMesh out_;

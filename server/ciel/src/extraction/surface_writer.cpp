@@ -136,7 +136,7 @@ void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index e
     out_.normals[point] = unit(between);
 }
 
-// The blocks of these edges are active, so write_points has loaded their positions.
+// Writes the points on adopted edges. The blocks that adopt them are active, so write_points has loaded the positions.
 void Writer::write_adopted() {
     const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -154,10 +154,10 @@ void Writer::write_adopted() {
 }
 
 // Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
-// updated. Ghosts ascend by mesh-wide id, so it seldom changes. Throws Error if the owner has no point there: its
-// record and that of the block contradict each other.
+// updated. Ghosts ascend by mesh-wide id, so the owner seldom changes. Throws Error if the owner has no point on the
+// edge, because then the records of the two blocks contradict each other.
 Index Writer::point_of_ghost(Index edge, Owner& owner) const {
-    if (edge - owner.edge_begin >= owner.edges) { // or below edge_begin
+    if (edge - owner.edge_begin >= owner.edges) { // also true below edge_begin, where the difference wraps around
         const std::vector<Index>& begin = blocks_.numbers.edge;
         owner.block = static_cast<Index>(std::ranges::upper_bound(begin, edge) - begin.begin() - 1);
         owner.edge_begin = begin[owner.block];
@@ -176,7 +176,7 @@ Index Writer::point_of_ghost(Index edge, Owner& owner) const {
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
-// `point`: scratch; surface point by local edge.
+// `point`: buffer for the surface points by local edge.
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const ActiveBlock& cut = cut_[b];
     point.resize(64 * cut.active.size());

@@ -18,8 +18,8 @@ public:
         fit_.clear();
         vertex_.clear();
     }
-    // Returns the fit of a cell, which is valid until the next call. make(): returns it as FittedPolyhedron<Index>;
-    // called if it is not known.
+    // Returns the fit of a cell, which is valid until the next call. If the fit is not known, calls make(), which must
+    // return it as FittedPolyhedron<Index>.
     template <class Make>
     [[nodiscard]] FittedPolyhedron<Local> of(Index cell, Make&& make) {
         if (number_[cell] == none) add(cell, make());
@@ -42,7 +42,7 @@ private:
     }
 
     std::vector<Index> number_;       // by cell of the section: index in fit_, or none
-    std::vector<PolyhedronFit> fit_;  // in the order in which they were made
+    std::vector<PolyhedronFit> fit_;  // in the order in which the fits were made
     std::vector<Index> first_vertex_; // by fit: index in vertex_; one more at the end
     std::vector<Local> vertex_;
 };

@@ -24,19 +24,20 @@ struct CellFits::Data {
     std::unique_ptr<OfBlock[]> of_block;
     std::atomic<std::size_t> bytes = 0; // of all fits
 
-    // Returns whether the fits are those of the mesh with these positions. If there are none yet, they will be.
+    // Returns whether the fits belong to the mesh whose positions are at `other`. They belong to that of the first
+    // call.
     [[nodiscard]] bool belong_to(const void* other) {
         const void* first = nullptr;
         return positions.compare_exchange_strong(first, other) || first == other;
     }
-    void count(OfBlock& of) { // with its mutex locked
+    void count(OfBlock& of) { // call with of.mutex locked
         bytes.fetch_add(of.fits.memory_bytes() - of.counted, std::memory_order_relaxed);
         of.counted = of.fits.memory_bytes();
     }
 };
 
-// Calls f(fitted), where fitted(cell of the section) returns its FittedPolyhedron, valid until the next call. `shared`:
-// holds the fits; may be null. Two threads do not use the shared fits of a block at the same time.
+// Calls f(fitted), where fitted(cell of the section) returns the FittedPolyhedron of the cell, valid until its next
+// call. `shared`: keeps the fits, which are locked for the block during f; null to keep none.
 template <class Local, class Sampler, class F>
 void with_fits(CellFits::Data* shared, Index b, const Block& block, const PolyhedralSection<Local>& section,
                const Sampler& sample, PolyhedronFitter& fitter, F&& f) {

@@ -45,7 +45,7 @@ struct LeastSquares {
     bool good = false; // the samples span a volume and all have values
 };
 
-// Sums over samples. d: a sample relative to their mean.
+// Sums over samples. d: a sample minus the mean of the samples.
 struct Moments {
     Four mean{};
     Four squares{};  // of d * d
@@ -53,7 +53,7 @@ struct Moments {
     Four slopes{};   // of d * d.value
 };
 
-// Makes `samples` relative to their mean. `samples`: a std::array or std::vector.
+// Subtracts the mean from each of `samples` (a std::array or std::vector) and returns their moments.
 template <class Samples>
 [[nodiscard]] inline Moments centered(Samples& samples) {
     Moments out;
@@ -74,11 +74,11 @@ template <class Samples>
 // once.
 template <class Number>
 struct NormalEquationsOf {
-    Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // its cofactors
+    Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // cofactors of the matrix
     Number inverse_determinant{};              // 0 if the samples are too stretched for normal equations
 
     NormalEquationsOf() = default;
-    // Sums over samples relative to their mean: of x * x, y * y, z * z, x * y, y * z, x * z.
+    // a, b, c, ab, bc, ac: sums of x * x, y * y, z * z, x * y, y * z, x * z over samples relative to their mean.
     NormalEquationsOf(Number a, Number b, Number c, Number ab, Number bc, Number ac)
         : xx(b * c - bc * bc), xy(ac * bc - ab * c), xz(ab * bc - ac * b), yy(a * c - ac * ac), yz(ab * ac - a * bc),
           zz(a * b - ab * ab) {
@@ -86,7 +86,7 @@ struct NormalEquationsOf {
         const Number size = (a + b + c) / 3.0;
         inverse_determinant = determinant > 1e-9 * size * size * size ? 1.0 / determinant : Number{};
     }
-    // Sums of x * value, y * value, z * value.
+    // x, y, z: sums of x * value, y * value, z * value over the same samples.
     [[nodiscard]] std::array<Number, 3> gradient(Number x, Number y, Number z) const {
         return {(xx * x + xy * y + xz * z) * inverse_determinant, (xy * x + yy * y + yz * z) * inverse_determinant,
                 (xz * x + yz * y + zz * z) * inverse_determinant};
@@ -110,8 +110,8 @@ struct NormalEquations : NormalEquationsOf<double> {
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
-// `samples`: a std::array or std::vector. On return the samples are relative to their mean, and possibly sheared by
-// fit_stretched.
+// Fits a linear function to `samples` (a std::array or std::vector). On return the samples are relative to their mean,
+// and possibly sheared by fit_stretched.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;

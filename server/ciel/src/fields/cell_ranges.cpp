@@ -44,7 +44,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const Value> valu
             widen(range, values[section.vertex[k]]);
         if (!(range[0] <= range[1])) continue; // no finite value on the face
         for (const Index cell : section.face_cell[face]) {
-            CellRanges::Range& widened = out[begin + std::min(cell, section.count() - 1)]; // a changed id may be any
+            CellRanges::Range& widened = out[begin + std::min(cell, section.count() - 1)]; // cell may be out of range
             widen(widened, range[0]);
             widen(widened, range[1]);
         }

@@ -13,8 +13,8 @@ namespace ciel {
 // Thread-safe. A block's ranges are built when it is cut a second time: a field that is shown once does not need them.
 class CellRanges {
 public:
-    // Floats around the finite values in a group of cells of a standard section, or in one polyhedron: [min, max] of
-    // floats, and of doubles the nearest floats outside. low > high when there are no finite values.
+    // [min, max] of the finite values in a group of cells of a standard section, or in one polyhedron. For doubles,
+    // both ends are rounded outwards to floats. low > high when there are no finite values.
     using Range = std::array<float, 2>;
 
     // Makes room for this many blocks; builds no ranges.

@@ -52,8 +52,9 @@ private:
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
-// Sorts by (value, id), after `value` has returned each vertex's value once: it may read from a mapped file that
-// changes, and a sort of values that change would leave its array. Drops vertices whose value is no longer finite.
+// Sorts by (value, id). Calls value(vertex) once per vertex, because it may read from a mapped file that changes:
+// std::sort accesses memory outside of its array if values change during the sort. Drops vertices whose value is no
+// longer finite.
 template <class Value>
 void sort_by_value(std::vector<Index>& vertices, const Value& value) {
     std::vector<std::pair<double, Index>> all;

@@ -53,7 +53,8 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh");
     topology = &of;
-    // Untouched pages take no memory. After the last block, a changed record may name any local vertex of 16 bits.
+    // A changed record may name any local vertex of 16 bits, so there is room for all of them after the last block.
+    // Untouched pages take no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);
@@ -162,7 +163,7 @@ void Field::Data::read_all() const {
         read(std::make_shared<std::vector<float>>(source->size()));
 }
 
-// The vector owns the values and is kept alive by the field. data_->mesh keeps the topology alive.
+// The field keeps the vector `stored` alive, which owns the values. data_->mesh keeps the topology alive.
 template <class T>
 Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored)
     : Field(mesh.topology(), ValuesView(*stored), stored) {

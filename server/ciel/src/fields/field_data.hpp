@@ -18,16 +18,17 @@ struct Field::Data {
     const Topology* topology = nullptr;
     mutable ValuesView values;                 // of all vertices; with a source, empty until read_all
     std::shared_ptr<const ValueSource> source; // null if the values are in memory or computed
-    std::optional<PlaneDistance> plane;        // if set, there are no values: they are computed
+    std::optional<PlaneDistance> plane;        // if set, values are computed from it, and `values` is empty
     std::shared_ptr<const void> keep_alive;
     BlockRanges of_blocks;
     std::array<double, 2> range{};
 
-    // Values in block order (Block::vertex_begin), NaN where a vertex has no value. A block is filled at its first use.
-    // After those of any block, local_ids more can be read, whose values mean nothing. One of them is null.
+    // Values in block order (Block::vertex_begin), NaN where a vertex has no value. The values of a block are filled in
+    // at its first use. After them, at least local_ids more entries can be read; their values are unspecified. Either
+    // local_floats or local_doubles is used; the other is null.
     SparseArray<float> local_floats;
     SparseArray<double> local_doubles;
-    std::unique_ptr<std::atomic<bool>[]> taken; // by block: its part of `local` is filled
+    std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values are filled in
     mutable std::array<Mutex, 16> take_in_mutex;
     std::shared_ptr<const GeometricVertices> where_extrema; // vertices that may be extrema; null means all
     double direction_length = 0;                            // length of the normal when the values are plane distances
@@ -36,7 +37,7 @@ struct Field::Data {
     mutable bool extrema_made = false;
     mutable std::vector<Index> minima, maxima; // sorted by (value, id); maxima descending
     mutable CellRanges ranges;
-    std::shared_ptr<CellFits> fits; // null: none are shared
+    std::shared_ptr<CellFits> fits; // shared with other fields; null if there are none
     mutable GradientCache gradients;
 
     // Makes value() of all vertices ready. Keeps a copy of a source's values.
@@ -48,11 +49,11 @@ struct Field::Data {
         if (source) return source->has_doubles();
         return plane ? plane->has_doubles() : values.has_doubles();
     }
-    // Returns the number with which the values are compared: a value is high if it is >= the threshold. For floats, it
-    // is the smallest float >= nu, so that they compare as with nu; for doubles, nu. Infinity for NaN, which makes
-    // every finite value low.
+    // Returns the number with which the values are compared: a value is high if it is >= the threshold. For doubles,
+    // the threshold is nu. For floats, it is the smallest float >= nu, which gives the same comparisons as nu. If nu is
+    // NaN, the threshold is infinity, which makes every finite value low.
     [[nodiscard]] double threshold(double nu) const;
-    // Returns the fits that the field shares if they belong to the mesh, else null.
+    // Returns `fits` if they belong to the positions of `cut`, else null.
     [[nodiscard]] CellFits::Data* shared_fits(const FaceMeshView& cut) const;
     [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; } // a vertex has no value
     [[nodiscard]] bool crosses(Index block, double threshold) const {

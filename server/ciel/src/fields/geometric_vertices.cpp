@@ -86,7 +86,7 @@ private:
         mate_.assign(half_edges, none);
         for (Index cell = 0; cell < section.count(); ++cell) {
             half_edges_.clear();
-            // A changed record may name half-edges that do not exist, or that lead nowhere.
+            // A changed record may name half-edges that do not exist, or that have no mate.
             (void)pairs_.run(section, cell, left, [&](Index h, Index mate, Index) {
                 if (h >= half_edges || mate >= half_edges) return;
                 mate_[h] = mate;
@@ -138,7 +138,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
         for (std::size_t b = begin; b < end; ++b)
             ReflexCorners(mesh, blocks.cells(static_cast<Index>(b)), margin, flag).run();
     });
-    found_.vertices.clear(); // a call that ran out of memory may have left some
+    found_.vertices.clear(); // a call that ran out of memory may have left vertices
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
     made_ = true;

@@ -28,14 +28,14 @@ struct Scratch {
     PolyhedronFitter fitter;
     std::vector<Sample> stretched;
     // Of the block whose cells are solved:
-    std::vector<Index> asked;            // its vertices that are wanted or asked for by a neighbour, ascending
+    std::vector<Index> asked;            // its vertices that are wanted or asked for by a neighbor, ascending
     std::uint64_t asked_parts = 0;       // the parts of the block with these vertices
     std::vector<Index> slot;             // by local vertex: index in `sum`, 0 for vertices that are not wanted
-    std::vector<GradientSum> sum;        // the first one is not used
+    std::vector<GradientSum> sum;        // sum[0] collects what belongs to vertices that are not wanted
     std::vector<std::uint64_t> to_solve; // a bit per cell of the section
     std::vector<std::uint16_t> corners;  // of the cells to solve
-    std::vector<CellGradient> gradients; // of these cells
-    SolvedCells solved;                  // copied to Pass in its exact size
+    std::vector<CellGradient> gradients; // of the cells to solve
+    SolvedCells solved;                  // copied to Pass::solved_ without spare capacity
 };
 
 Scratch& scratch_of_this_thread() {
@@ -97,7 +97,7 @@ private:
             for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
         });
     }
-    // Atomic, because two tasks may set the same one if the record of a ring has changed.
+    // Atomic, because two tasks may set the same gradient if the record of a ring has changed.
     void set_gradient(const BlockVertex& at, const Vec3f& to) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             std::atomic_ref(gradient_[at.block][at.vertex][axis]).store(to[axis], std::memory_order_relaxed);
@@ -321,7 +321,7 @@ void Pass::sum_at_border(Index b) {
                 return (states(blocks_.cells(at.block))[at.vertex] & wanted) != 0;
             };
             const auto first = std::ranges::find_if(scratch.ring, is_wanted);
-            if (first == scratch.ring.end() || first->block != b) continue; // done by that block
+            if (first == scratch.ring.end() || first->block != b) continue; // the block of `first` sums the gradient
             AddStored add([this](Index other, Index cell) { return solved_[other].of(cell); });
             for_cells_around(blocks_, scratch.ring, scratch.cells, add);
             for (const BlockVertex at : scratch.ring)

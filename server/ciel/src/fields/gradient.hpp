@@ -16,8 +16,8 @@ namespace ciel {
 // Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the active edges that `blocks` own. `cut`: has these blocks. May throw
-    // std::bad_alloc; the next call then makes the missing gradients.
+    // Makes the gradients at both ends of the active edges that `blocks` own or adopt (AdoptedEdges). `cut`: the cuts
+    // of these blocks. May throw std::bad_alloc; the next call then makes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  const BlockCuts& cut);
     // Returns the gradients by local vertex; only requested entries are set. Valid until forget or the end of the
@@ -30,9 +30,9 @@ public:
 private:
     mutable Mutex mutex_;
     SparseArray<std::uint8_t> state_;              // by slot (Block::vertex_begin): State flags (gradient.cpp)
-    std::vector<std::uint8_t> busy_;               // by block: has cells to solve in the current call
+    std::vector<std::uint8_t> busy_;               // by block: 1 if it has cells to solve in the current call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block: gradients by local vertex, or null
-    bool settled_ = true;                          // the last make_at completed: no State is `wanted`
+    bool settled_ = true;                          // whether the last make_at completed, so that no State is `wanted`
 };
 
 // Returns the gradients at all vertices, indexed by mesh vertex.

@@ -12,7 +12,7 @@
 namespace ciel {
 
 struct GradientSum {
-    Four weighted{}; // sum of gradient * volume; sum of volume
+    Four weighted{}; // x, y, z: sum of gradient * volume; last: sum of volume
 
     void add(const CellGradient& cell) {
         const double volume = cell.volume;
@@ -30,7 +30,7 @@ struct GradientSum {
 // Returns the sample of a local vertex of a block. `values`: by local vertex.
 class BlockSampler {
 public:
-    // b: number of the block, whose positions are loaded.
+    // Loads the positions of the block's vertices. b: number of the block.
     BlockSampler(const FaceMeshView& mesh, Index b, const Block& block, ValuesView values)
         : mesh_(mesh), block_(block), values_(values) {
         load_vertices(mesh.loader, b, block);
@@ -60,7 +60,7 @@ public:
         }
 
         const Block& block_;
-        Index ghosts_, own_;        // own_ + local vertex is a vertex of the mesh; wraps around below 0
+        Index ghosts_, own_;        // own_ + local id: mesh vertex of an owned vertex; own_ may wrap around
         const Position* positions_; // by mesh vertex
         const Value* values_;       // by local vertex
     };
@@ -96,8 +96,8 @@ private:
     ValuesView values_;
 };
 
-// Returns the local vertices of the cell that begins at `vertex`. Limits them to those of the block, whatever a changed
-// record holds, because arrays by local vertex have no more.
+// Returns the local vertices of the cell that begins at `vertex`. A changed record may hold any id; an id beyond the
+// vertices of the block is replaced by the last vertex, because arrays by local vertex have no more entries.
 template <const StandardShape& shape>
 [[nodiscard]] std::array<std::uint16_t, shape.corners> corners_of(const Block& block, const std::uint16_t* vertex) {
     const auto last = static_cast<std::uint16_t>(std::min<std::size_t>(block.vertex_count, local_ids) - 1);
@@ -188,8 +188,8 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
     }
 }
 
-// Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block, place)`:
-// pointer to the gradient. Throws Error if it is null, because then the rings of the vertex have changed.
+// Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block, place)` returns
+// a pointer to the gradient. Throws Error if it is null, because then the rings of the vertex have changed.
 template <class Stored>
 class AddStored {
 public:

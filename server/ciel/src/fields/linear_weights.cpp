@@ -87,8 +87,8 @@ void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_
     const auto linear = [&lambda](Vec3d d) { return std::clamp(1 + dot(lambda, d), 0.0, 2.0); };
     double total = 0;
     for (const Vec3d& d : displacements) total += linear(d);
-    // If all values lie on one side of the place, the sum of the clipped weights is almost zero and consists of
-    // rounding noise. The less the values surround the place, the more inverse-distance weights count.
+    // If all values lie on one side of the point, the sum of the clipped weights is almost zero and consists of
+    // rounding noise. The less the values surround the point, the more inverse-distance weights count.
     const auto count = static_cast<double>(weights.size());
     trust *= std::clamp((total / count - 0.05) / 0.2, 0.0, 1.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -23,8 +23,8 @@ std::array<double, 2> one_step_wider(double low, double high) {
 
 } // namespace
 
-// The distance of a box's vertices lies between those of two opposite corners. `slack` and one step further, because
-// the distance of a vertex is rounded at each sum, in an order and with products that the compiler chooses.
+// The distances of the vertices in a box lie between the distances of two opposite corners. The range is wider by
+// `slack` and by one floating-point number at each end, because the distance of a vertex is rounded at each operation.
 BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     const std::size_t blocks = boxes[0].low.size();
     BlockRanges out{std::vector<double>(blocks), std::vector<double>(blocks), boxes[0].missing};
@@ -45,7 +45,7 @@ BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     return out;
 }
 
-// Looks into blocks in the order of their bounds, until no other block can have a farther vertex.
+// Reads blocks by ascending lower bound until no other block can have a lower distance; likewise for the maximum.
 std::array<double, 2> PlaneDistance::range(const BlockRanges& bounds, std::span<const Index> first_vertex) const {
     std::vector<Index> order(bounds.low.size());
     std::iota(order.begin(), order.end(), Index{0});

@@ -16,9 +16,10 @@ public:
 
     [[nodiscard]] bool has_doubles() const { return positions_.has_doubles(); }
     [[nodiscard]] std::size_t vertex_count() const { return positions_.size() / 3; }
-    // Loads the positions, which at() and of() need. Null if all are in memory.
+    // Returns the loader of the positions, or null if all are in memory. Load the positions before at() or of() reads
+    // them.
     [[nodiscard]] const VertexLoader* loader() const { return loader_; }
-    // Returns the distance of a vertex, rounded to the type.
+    // Returns the distance of a vertex, rounded to a float unless has_doubles().
     [[nodiscard]] double at(std::size_t vertex) const {
         return has_doubles() ? of<double>().at(vertex) : double{of<float>().at(vertex)};
     }
@@ -42,8 +43,8 @@ public:
 
     // Returns ranges that hold the distances of each block's vertices, and may be wider.
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
-    // Returns [min, max] over the vertices that blocks own, whose ids begin at `first_vertex`. `bounds`: what ranges()
-    // returned.
+    // Returns [min, max] over the vertices that blocks own. `bounds`: what ranges() returned. `first_vertex`: by block,
+    // the first vertex that it owns; one more at the end.
     [[nodiscard]] std::array<double, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
 
 private:

@@ -1,5 +1,5 @@
-// The gradient in a polyhedron (paper, section 3). What depends on positions only is a PolyhedronFit, which is the same
-// for all fields.
+// The gradient in a polyhedron (paper, section 3). The part that depends on positions only is a PolyhedronFit, which is
+// the same for all fields.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -32,7 +32,7 @@ template <class Local, class Sampler>
         if (!stretched.good) return {};
         return {stretched.gradient, fit.volume};
     }
-    // Relative to the first vertex, because values may vary by less than 1e-8 of their size.
+    // Sums differences from the first vertex, because values may vary by less than 1e-8 of their size.
     const Four first = load(sample(vertices[0]));
     Four sum{}, slopes{};
     for (const auto v : vertices) {
@@ -48,9 +48,9 @@ template <class Local, class Sampler>
 // Makes the fits of polyhedra. One per thread is reused for many blocks.
 class PolyhedronFitter {
 public:
-    // Call before fitting cells of another block or with other positions. Until the next `begin`, a cell may be fitted
-    // once. A record that changes meanwhile may name any vertex and face, which are limited to those of the block, or
-    // more corners, which throws Error.
+    // Call before fitting cells of another block or with other positions. Each cell may be fitted once until the next
+    // `begin`. If a record changes meanwhile, its vertices and faces are limited to those of the block, and `fit`
+    // throws Error when the cells have more corners than before.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -86,7 +86,7 @@ private:
         Index stamp = 0; // stamp of the last cell with this vertex; below first_stamp_, `sample` is stale
     };
 
-    static constexpr unsigned visits = 2; // how often the corners of a cell are visited at most
+    static constexpr unsigned visits = 2; // the most visits to each corner of a cell
 
     void spend(Index corners) {
         if (corners > left_) [[unlikely]]
@@ -160,7 +160,7 @@ private:
     PolyhedronFit fit_{};
     Index stamp_ = 0, first_stamp_ = 0;
     Index last_vertex_ = 0;
-    std::uint64_t left_ = 0; // corners
+    std::uint64_t left_ = 0; // corners that may still be visited
 };
 
 } // namespace ciel

@@ -9,7 +9,7 @@
 
 namespace ciel {
 
-#ifdef __wasm__ // without pages and exceptions
+#ifdef __wasm__ // has neither pages nor exceptions
 
 void* reserve_pages(std::size_t bytes) { return std::memset(::operator new(bytes), 0, bytes); }
 void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
@@ -18,7 +18,7 @@ void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
 
 namespace {
 
-// Below, memory that the heap has at hand costs less than new pages, and holds little.
+// Arrays below this size come from the heap: reused memory costs less than new pages, and the arrays are small.
 constexpr std::size_t large = std::size_t{16} << 20;
 
 } // namespace

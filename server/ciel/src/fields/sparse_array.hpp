@@ -1,5 +1,5 @@
-// SparseArray: an array as long as the mesh of which only the parts that are used take memory, if it is large. Not in
-// the paper.
+// SparseArray: an array of the size of a mesh. If it is large, only the parts that are used take memory. Not in the
+// paper.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace ciel {
 
-// Returns memory of zeros. If it is large, its pages take memory when they are first touched; those of a heap may have
-// been touched for something else. Throws std::bad_alloc.
+// Returns zeroed memory. A large request gets new pages, which take memory when they are first touched; a small one is
+// served from the heap. Throws std::bad_alloc.
 [[nodiscard]] void* reserve_pages(std::size_t bytes);
-void release_pages(void* begin, std::size_t bytes); // of reserve_pages(bytes)
+void release_pages(void* begin, std::size_t bytes); // begin: the result of reserve_pages(bytes)
 
-// Elements are zero at the begin. Not thread-safe, but different elements may be used at the same time.
+// All elements are zero at first. Not thread-safe, but different elements may be used at the same time.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class SparseArray {
@@ -33,7 +33,7 @@ public:
     SparseArray& operator=(const SparseArray&) = delete;
     ~SparseArray() = default;
 
-    [[nodiscard]] T* get() const { return begin_.get(); } // null if it was made without a size
+    [[nodiscard]] T* get() const { return begin_.get(); } // null if constructed without a size
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::span<T> all() const { return {begin_.get(), size_}; }
 

@@ -11,7 +11,7 @@ namespace ciel {
 
 enum class PerItem { point, cell };
 
-// Owns the values: floats if the type of the caller's numbers has no others, else doubles.
+// Owns the values: floats if the caller's numbers are 32-bit floats or 8-bit integers, else doubles.
 class StoredValues {
 public:
     // values: one number per point or cell of the caller's mesh. Throws Error on another number of rows or columns.

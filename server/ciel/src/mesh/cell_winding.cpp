@@ -105,7 +105,7 @@ bool CellWinding::collect_edges() {
     });
     neighbours_.assign(faces_.size(), {});
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
-        std::vector<Use> edge; // of one edge, without opposite half-edges in one collapsed face
+        std::vector<Use> edge; // half-edges of one edge, without pairs that are opposite in the same collapsed face
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end) {
             if (!edge.empty() && edge.back().face == uses_[end].face && edge.back().upward != uses_[end].upward)
@@ -160,8 +160,9 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// Lobes that meet along an edge may be open there one by one, but are closed together. Joins all lobes at such an edge.
-// Visits the edges one by one, because lobes that were joined earlier may already be closed at a later edge.
+// Joins lobes that are not closed by themselves. Where lobes meet along an edge, each of them may be open at the edge,
+// while together they are closed: all lobes at such an edge are joined. Visits the edges one by one, because lobes that
+// were joined earlier may already be closed at a later edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});

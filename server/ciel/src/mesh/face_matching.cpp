@@ -26,8 +26,8 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Returns one claim per face, with which equal faces are found. Faces that collapsed to a line or a point separate no
-// cells, so they get an empty claim and stay on the boundary.
+// Returns one claim per face: the key by which equal faces are found. Faces that collapsed to a line or a point
+// separate no cells, so they get an empty claim and stay on the boundary.
 std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
     std::vector<Claim> claims(cell_of_face.size());
     parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {

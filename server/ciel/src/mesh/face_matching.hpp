@@ -20,8 +20,8 @@ struct MatchedFaces {
     std::uint64_t internal_boundaries = 0;
 };
 
-// Takes linear time: equal faces meet in the list of their smallest vertex. On return, the loops of two matched faces
-// run in opposite directions after `turn`.
+// Takes linear time, because a face is compared only with the faces of the same smallest vertex. When the faces marked
+// in `turn` are reversed, the loops of two matched faces run in opposite directions.
 [[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
 
 } // namespace ciel

@@ -7,7 +7,7 @@
 
 namespace ciel {
 
-// `faces` points into `assembled`, into `moved_points` or into the arrays of `keep_alive`. So `faces` is set last.
+// `faces` views arrays that `assembled`, `moved_points` or `keep_alive` owns.
 struct Mesh::State {
     std::shared_ptr<const void> keep_alive;
     std::shared_ptr<const Assembled> assembled; // null for a mesh made by from_stored

@@ -11,13 +11,13 @@
 namespace ciel {
 
 struct MeshPoints {
-    std::vector<float> floats; // V x 3; one of both is empty
+    std::vector<float> floats; // V x 3; `floats` or `doubles` is empty
     std::vector<double> doubles;
 
     [[nodiscard]] ValuesView view() const { return doubles.empty() ? ValuesView(floats) : ValuesView(doubles); }
 };
 
-// points: V x 3. order: rows of `points`; all rows in their order if empty.
+// Returns the rows `order` of `points` (V x 3); all rows if `order` is empty.
 [[nodiscard]] MeshPoints mesh_points(const ArrayView& points, std::span<const Index> order = {});
 
 // Returns the middle of the bounding box of the finite points, or zero if there are none.

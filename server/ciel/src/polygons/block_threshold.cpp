@@ -1,4 +1,5 @@
-// Thresholds block by block: neither the values nor the faces of a block are read that has only kept cells, or none.
+// Thresholds block by block. Does not read the values of a block if its range decides the flags of all its cells, nor
+// the faces of a block that cannot have a face between a kept cell and another.
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
 #include "blocks/inner_faces.hpp"
@@ -15,7 +16,7 @@ namespace ciel {
 
 namespace {
 
-// Sets the flags of a block's cells from its vertices in the range.
+// Sets the flag of each cell of a block: 1 if all, or any, of the cell's vertices lie in the range.
 class KeepCells {
 public:
     KeepCells(const Block& block, ValuesView values, std::array<double, 2> range, InRange vertices,
@@ -34,12 +35,12 @@ public:
     }
 
 private:
-    struct Seen { // vertices of a cell in the range
+    struct Seen { // whether every vertex, or some vertex, of a cell lies in the range
         bool every = true, some = false;
     };
     template <class Local>
     void run(const PolyhedralSection<Local>& polyhedra) {
-        std::size_t corners = 0; // of all cells together, which a changed record could make very many
+        std::size_t corners = 0; // of all cells so far; a changed record may name too many
         for (Index i = 0; i < polyhedra.count(); ++i) {
             Seen seen;
             for (const Local& entry : polyhedra.faces_of(i)) {

@@ -93,7 +93,8 @@ public:
     }
 
 private:
-    // Returns a grid of the corners that are not convex: only these can lie in the triangle of an ear.
+    // Returns a grid of the corners that are not convex. These suffice to test for an ear: if any corner lies in its
+    // triangle, one of these does.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)

@@ -11,9 +11,9 @@
 namespace ciel {
 
 // `corners`: counter-clockwise, at least three. Appends corners.size() - 2 triangles with the polygon's winding, as
-// indices into `corners`. They cover a polygon that does not cross itself exactly once. If the polygon crosses itself,
-// some triangles are reversed or have no area. Takes at most 512 steps per corner, because the corners inside an ear
-// are found in a grid. When the steps run out, the remaining corners are cut off without a test.
+// indices into `corners`. If the polygon does not cross itself, the triangles cover it exactly once. If it does, some
+// triangles are reversed or have no area. Finds the corners inside an ear in a grid, to save steps. When
+// 512 * corners.size() steps are used up, the remaining corners are cut off without a test.
 void clip_ears(std::span<const std::array<double, 2>> corners, std::vector<Index>& out);
 
 } // namespace ciel

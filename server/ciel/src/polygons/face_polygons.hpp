@@ -1,4 +1,4 @@
-// Makes a surface of faces of the mesh, one after another. Not in the paper.
+// Makes a surface of faces of the mesh, which the caller adds one by one. Not in the paper.
 #pragma once
 
 #include "ciel/cell_geometry.hpp"
@@ -15,7 +15,7 @@ public:
     explicit FacePolygons(const FaceMeshView& points) : points_(points), used_(points.vertex_count()) {}
 
     // Adds a polygon, unless the loop has fewer than three distinct vertices. `loop`: wound outwards from `cell`.
-    // `face`: its polygon_face.
+    // `face`: the entry of the polygon in Surface::polygon_face.
     void add(std::span<const Index> loop, Index cell, Index face) {
         if (!is_polygon(loop)) return;
         points_.load(loop);
@@ -24,7 +24,7 @@ public:
         surface_.polygon_cell.push_back(cell);
         surface_.polygon_face.push_back(face);
     }
-    [[nodiscard]] Surface take() &&; // with its chunks
+    [[nodiscard]] Surface take() &&; // returns the surface with its chunks
 
 private:
     [[nodiscard]] static bool is_polygon(std::span<const Index> loop) {
@@ -47,7 +47,7 @@ private:
     }
 
     const FaceMeshView& points_;
-    SparseArray<Index> used_; // by vertex: the number of points when it was added
+    SparseArray<Index> used_; // by mesh vertex: its index in the points plus 1; 0 if it has none
     Surface surface_;
 };
 

@@ -79,7 +79,7 @@ Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points, 
     const auto mark = [&used](Index vertex) {
         std::atomic_ref(used.get()[vertex]).store(1, std::memory_order_relaxed);
     };
-    if (kept.empty() && blocks.count() > 0) // the vertices that no cell has come last
+    if (kept.empty() && blocks.count() > 0) // all but the last vertices, which no cell has
         std::ranges::fill(used.all().first(blocks.numbers.vertex.back()), std::uint8_t{1});
     parallel_for(kept.empty() ? 0 : blocks.count(), 1, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;

@@ -143,7 +143,8 @@ double FoamReader::number() {
     const auto [stop, error] = std::from_chars(digits, end, value);
     if (error == std::errc::invalid_argument)
         fail(begin == end ? "ends too early" : "has no number where a number is needed");
-    // Outside the range of a double, strtod returns infinity, zero or the nearest denormal number.
+    // from_chars stores nothing for a number outside the range of a double. strtod returns infinity, zero or a
+    // denormal.
     if (error == std::errc::result_out_of_range) value = std::strtod(std::string(digits, stop).c_str(), nullptr);
     at_ = static_cast<std::size_t>(stop - bytes_.data());
     return value;

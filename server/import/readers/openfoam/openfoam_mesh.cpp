@@ -50,7 +50,7 @@ public:
 private:
     void read(std::size_t part) {
         const FoamPart& from = foam_.parts[part];
-        // In a case of several regions a processor need not have cells of each.
+        // In a case of several regions, a processor need not have cells of each region.
         if (foam_.regions.size() > 1 && from.mesh_file(region_, "points", time_).empty()) return;
         try {
             files_.push_back(read_foam_piece(from, region_, time_));

@@ -20,7 +20,7 @@ function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
 interface ColoringProps {
   of: Colored;
   coloring: Coloring;
-  /** Whether to show the choice of the array. False for volumes and contour lines, which choose it in other fields. */
+  /** Hides the choice of the array. Set for volumes and contour lines, which choose it in other fields. */
   ofArray?: boolean;
   /** Offers only arrays at points. Lines and points lie between cells, so they have no cell values. */
   ofPoints?: boolean;

@@ -43,7 +43,7 @@ interface NumberFieldProps {
   /** Longer explanation than the label. */
   help?: string;
   /**
-   * Difference between the largest and smallest value of the field's surroundings. It determines the number of digits.
+   * Width of the range that the value lies in. It determines the number of digits.
    */
   span?: number;
   /** Text shown while the field is not edited. Default: the number itself. */

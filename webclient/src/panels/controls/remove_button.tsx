@@ -1,4 +1,4 @@
-// Button that removes an item of a list. The item's focus would be lost, so the focus moves to another button.
+// Button that removes an item of a list. Removing the focused item would lose the focus, so another button gets it.
 import type { JSX } from "preact";
 import { Icon } from "./icons";
 

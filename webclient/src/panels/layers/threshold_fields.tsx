@@ -36,7 +36,7 @@ function ThresholdEnd({ end, range, whole, set }: EndProps): JSX.Element {
         value={fractionOf(value, whole)}
         text={formatNumber(value, span)}
         newGesture={() => commands.newGesture()}
-        onChange={(fraction, gesture) => move(valueAt(fraction, whole), gesture)} // keeps the exact ends
+        onChange={(fraction, gesture) => move(valueAt(fraction, whole), gesture)} // valueAt() returns the exact ends
       />
       <NumberField
         label={end === 0 ? "Threshold from" : "Threshold to"}

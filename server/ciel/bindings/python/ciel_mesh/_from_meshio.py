@@ -55,8 +55,8 @@ def from_meshio(mesh):
     """Return the Mesh of a meshio.Mesh.
 
     Points are numbered as in `mesh`, so its point data can be given to contour(). Cells are numbered through all blocks
-    of `mesh.cells` in order. Cells without volume keep their number and are left out. Raises ValueError if the mesh has
-    no cells, or cells of an unknown type.
+    of `mesh.cells` in order. Cells without volume are left out, but keep their number. Raises ValueError if the mesh
+    has no cells, or cells of an unknown type.
     """
     types, sizes, nodes, locations, streams = [], [], [], [], []
     stream_length = 0
