@@ -172,3 +172,14 @@ def test_integers_that_no_float_holds_are_told(tmp_path):
     writer.Write()
     notes = imported(tmp_path, tmp_path / "a.vti").notes
     assert "7 of 8 values of \"cell:id\" are integers beyond 9,007,199,254,740,992 that a 64-bit float" in notes
+
+
+@pytest.mark.parametrize("kind", ["i4", "u4"])
+def test_the_largest_integer_that_a_double_holds_is_no_loss(tmp_path, kind):
+    data = image(3)
+    add(data.GetCellData(), "id", np.full(8, np.iinfo(kind).max, dtype=kind))
+    writer = vtk.vtkXMLImageDataWriter()
+    writer.SetFileName(str(tmp_path / "a.vti"))
+    writer.SetInputData(data)
+    writer.Write()
+    assert "integers beyond" not in imported(tmp_path, tmp_path / "a.vti").notes

@@ -29,8 +29,8 @@ std::uint64_t equal_as_floats(vtkDataArray* array) {
 template <class T, class Whole>
 std::uint64_t unlike_integers(vtkDataArray* array) {
     const auto* begin = static_cast<const Whole*>(array->GetVoidPointer(0));
-    // Where T rounds the limit up, no Whole is equal to it.
-    constexpr auto end_of_whole = static_cast<T>(std::numeric_limits<Whole>::max());
+    constexpr auto half = Whole{1} << (std::numeric_limits<Whole>::digits - 1);
+    constexpr T end_of_whole = 2 * static_cast<T>(half); // above each Whole; T holds it exactly
     std::uint64_t count = 0;
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i) {
         const auto stored = static_cast<T>(begin[i]);
