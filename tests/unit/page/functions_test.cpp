@@ -21,9 +21,15 @@ struct Label {
 };
 
 struct Overlay {
-    std::size_t plates = 0, strokes = 0, triangles = 0;
+    std::size_t plates = 0, fills = 0, strokes = 0, triangles = 0;
     std::vector<Label> labels;
+    std::vector<annotations::Handle> handles;
 };
+
+annotations::Box read_box(Reader& from) {
+    const auto box = from.numbers<4>();
+    return {box[0], box[1], box[2], box[3]};
+}
 
 Overlay read_overlay(Reader& from) {
     Overlay overlay;
@@ -33,14 +39,18 @@ Overlay read_overlay(Reader& from) {
         return static_cast<std::size_t>(count);
     };
     overlay.plates = skip(4 + 1 + 4);
+    overlay.fills = skip(4 + 4 + 4);
     overlay.strokes = skip(2 + 2 + 1 + 4);
     overlay.triangles = skip(6 + 4);
     for (int labels = from.integer(); labels > 0; --labels) {
         Label label{from.text(), {}};
         for (int i = 0; i < 3 + 4; ++i) (void)from.number();
-        const auto box = from.numbers<4>();
-        label.box = {box[0], box[1], box[2], box[3]};
+        label.box = read_box(from);
         overlay.labels.push_back(label);
+    }
+    for (int handles = from.integer(); handles > 0; --handles) {
+        std::string id = from.text();
+        overlay.handles.push_back({std::move(id), read_box(from)});
     }
     (void)from.numbers<4>(); // skips the color of the halo
     return overlay;
@@ -106,6 +116,89 @@ TEST(PageFunctions, DrawNothingForAnUnusableCamera) {
     EXPECT_TRUE(axes.labels.empty());
 }
 
+struct Color {
+    double red, green, blue;
+};
+
+// Title, one caption, and a legend with color points, all colors and a line of its own.
+std::vector<double> texts_of(bool missing, double control_height) {
+    Writer arguments;
+    const auto put = [&](const Color& color) { arguments.numbers(std::array{color.red, color.green, color.blue}); };
+    arguments.numbers(std::array<double, 9>{800, 600, 12});
+    arguments.text("Title");
+    arguments.number(1);
+    arguments.text("caption");
+    arguments.number(1);
+    arguments.text("U");
+    arguments.text("m/s");
+    arguments.numbers(std::array<double, 4>{0, 10, 0, 2});
+    arguments.text("viridis");
+    arguments.number(2);
+    for (const double at : {0.0, 1.0}) {
+        arguments.number(at);
+        put({255 * at, 0, 0});
+    }
+    arguments.number(0);
+    put({1, 2, 3});
+    for (int outside = 0; outside < 2; ++outside) {
+        arguments.number(1);
+        put({4, 5, 6});
+    }
+    arguments.text("Boundary");
+    arguments.numbers(std::array<double, 3>{missing ? 1.0 : 0.0, 0, 1});
+    arguments.text("cells: 0 to 11");
+    arguments.numbers(std::array<double, 2>{200, control_height});
+    return {arguments.message().begin(), arguments.message().end()};
+}
+
+struct Texts {
+    Overlay overlay;
+    std::vector<annotations::Box> taken;
+};
+
+Texts laid_texts(const std::vector<double>& arguments) {
+    Reader reader(arguments);
+    Writer results;
+    Digits measure;
+    lay_texts(reader, measure, results);
+    Reader found(results.message());
+    Texts texts{read_overlay(found), {}};
+    for (int boxes = found.integer(); boxes > 0; --boxes) texts.taken.push_back(read_box(found));
+    return texts;
+}
+
+TEST(PageFunctions, LayOutTitleCaptionsAndLegends) {
+    const Texts found = laid_texts(texts_of(true, 30));
+    EXPECT_THAT(texts(found.overlay), testing::IsSupersetOf({"Title", "caption", "U [m/s]", "Boundary",
+                                                             "cells: 0 to 11", "0", "5", "10", "no value"}));
+    // Three borders, two colors outside the range, two steps, and the missing values with their border.
+    EXPECT_EQ(found.overlay.fills, 3U + 2 + 2 + 2);
+    std::vector<std::string> ids;
+    for (const annotations::Handle& handle : found.overlay.handles) ids.push_back(handle.id);
+    EXPECT_THAT(ids, testing::UnorderedElementsAre("legend 0", "legend 0 low", "legend 0 high", "legend 0 controls"));
+    for (const Label& label : found.overlay.labels)
+        EXPECT_THAT(found.taken, testing::Contains(
+                                     testing::Truly([&](const annotations::Box& box) { return box.holds(label.box); })))
+            << label.text;
+}
+
+TEST(PageFunctions, KeepNoRoomForControlsThatAreNotThere) {
+    const auto height = [](const Texts& texts) {
+        for (const annotations::Handle& handle : texts.overlay.handles)
+            if (handle.id == "legend 0") return handle.box.height();
+        return 0.0;
+    };
+    EXPECT_NEAR(height(laid_texts(texts_of(false, 30))) - height(laid_texts(texts_of(false, 0))), 30 + 0.35 * 12, 0.01);
+}
+
+TEST(PageFunctions, LayOutNoTextsInAPictureWithoutPixels) {
+    std::vector<double> arguments = texts_of(false, 0);
+    arguments[0] = 0;
+    const Texts found = laid_texts(arguments);
+    EXPECT_TRUE(found.overlay.labels.empty());
+    EXPECT_TRUE(found.taken.empty());
+}
+
 template <class Function>
 Reader results_of(Function function, Writer& results, const std::vector<double>& arguments) {
     Reader reader(arguments);
@@ -114,21 +207,10 @@ Reader results_of(Function function, Writer& results, const std::vector<double>&
     return Reader(results.message());
 }
 
-TEST(PageFunctions, MakeTicksAndTexts) {
+TEST(PageFunctions, MakeTexts) {
     Writer results;
-    Reader linear = results_of(color_ticks, results, {0, 1e9, 0, 0, 3, 257});
-    ASSERT_EQ(linear.integer(), 3);
-    EXPECT_EQ(linear.number(), 0);
-    EXPECT_EQ(linear.number(), 0);
-    EXPECT_EQ(linear.text(), "0.0");
-    EXPECT_EQ(linear.number(), 5e8);
-    EXPECT_EQ(linear.number(), 0.5);
-    EXPECT_EQ(linear.text(), "0.5");
     EXPECT_EQ(results_of(exponent_of, results, {0, 1e9, 0, 0}).integer(), 9);
     EXPECT_EQ(results_of(exponent_of, results, {1, 1e9, 1, 0}).integer(), 0);
-
-    Reader logarithmic = results_of(color_ticks, results, {1, 1000, 1, 0, 6, 257});
-    EXPECT_EQ(logarithmic.integer(), 28); // 1 to 9 times 1, 10 and 100, and 1000
     EXPECT_EQ(results_of(label_on, results, {0, 10, 0, 0, -2.5}).text(), "−2.5");
     EXPECT_EQ(results_of(number_alone, results, {1e9, 6}).text(), "10⁹");
     EXPECT_EQ(results_of(times_power_of_ten, results, {5}).text(), " ×10⁵");
