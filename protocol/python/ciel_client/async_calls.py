@@ -44,15 +44,15 @@ class AsyncCalls:
         raise NotImplementedError
 
     async def rpc_discover(self) -> RpcDiscoverResult:
-        """This document."""
+        """Returns this document."""
         return await self.call("rpc.discover")
 
     async def server_info(self) -> ServerInfoResult:
-        """Version, GL renderer, limits, color maps."""
+        """Returns the server's version, GL renderer, limits, color maps, layer types and streams."""
         return await self.call("server.info")
 
     async def dataset_list(self) -> DatasetListResult:
-        """The datasets on offer."""
+        """Returns the names of the datasets that the server offers."""
         return await self.call("dataset.list")
 
     async def dataset_describe(
@@ -60,9 +60,9 @@ class AsyncCalls:
         *,
         dataset: str,
     ) -> DatasetDescribeResult:
-        """Arrays, times, bounds, patches and a scene to start from.
+        """Returns a dataset's arrays, times, bounds and patches, and a scene to start from.
 
-        dataset: a name of dataset.list
+        dataset: Name of the dataset, as in dataset.list.
         """
         return await self.call("dataset.describe", dataset=dataset)
 
@@ -72,10 +72,10 @@ class AsyncCalls:
         session: str,
         dataset: str,
     ) -> DatasetOpenResult:
-        """Shows a dataset's default scene in a session, as an undoable change.
+        """Replaces a session's scene with a dataset's default scene. scene.undo restores the earlier scene.
 
-        session: the id that session.open answered with
-        dataset: a name of dataset.list
+        session: Id of the session, as session.open returned it.
+        dataset: Name of the dataset, as in dataset.list.
         """
         return await self.call("dataset.open", session=session, dataset=dataset)
 
@@ -88,13 +88,13 @@ class AsyncCalls:
         bins: int = 256,
         range: Range | None = None,
     ) -> DatasetHistogramResult:
-        """Counts of a scalar's values at one time.
+        """Counts the values of a scalar at one time step in bins of equal width.
 
-        dataset: a name of dataset.list
-        array: a scalar name, such as `p`, `U:x` or `cell:p`
-        time: the first time when absent
-        bins: of equal width; the last one holds its upper end, too
-        range: the array's own when absent
+        dataset: Name of the dataset, as in dataset.list.
+        array: Name of the scalar, such as `p`, `U:x` or `cell:p`.
+        time: Simulation time; the nearest step is used. Default: the first step.
+        bins: Number of bins of equal width. Each excludes its upper end, except the last.
+        range: Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
         """
         return await self.call("dataset.histogram", dataset=dataset, array=array, time=time, bins=bins, range=range)
 
@@ -107,13 +107,13 @@ class AsyncCalls:
         undo: list[dict[str, Any]] | None = None,
         redo: list[dict[str, Any]] | None = None,
     ) -> SessionOpenResult:
-        """A new session, or one that exists; over WebSocket the connection then hears of its changes.
+        """Opens a new session or joins an existing one. A WebSocket that calls it receives scene.changed for the session.
 
-        session: an id to join or recreate; it is the session's key, so a client that chooses one makes it of 128 random bits
-        dataset: whose default scene a new session shows; the first of dataset.list when absent
-        scene: the scene of a new session
-        undo: RFC 7396 merge patches, nearest step first: what scene.undo goes back to in a new session. The first applies to the scene, each other to the result of the one before it. For a client whose server was restarted; an existing session keeps its own history
-        redo: likewise for scene.redo
+        session: Id of the session to join. If there is none with this id, a session with this id is opened. The id is the key to the session, so a client that chooses one must make it from 128 random bits. Absent: the server chooses an id.
+        dataset: Dataset whose default scene a new session shows. Default: the first of dataset.list that can be opened. Ignored if `scene` is given.
+        scene: Scene of a new session. An existing session keeps its own.
+        undo: Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
+        redo: Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
         """
         return await self.call("session.open", session=session, dataset=dataset, scene=scene, undo=undo, redo=redo)
 
@@ -122,9 +122,9 @@ class AsyncCalls:
         *,
         session: str,
     ) -> SessionCloseResult:
-        """Forgets the session.
+        """Ends a session and deletes its scene and history.
 
-        session: the id that session.open answered with
+        session: Id of the session, as session.open returned it.
         """
         return await self.call("session.close", session=session)
 
@@ -133,9 +133,9 @@ class AsyncCalls:
         *,
         session: str,
     ) -> SceneGetResult:
-        """The session's scene.
+        """Returns the scene of a session.
 
-        session: the id that session.open answered with
+        session: Id of the session, as session.open returned it.
         """
         return await self.call("scene.get", session=session)
 
@@ -146,11 +146,11 @@ class AsyncCalls:
         patch: dict[str, Any],
         gesture: str | None = None,
     ) -> ScenePatchResult:
-        """Applies an RFC 7396 merge patch. Patches with the same gesture are one undo step.
+        """Applies an RFC 7396 merge patch to a session's scene. Consecutive patches with the same gesture are one undo step.
 
-        session: the id that session.open answered with
-        patch: an RFC 7396 merge patch of the scene: null removes a member
-        gesture: any text that names what the user is doing, such as one drag of a slider; at most 256 bytes of UTF-8
+        session: Id of the session, as session.open returned it.
+        patch: RFC 7396 merge patch of the scene. null removes a member.
+        gesture: Any text that identifies one action of the user, such as one drag of a slider. At most 256 bytes of UTF-8. Absent: the patch is its own undo step.
         """
         return await self.call("scene.patch", session=session, patch=patch, gesture=gesture)
 
@@ -159,9 +159,9 @@ class AsyncCalls:
         *,
         session: str,
     ) -> SceneUndoResult:
-        """Takes the last step back.
+        """Undoes the last change of a session's scene.
 
-        session: the id that session.open answered with
+        session: Id of the session, as session.open returned it.
         """
         return await self.call("scene.undo", session=session)
 
@@ -170,9 +170,9 @@ class AsyncCalls:
         *,
         session: str,
     ) -> SceneRedoResult:
-        """Does it again.
+        """Redoes the change of a session's scene that was undone last.
 
-        session: the id that session.open answered with
+        session: Id of the session, as session.open returned it.
         """
         return await self.call("scene.redo", session=session)
 
@@ -186,14 +186,14 @@ class AsyncCalls:
         stream: Literal["image", "geometry"] = 'image',
         moving: Literal["png", "jpeg"] = 'png',
     ) -> ViewOpenResult:
-        """A stream of frames of the session on this WebSocket.
+        """Opens a view of a session. The server sends its frames on this WebSocket.
 
-        session: the id that session.open answered with
-        width: in pixels
-        height: in pixels
-        pixel_ratio: pixels of the pictures for one of lines and points: what the page is shown with (devicePixelRatio)
-        stream: pictures, or polygons for the client to draw (frame.md)
-        moving: How interactive pictures are coded; a still is a PNG.
+        session: Id of the session, as session.open returned it.
+        width: Width of the view in pixels.
+        height: Height of the view in pixels.
+        pixel_ratio: Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio.
+        stream: What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
+        moving: Format of interactive pictures. Stills are always PNG.
         """
         return await self.call("view.open", session=session, width=width, height=height, pixel_ratio=pixel_ratio, stream=stream, moving=moving)
 
@@ -205,12 +205,12 @@ class AsyncCalls:
         height: int,
         pixel_ratio: float | None = None,
     ) -> ViewResizeResult:
-        """Changes the size of a view's pictures.
+        """Changes the size of a view.
 
-        view: the number that view.open answered with
-        width: in pixels
-        height: in pixels
-        pixel_ratio: as in view.open; without it this stays as it is
+        view: Number of the view, as view.open returned it.
+        width: New width of the view in pixels.
+        height: New height of the view in pixels.
+        pixel_ratio: Factor on the widths of lines and the sizes of points. Absent: unchanged.
         """
         return await self.call("view.resize", view=view, width=width, height=height, pixel_ratio=pixel_ratio)
 
@@ -221,11 +221,11 @@ class AsyncCalls:
         stream: Literal["image", "geometry"],
         moving: Literal["png", "jpeg"] | None = None,
     ) -> ViewStreamResult:
-        """Chooses pictures or polygon batches.
+        """Switches a view between pictures and batches of polygons.
 
-        view: the number that view.open answered with
-        stream: pictures, or polygons for the client to draw (frame.md)
-        moving: As in view.open; without it this stays as it is.
+        view: Number of the view, as view.open returned it.
+        stream: What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
+        moving: Format of interactive pictures. Stills are always PNG. Absent: unchanged.
         """
         return await self.call("view.stream", view=view, stream=stream, moving=moving)
 
@@ -235,10 +235,10 @@ class AsyncCalls:
         view: int,
         frame: int,
     ) -> ViewAckResult:
-        """The frame has been presented (usually a notification).
+        """Acknowledges that the client has presented a frame. Usually sent as a notification.
 
-        view: the number that view.open answered with
-        frame: the number in the frame's header
+        view: Number of the view, as view.open returned it.
+        frame: Number of the frame, from its header.
         """
         return await self.call("view.ack", view=view, frame=frame)
 
@@ -247,9 +247,9 @@ class AsyncCalls:
         *,
         view: int,
     ) -> ViewCloseResult:
-        """Ends the stream.
+        """Closes a view. The server sends no more frames of it.
 
-        view: the number that view.open answered with
+        view: Number of the view, as view.open returned it.
         """
         return await self.call("view.close", view=view)
 
@@ -262,13 +262,13 @@ class AsyncCalls:
         height: int = 720,
         progress: str | None = None,
     ) -> PictureRenderResult:
-        """A lossless still picture.
+        """Draws one lossless picture with all annotations and returns it as PNG.
 
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        width: width times height may be at most 33554432
-        height: in pixels; text and lines grow with it
-        progress: a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        width: Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise.
+        height: Height in pixels. Text and lines are larger in larger pictures.
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
         return await self.call("picture.render", session=session, scene=scene, width=width, height=height, progress=progress)
 
@@ -282,14 +282,14 @@ class AsyncCalls:
         width: int | None = None,
         height: int | None = None,
     ) -> ProbePointResult:
-        """Values at a world position, or under a pixel of a picture of the given size.
+        """Returns the values at a position, or at the position under a pixel of a picture of the given size.
 
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        position: in the dataset's length units; either this or a pixel
-        pixel: x, y from the top left
-        width: of the picture that the pixel is of; with pixel
-        height: of the picture that the pixel is of; with pixel
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        position: Position in the dataset's length units. Give either `position` or `pixel`.
+        pixel: Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
+        width: Width in pixels of the picture that `pixel` belongs to. Required with `pixel`.
+        height: Height in pixels of the picture that `pixel` belongs to. Required with `pixel`.
         """
         return await self.call("probe.point", session=session, scene=scene, position=position, pixel=pixel, width=width, height=height)
 
@@ -301,12 +301,12 @@ class AsyncCalls:
         width: int = 1280,
         height: int = 720,
     ) -> SceneCameraResult:
-        """Where a scene is seen from: its own camera, or the one that pictures and views of a scene without one have.
+        """Returns the camera of a scene. If the scene has none, returns the default camera that pictures and views of this size use.
 
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        width: of the picture or the view: without a camera all of the bounds is seen, clear of what is written
-        height: of the picture or the view, in pixels
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        width: Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
+        height: Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
         """
         return await self.call("scene.camera", session=session, scene=scene, width=width, height=height)
 
@@ -317,11 +317,11 @@ class AsyncCalls:
         scene: Scene | None = None,
         of: Literal["mesh", "drawn"] = 'mesh',
     ) -> SceneBoundsResult:
-        """The box around what clip planes and thresholds leave of the mesh: what a view of everything frames. Iso-surfaces and slices do not narrow it; where nothing is left it is the dataset's.
+        """Returns the box to which a camera is fitted to show everything.
 
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        of: drawn: the box around what the visible layers draw. Where a part of the boundary is drawn, slices, volumes and the whole boundary do not widen it; an outline counts alone only.
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        of: mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh.
         """
         return await self.call("scene.bounds", session=session, scene=scene, of=of)
 
@@ -334,13 +334,13 @@ class AsyncCalls:
         session: str | None = None,
         scene: Scene | None = None,
     ) -> ScenePickResult:
-        """The first polygon on the line of sight through a pixel of a picture of the given size. Nothing is drawn for it: lines, points and volumes are not met.
+        """Finds the first polygon under a pixel of a picture of the given size, without drawing. Lines, points and volumes are ignored.
 
-        pixel: x, y from the top left
-        width: of the picture, pixels
-        height: of the picture, pixels
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
+        pixel: Pixel [x, y], counted from the top left.
+        width: Width of the picture in pixels.
+        height: Height of the picture in pixels.
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
         """
         return await self.call("scene.pick", pixel=pixel, width=width, height=height, session=session, scene=scene)
 
@@ -353,13 +353,13 @@ class AsyncCalls:
         aspect: float | None = None,
         of: Literal["layers", "contours"] = 'layers',
     ) -> ColorRangeResult:
-        """The range of the values that color layers, as far as they are in view.
+        """Returns the range of the values by which layers are colored, or of the part that is in view.
 
-        layers: ids of layers of the scene
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        aspect: width / height of the view; without it, what lies beside the view counts, too
-        of: contours: of the values of the contour lines on the layers, which have a color scale of their own
+        layers: Ids of layers of the scene.
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        aspect: Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count.
+        of: layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale.
         """
         return await self.call("color.range", layers=layers, session=session, scene=scene, aspect=aspect, of=of)
 
@@ -374,15 +374,15 @@ class AsyncCalls:
         origin: bool = False,
         progress: str | None = None,
     ) -> SurfaceExportResult:
-        """A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it.
+        """Returns a layer's surface as a file. As in pictures, visible clip planes cut the surface, and caps close it.
 
-        layer: the id of an iso-surface, slice or surface layer of the scene
-        format: PLY (binary), STL (binary) or VTK's XML PolyData
-        session: without it, `scene` is used and nothing is kept
-        scene: the scene to be used in place of a session's; nothing is kept of it
-        triangles: true: polygons are cut into triangles; STL has triangles in any case
-        origin: true: coordinates are relative to an origin that is the same for all surfaces of the dataset; STL is so in any case where its floats would lose digits
-        progress: a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
+        layer: Id of a visible iso, slice or surface layer of the scene.
+        format: ply: binary PLY. stl: binary STL. vtp: XML PolyData of VTK.
+        session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+        scene: Scene to use instead of a session's. The server does not keep it after the call.
+        triangles: true: polygons are split into triangles. STL always has triangles.
+        origin: true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin.
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
         return await self.call("surface.export", layer=layer, format=format, session=session, scene=scene, triangles=triangles, origin=origin, progress=progress)
 
@@ -393,11 +393,11 @@ class AsyncCalls:
         time: float,
         arrays: list[WantedArray],
     ) -> AppendBeginResult:
-        """Begins to push a step to a dataset, and checks it: time, names, sizes, limits, free disk. Needs `ciel serve --allow-append` and the server's token.
+        """Begins the upload of a time step. Checks time, names, sizes, limits and free disk space. Needs `ciel serve --allow-append` and the server's token.
 
-        dataset: a name of dataset.list
-        time: of the step; later than the last one
-        arrays: the arrays of the step
+        dataset: Name of the dataset, as in dataset.list.
+        time: Time of the step. It must be later than the last step of the dataset.
+        arrays: Arrays of the step.
         """
         return await self.call("append.begin", dataset=dataset, time=time, arrays=arrays)
 
@@ -409,12 +409,12 @@ class AsyncCalls:
         offset: int,
         data: str,
     ) -> AppendPieceResult:
-        """Adds bytes to an array of an upload. On a WebSocket a binary message does the same (frame.md).
+        """Adds bytes to one array of an upload. On a WebSocket, a binary message does the same (frame.md).
 
-        upload: as append.begin answered
-        array: its place among the arrays of append.begin, from 0
-        offset: of the first byte among the array's; at most as many as have come, so that a piece may be sent again
-        data: base64 (RFC 4648) of little-endian values in the `type` of append.begin, interleaved by component; at most `piece_bytes` bytes
+        upload: Id of the upload, as append.begin returned it.
+        array: Index of the array in `arrays` of append.begin, from 0.
+        offset: Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again.
+        data: Little-endian values as base64 (RFC 4648), in the `type` of append.begin, interleaved by component. At most `piece_bytes` bytes before encoding.
         """
         return await self.call("append.piece", upload=upload, array=array, offset=offset, data=data)
 
@@ -423,9 +423,9 @@ class AsyncCalls:
         *,
         upload: str,
     ) -> AppendCommitResult:
-        """Writes the step of an upload whose arrays have all come; every client then hears of it. When it fails, the upload stays.
+        """Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept.
 
-        upload: as append.begin answered
+        upload: Id of the upload, as append.begin returned it.
         """
         return await self.call("append.commit", upload=upload)
 
@@ -434,8 +434,8 @@ class AsyncCalls:
         *,
         upload: str,
     ) -> AppendCancelResult:
-        """Forgets an upload.
+        """Cancels an upload and deletes its bytes.
 
-        upload: as append.begin answered
+        upload: Id of the upload, as append.begin returned it.
         """
         return await self.call("append.cancel", upload=upload)

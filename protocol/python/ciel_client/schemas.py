@@ -15,59 +15,59 @@ class Camera(TypedDict):
     position: Vec3
     target: Vec3
     up: NotRequired[Vec3]
-    fov: NotRequired[float]  # vertical, degrees
+    fov: NotRequired[float]  # Vertical angle of view in degrees, of a camera that is not parallel.
     parallel: NotRequired[bool]
-    parallel_height: NotRequired[float]  # of the view, in length units, when parallel
+    parallel_height: NotRequired[float]  # Height of the visible area in the dataset's length units. Required if `parallel` is true.
 
 
 class ColorPoint(TypedDict):
-    at: float  # along the range, of its logarithm with log
+    at: float  # Position on the color scale, from 0 at the lower end of the range to 1 at the upper end. With `log`, positions are those of the logarithmic scale.
     color: Color
 
 
 class Coloring(TypedDict):
-    array: NotRequired[str]  # a scalar name; absent: the solid color
-    map: NotRequired[str]  # a name of server.info's color_maps
-    points: NotRequired[list[ColorPoint] | None]  # colors of one's own instead of the map, in ascending order; linear between them
+    array: NotRequired[str]  # Name of the scalar that is mapped to colors. Absent: the layer has the color `solid`.
+    map: NotRequired[str]  # Name of a color map, from color_maps of server.info.
+    points: NotRequired[list[ColorPoint] | None]  # Custom colors instead of `map`, in ascending order of `at`. Colors are linear between two points.
     reverse: NotRequired[bool]
-    range: NotRequired[Range | None]  # of the values on the map; absent: the array's at the shown time
-    symmetric: NotRequired[bool]  # widens the range to as much below zero as above it
-    log: NotRequired[bool]  # logarithmic; a given range lies above zero, and of the array's only what does is on the map, six decades at most where it holds zero. With symmetric: logarithmic on both sides of zero, nearly linear within a thousandth of the range's end
-    steps: NotRequired[int | None]  # so many equal parts of one color each; absent: smooth
-    nan: NotRequired[Color]  # of values that are missing
-    below: NotRequired[Color | None]  # of values below the range; absent: that of its lower end
-    above: NotRequired[Color | None]  # of values above the range; absent: that of its upper end
+    range: NotRequired[Range | None]  # Values of the two ends of the color scale. Absent: the range of the array at the shown time.
+    symmetric: NotRequired[bool]  # Widens the range to be symmetric about zero.
+    log: NotRequired[bool]  # Logarithmic scale. A given range must lie above zero. Without one, the scale covers only the positive values of the array; if the array reaches zero, it begins at a millionth of the largest value. With `symmetric`, the scale is logarithmic on both sides of zero and nearly linear within a thousandth of the end of the range.
+    steps: NotRequired[int | None]  # Number of equal parts of the scale. Each part has one color. Absent: a smooth scale.
+    nan: NotRequired[Color]  # Color of missing, NaN and infinite values.
+    below: NotRequired[Color | None]  # Color of values below the range. Absent: the color of the lower end.
+    above: NotRequired[Color | None]  # Color of values above the range. Absent: the color of the upper end.
     solid: NotRequired[Color]
 
 
 class Edges(TypedDict):
-    """Lines along the edges of a layer's polygons: those of the cells, never those of a triangulation. Absent: none."""
+    """Lines along the sides of a layer's polygons. There is one polygon per cut cell or boundary face, so no lines of a triangulation are shown. Absent: no lines."""
 
     visible: NotRequired[bool]
     color: NotRequired[Color]
-    width: NotRequired[float]  # pixels, of which larger pictures have more: pixel_ratio of a view; of a still so many as its text is larger than at 720 rows
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
 
 
 class Contours(TypedDict):
-    """Lines where an array takes values on a slice: either values, or count of them."""
+    """Contour lines of an array on a slice, at either the levels `values`, or `count` levels in `range`."""
 
     visible: NotRequired[bool]
-    array: str  # a scalar name
+    array: str  # Name of the scalar on points whose contour lines are shown.
     values: NotRequired[list[float]]
-    count: NotRequired[int]  # number of lines, evenly spaced inside the range; 10 if values is absent, too
-    range: NotRequired[Range | None]  # of count; absent: the array's range at the shown time
+    count: NotRequired[int]  # Number of contour lines, evenly spaced inside `range` without its ends. 10 if `count` and `values` are absent.
+    range: NotRequired[Range | None]  # Range for `count`. Absent: the range of the array at the shown time.
     color: NotRequired[Color]
-    coloring: NotRequired[Coloring]  # each line in the color of its value on this scale, instead of color; its array is that of the lines
-    width: NotRequired[float]  # pixels, as of edges
+    coloring: NotRequired[Coloring]  # Color scale of the lines: each line has the color of its value, instead of `color`. Its `array` may only be that of the lines.
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
 
 
 class Threshold(TypedDict):
-    """Shows the mesh as if it had only the cells whose values lie in the range. They stay whole: the boundary is then theirs, with the faces towards cells that are left out. Absent: all cells."""
+    """Draws the layer as if the mesh had only the cells with values of `array` in `range`. Cells stay whole, and faces towards removed cells become boundary. Absent: all cells."""
 
     enabled: NotRequired[bool]
-    array: str  # a scalar name, of the points or of the cells
+    array: str  # Name of a scalar on points or on cells.
     range: Range
-    keep: NotRequired[Literal["all", "any"]]  # cells with all vertices in the range, ends included, or with any; without effect where the cells have values of their own
+    keep: NotRequired[Literal["all", "any"]]  # all: keeps cells whose vertices all have a value in the range, ends included. any: keeps cells of which at least one vertex has. No effect on arrays of cells.
 
 
 class IsoLayer(TypedDict):
@@ -78,19 +78,19 @@ class IsoLayer(TypedDict):
     array: str
     values: list[float]
     color: NotRequired[Coloring]
-    smooth: NotRequired[bool]  # normals from the field's gradient; false: each polygon's own
+    smooth: NotRequired[bool]  # true: normals for lighting from the gradient of the array. false: each polygon is lit with its own normal.
     edges: NotRequired[Edges]
 
 
 class SliceLayer(TypedDict):
-    """either axis and value, or origin and normal"""
+    """Plane through the mesh, given by either `axis` and `value`, or `origin` and `normal`."""
 
     type: Literal["slice"]
     order: NotRequired[float]
     visible: NotRequired[bool]
     opacity: NotRequired[float]
     axis: NotRequired[Literal["x", "y", "z"]]
-    value: NotRequired[float]  # position along the axis; with axis
+    value: NotRequired[float]  # Position of the plane along `axis`, in the dataset's length units. Required with `axis`.
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
     color: NotRequired[Coloring]
@@ -103,7 +103,7 @@ class SurfaceLayer(TypedDict):
     order: NotRequired[float]
     visible: NotRequired[bool]
     opacity: NotRequired[float]
-    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary.
     threshold: NotRequired[Threshold]
     color: NotRequired[Coloring]
     edges: NotRequired[Edges]
@@ -118,66 +118,66 @@ class OutlineLayer(TypedDict):
 
 
 class EdgesLayer(TypedDict):
-    """The edges of the mesh's boundary faces, as lines."""
+    """Edges of the mesh's boundary faces, as lines."""
 
     type: Literal["edges"]
     order: NotRequired[float]
     visible: NotRequired[bool]
     opacity: NotRequired[float]
-    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary
+    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary.
     threshold: NotRequired[Threshold]
-    angle: NotRequired[float]  # degrees: only where the boundary bends by more, ends or branches; absent: all edges
-    width: NotRequired[float]  # pixels, as of edges
+    angle: NotRequired[float]  # Angle in degrees. Shows only edges where the boundary bends by more than this angle, ends or branches. Absent: all edges.
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
     color: NotRequired[Coloring]
 
 
 class PointsLayer(TypedDict):
-    """The mesh's vertices, as points."""
+    """Vertices of the mesh, as points."""
 
     type: Literal["points"]
     order: NotRequired[float]
     visible: NotRequired[bool]
     opacity: NotRequired[float]
-    of: NotRequired[Literal["boundary", "all"]]  # vertices of boundary faces, or of all cells
-    groups: NotRequired[list[str]]  # patch names; absent or empty: the whole boundary; with of: boundary
+    of: NotRequired[Literal["boundary", "all"]]  # boundary: vertices of boundary faces. all: vertices of all cells.
+    groups: NotRequired[list[str]]  # Names of the patches whose vertices are shown. Absent or empty: the whole boundary. Only with `of` boundary.
     threshold: NotRequired[Threshold]
-    size: NotRequired[float]  # pixels across, likewise
-    most: NotRequired[int]  # where there are more, every second, third ... is shown, and view.lacking says so
+    size: NotRequired[float]  # Size of each point in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have larger points, in proportion to their larger text.
+    most: NotRequired[int]  # Maximum number of points shown. Of more points, every second, third ... is shown, and view.lacking reports it.
     color: NotRequired[Coloring]
 
 
 class ClipLayer(TypedDict):
-    """A plane that cuts all layers: either axis and value, or origin and normal. At most 6 may be visible. Pictures, probes under a pixel, polygon batches and surface.export show what is left."""
+    """Plane that cuts all layers, given by either `axis` and `value`, or `origin` and `normal`. At most 6 may be visible. Pictures, probes under a pixel, polygon batches and surface.export show what remains."""
 
     type: Literal["clip"]
     order: NotRequired[float]
     visible: NotRequired[bool]
     axis: NotRequired[Literal["x", "y", "z"]]
-    value: NotRequired[float]  # position along the axis; with axis
+    value: NotRequired[float]  # Position of the plane along `axis`, in the dataset's length units. Required with `axis`.
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
-    invert: NotRequired[bool]  # false: what the normal or the axis points to is cut away; true: the other side
-    caps: NotRequired[bool]  # close the surface layers that show the whole boundary, which stand for the solid mesh, with a slice
-    color: NotRequired[Coloring]  # of the caps; absent: as the surface layer has it
+    invert: NotRequired[bool]  # false: cuts away the side to which the normal or the axis points. true: cuts away the other side.
+    caps: NotRequired[bool]  # Closes surface layers that show the whole boundary with a slice of the mesh along the plane.
+    color: NotRequired[Coloring]  # Coloring of the caps. Absent: that of the surface layer.
 
 
 OpacityPoint = list[float]
 
 
 class VolumeLayer(TypedDict):
-    """Light that passes through the mesh, through the map and range of color and the opacity of opacity_points. Several volumes are mixed place by place, whatever their order."""
+    """The mesh as a medium that emits and absorbs light. `color` maps values of `array` to colors, `opacity_points` to opacity. Several volumes are mixed point by point, whatever their order."""
 
     type: Literal["volume"]
     order: NotRequired[float]
     visible: NotRequired[bool]
-    opacity: NotRequired[float]  # fades the finished volume; how dense it is, opacity_points say. Of several volumes, which are mixed place by place, the largest opacity fades the mixture, and in one of less the opacities of opacity_points are less in proportion.
+    opacity: NotRequired[float]  # Fades the finished volume. `opacity_points` set its density. Several volumes are mixed point by point: the largest `opacity` fades the mixture, and the `opacity_points` of volumes with a smaller `opacity` are lowered in proportion.
     array: str
     color: NotRequired[Coloring]
-    opacity_points: NotRequired[list[OpacityPoint]]  # by position; straight between two points, constant before the first and after the last. A position twice is a step.
-    unit_length: NotRequired[float | None]  # the length, in the dataset's length units, after which a ray through a value has lost the share of its light that opacity_points say; null or absent: a tenth of the diagonal of the bounds
-    slices: NotRequired[int | None]  # of a still; while something moves there are fewer, without a change of brightness. null or absent: from 200 on, more along a long axis, so that they are as far apart whatever they are across, and where opacity_points are steep
-    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # normal of the slices: auto is the axis nearest the view, screen the view's own direction (the nearest axis while it moves). A view that looks along slices across an axis somewhere has those of auto instead, and a still of so wide a view that it looks along these, too, those of screen. Of several volumes the first that is shown decides for all.
-    shaded: NotRequired[bool]  # by the array's gradient, with a light at the eye
+    opacity_points: NotRequired[list[OpacityPoint]]  # Opacity along the color scale, in ascending order of position. Opacity is linear between two points, and constant before the first and after the last. Two points with the same position are a step.
+    unit_length: NotRequired[float | None]  # Length in the dataset's length units. A ray through one value has the opacity of `opacity_points` after this length. null or absent: a tenth of the diagonal of the bounds.
+    slices: NotRequired[int | None]  # Number of slices of a still. Fewer are drawn during movement, with the same brightness. null or absent: 200 to 1000; more along a long side of the bounds, so that the distance of the slices is similar in all directions, and more if `opacity_points` are steep.
+    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # Normal of the slices. auto: the axis nearest to the viewing direction. screen: the viewing direction; during movement, the nearest axis. x, y, z: this axis, unless rays of the picture run nearly along its slices; then as auto. Stills use the viewing direction if rays run nearly along the slices of the chosen axis. The first visible volume decides for all volumes.
+    shaded: NotRequired[bool]  # Shades the volume by the gradient of its array, with a light at the eye.
 
 
 Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer | VolumeLayer
@@ -185,20 +185,20 @@ Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesL
 
 class EmptyLayer(TypedDict):
     layer: str
-    why: Literal["outside", "threshold", "clipped", "opacity", "missing", "nothing"]  # outside: its values or its plane are outside the data
-    reason: str  # a sentence about the layer
+    why: Literal["outside", "threshold", "clipped", "opacity", "missing", "nothing"]  # outside: its values or its plane are outside the data. threshold: its threshold keeps no cell. clipped: clip planes cut all of it away. opacity: its opacity is 0. missing: its array was not written at this time. nothing: another reason.
+    reason: str  # Sentence for the user.
 
 
 class Annotations(TypedDict):
-    """What is written over a picture. Pictures (picture.render, ciel render) carry all of it; the frames of a view carry none: who shows them draws it at the resolution of the screen, from this document."""
+    """Text, legends and axes over a picture. Pictures of picture.render and `ciel render` contain them. Frames of a view do not; the client draws them over the frames."""
 
-    legend: NotRequired[bool]  # color bars with name, units and ticks
-    triad: NotRequired[bool]  # where x, y and z point
-    axes: NotRequired[bool]  # ticks and numbers along edges of the bounding box, in the dataset's length units
-    time: NotRequired[bool]  # the time of the step shown
-    dataset: NotRequired[bool]  # the dataset's name
-    title: NotRequired[str]  # at most 256 bytes of UTF-8
-    scale: NotRequired[float]  # of text and lines, on top of the picture's height: 13 pixels of text at 720 rows
+    legend: NotRequired[bool]  # Color bars with name, units and ticks.
+    triad: NotRequired[bool]  # Arrows that show the directions of x, y and z.
+    axes: NotRequired[bool]  # Ticks and numbers along edges of the bounding box, in the dataset's length units.
+    time: NotRequired[bool]  # Time of the shown step.
+    dataset: NotRequired[bool]  # Name of the dataset.
+    title: NotRequired[str]  # Title of the picture. At most 256 bytes of UTF-8. Empty: no title.
+    scale: NotRequired[float]  # Factor on the size of text and of the annotations' lines. At 1, text has 13 pixels in a picture of 1280 x 720, and more in larger pictures.
 
 
 class Light(TypedDict):
@@ -207,40 +207,40 @@ class Light(TypedDict):
 
 
 class AmbientOcclusion(TypedDict):
-    """Opaque lit surfaces are darker where others near them keep out light from everywhere. Slices keep the colors of their values, but shade what is around them; lines, points, transparent surfaces and volumes neither shade nor are shaded. Pictures show it, the polygons of the geometry stream do not."""
+    """Darkens opaque lit surfaces where other surfaces nearby block the ambient light. Slices darken other surfaces, but keep their own colors. Lines, points, transparent surfaces and volumes neither darken nor are darkened. Pictures show the effect; polygons of the geometry stream do not."""
 
     on: NotRequired[bool]
-    radius: NotRequired[float]  # within which surfaces shade each other, of the diagonal of the bounds
-    strength: NotRequired[float]  # the share of the sky that a place sees is raised to this power: 1 is what light from everywhere would do, 2 is darker
+    radius: NotRequired[float]  # Largest distance at which surfaces darken each other, as a share of the diagonal of the bounds.
+    strength: NotRequired[float]  # Exponent of the share of the ambient light that reaches a point. 0: no effect. 1: the share itself. 2: as dark as 1 applied twice.
 
 
 class Lighting(TypedDict):
-    """What lights surfaces: the headlight stands at the eye, the key light over the viewer's left shoulder, both move with the camera. A shaded volume has a light at the eye, which the headlight's switch turns off."""
+    """Light on surfaces. The headlight is at the eye and the key light over the viewer's left shoulder; both move with the camera. A shaded volume has its own light at the eye, which goes off with the headlight. Slices are never lit."""
 
-    on: NotRequired[bool]  # false: all in its own colors, without light and shade
-    ambient: NotRequired[float]  # strength of the light from everywhere
+    on: NotRequired[bool]  # false: everything is shown in its own colors, without light and shade.
+    ambient: NotRequired[float]  # Strength of the light from all directions.
     headlight: NotRequired[Light]
     key_light: NotRequired[Light]
     ambient_occlusion: NotRequired[AmbientOcclusion]
 
 
 class Scene(TypedDict):
-    """What a viewer wants to see. Undo, links, replay and scripts all use this document."""
+    """Everything that a picture depends on. Undo, links, replay and scripts use this document."""
 
     dataset: str
-    time: NotRequired[float]  # the nearest time step is shown
+    time: NotRequired[float]  # Simulation time. The nearest step is shown.
     camera: NotRequired[Camera | None]
     background: NotRequired[Literal["dark", "light"] | Color]
     annotations: NotRequired[Annotations]
     lighting: NotRequired[Lighting]
-    layers: NotRequired[dict[str, Layer]]  # by id, of at most 256 bytes of UTF-8; drawn by (order, id)
+    layers: NotRequired[dict[str, Layer]]  # Layers by id. An id has at most 256 bytes of UTF-8. Layers are drawn by `order`, then by id.
 
 
 class CellExtreme(TypedDict):
     value: float
-    cell: int  # id in the imported file
-    place: Vec3  # the mean of its corners
-    time: float  # of the step
+    cell: int  # Id of the cell in the imported file.
+    place: Vec3  # Mean of the cell's corners.
+    time: float  # Time of the step.
 
 
 class CellExtremes(TypedDict):
@@ -250,20 +250,20 @@ class CellExtremes(TypedDict):
 
 class ArrayInfo(TypedDict):
     name: str
-    association: Literal["point", "cell", "boundary_face"]  # boundary_face: what the solver has on the faces of patches (patch:p); surface layers alone are colored by it
+    association: Literal["point", "cell", "boundary_face"]  # point, cell, or boundary_face. boundary_face: the solver's values on the faces of patches (patch:p), which can color surface layers only.
     components: int
     units: str
     description: str
     range: Range | None
-    scalars: list[str]  # names usable in layers: U:x, U:magnitude, R:xx. Those of cell arrays (cell:U:x) color surfaces, flat, and choose cells; nothing else is made from them
-    times: list[float]  # steps at which the array was written
-    origin: Literal["unknown", "original", "interpolated", "derived"]  # as the file has it; made from values of the cells; computed by the reader of the file
-    type: NotRequired[str]  # of the numbers in the imported file, such as int32; absent where it is not known
-    stored: Literal["float32", "float64"]  # of the numbers in the dataset: the smaller one that can hold all numbers of the file's type, and float64 for integers of 32 and 64 bits
-    file: NotRequired[str]  # where it was first read from; absent where it is not known
-    invalid: int  # values that are not finite, at all steps together
-    missing: int  # values that are not there: of blocks without the array, of parts that could not be read
-    extremes: NotRequired[CellExtremes]  # of an array of the cells, or made from one: the ends of its range, at all steps
+    scalars: list[str]  # Names of the array's scalars: p, U:x, U:magnitude, R:xx. Scalars of cell arrays (cell:U:x) color surfaces flat and select cells in thresholds. Iso-surfaces, contour lines, volumes, and colors of edges and points need values at points.
+    times: list[float]  # Times of the steps at which the array was written.
+    origin: Literal["unknown", "original", "interpolated", "derived"]  # original: from the imported file. interpolated: made from values on cells. derived: computed by the reader of the file format. unknown: not recorded in the dataset.
+    type: NotRequired[str]  # Type of the numbers in the imported file, such as int32. Absent if not known.
+    stored: Literal["float32", "float64"]  # Type of the numbers in the dataset. float32 if it holds all numbers of the file's type, else float64. float64 also for integers of 32 and 64 bits.
+    file: NotRequired[str]  # Imported file in which the array was found first. Absent if not known.
+    invalid: int  # Number of NaN and infinite values, at all steps together.
+    missing: int  # Number of missing values, at all steps together: in blocks that have no such array, and in parts that could not be read.
+    extremes: NotRequired[CellExtremes]  # Cells with the lowest and the highest value over all steps. Present for arrays on cells and for point arrays that were made from them, if the cells are known.
 
 
 class MeshInfo(TypedDict):
@@ -286,8 +286,8 @@ class DatasetDescriptionGroupsItem(TypedDict):
     name: str
     of: Literal["faces", "cells"]
     count: int
-    type: NotRequired[str]  # what the solver calls the patch, where the source says so: wall, empty, symmetryPlane
-    conditions: NotRequired[dict[str, str]]  # array: its boundary condition on the patch at the mesh's first step
+    type: NotRequired[str]  # Type of the patch in the solver, if the source states it: wall, empty, symmetryPlane.
+    conditions: NotRequired[dict[str, str]]  # Boundary condition on the patch for each array, at the first step of the mesh.
 
 
 class DatasetDescription(TypedDict):
@@ -296,39 +296,39 @@ class DatasetDescription(TypedDict):
     created: str
     length_units: str
     times: list[float]
-    bounds: list[float]  # xmin, xmax, ymin, ymax, zmin, zmax
+    bounds: list[float]  # [x minimum, x maximum, y minimum, y maximum, z minimum, z maximum] in the dataset's length units.
     input: DatasetDescriptionInput
     mesh: MeshInfo
     arrays: list[ArrayInfo]
     groups: list[DatasetDescriptionGroupsItem]
     notes: list[str]
-    default_scene: Scene  # What is shown first: bodies in the flow colored by pressure, with a slice colored by speed, at the last step whose arrays are finite. Without bodies: an iso-surface.
-    default_bounds: list[float]  # The box that the camera of default_scene looks at, for a camera that fits another canvas: around the bodies, or bounds. xmin, xmax, ymin, ymax, zmin, zmax
+    default_scene: Scene  # Scene that is shown first. With bodies in the flow: the bodies colored by pressure, and a slice colored by speed, at the last step whose arrays are finite. Without bodies: an iso-surface; in a mesh of one layer of cells, a slice.
+    default_bounds: list[float]  # Box that the camera of default_scene looks at: around the bodies, or the bounds. A client can fit a camera for another picture size to it. [x minimum, x maximum, y minimum, y maximum, z minimum, z maximum] in the dataset's length units.
 
 
 class WantedArray(TypedDict):
-    name: str  # of an array of the dataset, or of a new one; begins with 'cell:' for values of the cells
-    components: NotRequired[int]  # of a new array, 1 when absent; that of another must be the same
-    type: NotRequired[Literal["float32", "float64"]]  # of the values to be sent, float32 when absent; a new array is stored in it
+    name: str  # Name of an array of the dataset, or of a new one. Names of arrays on cells begin with 'cell:'.
+    components: NotRequired[int]  # Number of components. Default: 1 for a new array, and the existing number for an array of the dataset, from which it may not differ.
+    type: NotRequired[Literal["float32", "float64"]]  # Type of the uploaded values. Default: float32. A new array is stored in this type.
 
 
 class ExpectedArray(TypedDict):
     name: str
     association: Literal["point", "cell"]
     components: int
-    tuples: int  # values of each component: in the order of the imported file's points or cells
-    bytes: int  # 4 or 8 (float64) x tuples x components
+    tuples: int  # Number of points or cells of the imported file. The values come in their order.
+    bytes: int  # Size of the array: tuples x components x 4 (float32) or 8 (float64).
 
 
 class Upload(TypedDict):
-    upload: str  # names the upload in pieces, commit and cancel; a secret of its clients
-    piece_bytes: int  # that a piece may have at most
-    idle_seconds: int  # without a piece, after which the upload is forgotten
+    upload: str  # Id of the upload, for append.piece, append.commit and append.cancel. Keep it secret.
+    piece_bytes: int  # Maximum number of bytes of a piece.
+    idle_seconds: int  # Number of seconds without a call after which the server drops the upload.
     arrays: list[ExpectedArray]
-    made: list[str]  # arrays of the points that are made from arrays of the cells, as an import makes them
-    added: list[str]  # arrays that the dataset does not have yet: a misspelt name is among them
-    lacking: list[str]  # arrays of the dataset that have no values at this step
-    rounded: list[str]  # arrays that are sent as float64 and stored as float32, as they are at earlier steps
+    made: list[str]  # Names of point arrays that the server makes from the uploaded arrays on cells, as an import does.
+    added: list[str]  # Names of arrays that the dataset does not have yet. A misspelt name appears here.
+    lacking: list[str]  # Names of arrays of the dataset that will have no values at this step.
+    rounded: list[str]  # Names of arrays that are sent as float64 and stored as float32, because earlier steps are stored as float32.
 
 
 class SessionState(TypedDict):
@@ -351,8 +351,8 @@ class Picture(TypedDict):
     height: int
     revision: int
     time: float
-    remarks: list[str]  # what the picture does not show, or not in full, a sentence each: points that are too many, more transparent layers behind each other than can be drawn, layers of which nothing is seen, values that were not written at its time
-    data: str  # base64 (RFC 4648)
+    remarks: list[str]  # Sentences about data that the picture does not show, or not completely: layers of which nothing is seen, arrays that were not written at this time, too many points, more transparent layers behind each other than can be drawn.
+    data: str  # The PNG file as base64 (RFC 4648).
 
 
 class ProbeResult(TypedDict):
@@ -360,9 +360,9 @@ class ProbeResult(TypedDict):
     position: Vec3 | None
     vertex: int | None
     cell: int | None
-    layer: str | None  # the layer whose polygon is under the pixel; null for a position, and where a line or a point is
-    patch: str | None  # the patch under the pixel, where that layer is a surface; null on other layers
-    values: dict[str, float | None]  # scalar name to value at the position; null where it was not written, or is no number
-    solver_cell: NotRequired[int]  # the solver's own id of the cell, where the source has one (cellProcAddressing, GlobalElementId)
-    solver_vertex: NotRequired[int]  # likewise of the nearest vertex (GlobalNodeId)
-    extremes: NotRequired[dict[str, CellExtremes]]  # array of the cells to its lowest and highest value at this step, of the magnitude where it has one
+    layer: str | None  # Id of the layer whose polygon is under the pixel. null for a position, and if a line or a point is under the pixel.
+    patch: str | None  # Patch under the pixel. null if the layer there is not a surface layer, or the face is in no patch.
+    values: dict[str, float | None]  # Value of each scalar at the position. null if it was not written at this time or is not finite.
+    solver_cell: NotRequired[int]  # Id that the solver gave to the cell. Absent if the source has none (cellProcAddressing, GlobalElementId).
+    solver_vertex: NotRequired[int]  # Id that the solver gave to the nearest vertex. Absent if the source has none (GlobalNodeId).
+    extremes: NotRequired[dict[str, CellExtremes]]  # For each array on cells: the cells with the lowest and the highest value at this step, of the magnitude if the array has one.

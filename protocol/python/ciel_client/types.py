@@ -44,7 +44,7 @@ from .schemas import (
 
 
 class RpcDiscoverParams(TypedDict):
-    """rpc.discover: This document."""
+    """rpc.discover: Returns this document."""
 
     pass
 
@@ -53,151 +53,151 @@ RpcDiscoverResult = dict[str, Any]
 
 
 class ServerInfoParams(TypedDict):
-    """server.info: Version, GL renderer, limits, color maps."""
+    """server.info: Returns the server's version, GL renderer, limits, color maps, layer types and streams."""
 
     pass
 
 
 class ServerInfoResultProtocol(TypedDict):
-    """the version of this document"""
+    """Version of this document."""
 
     major: int
     minor: int
 
 
 class ServerInfoResult(TypedDict):
-    version: str  # of the program
-    protocol: ServerInfoResultProtocol  # the version of this document
+    version: str  # Version of the program ciel.
+    protocol: ServerInfoResultProtocol  # Version of this document.
     gl_renderer: str
     backend: str
     engine: str
-    limits: dict[str, float]  # by name, as `ciel serve --help` lists them: bytes, seconds, pixels, counts
+    limits: dict[str, float]  # Limits of the server by name, in the units that `ciel serve --help` states: bytes, seconds, pixels or counts.
     color_maps: list[str]
-    layer_types: list[str]  # values of a layer's type
-    streams: list[str]  # values of a view's stream
+    layer_types: list[str]  # Allowed values of a layer's `type`.
+    streams: list[str]  # Allowed values of a view's `stream`.
 
 
 class DatasetListParams(TypedDict):
-    """dataset.list: The datasets on offer."""
+    """dataset.list: Returns the names of the datasets that the server offers."""
 
     pass
 
 
 class DatasetListResultItem(TypedDict):
     name: str
-    problem: str  # empty when it can be opened
+    problem: str  # Reason why the dataset cannot be opened. Empty if it can be opened.
 
 
 DatasetListResult = list[DatasetListResultItem]
 
 
 class DatasetDescribeParams(TypedDict):
-    """dataset.describe: Arrays, times, bounds, patches and a scene to start from."""
+    """dataset.describe: Returns a dataset's arrays, times, bounds and patches, and a scene to start from."""
 
-    dataset: str  # a name of dataset.list
+    dataset: str  # Name of the dataset, as in dataset.list.
 
 
 DatasetDescribeResult = DatasetDescription
 
 
 class DatasetOpenParams(TypedDict):
-    """dataset.open: Shows a dataset's default scene in a session, as an undoable change."""
+    """dataset.open: Replaces a session's scene with a dataset's default scene. scene.undo restores the earlier scene."""
 
-    session: str  # the id that session.open answered with
-    dataset: str  # a name of dataset.list
+    session: str  # Id of the session, as session.open returned it.
+    dataset: str  # Name of the dataset, as in dataset.list.
 
 
 DatasetOpenResult = SessionState
 
 
 class DatasetHistogramParams(TypedDict):
-    """dataset.histogram: Counts of a scalar's values at one time."""
+    """dataset.histogram: Counts the values of a scalar at one time step in bins of equal width."""
 
-    dataset: str  # a name of dataset.list
-    array: str  # a scalar name, such as `p`, `U:x` or `cell:p`
-    time: NotRequired[float]  # the first time when absent
-    bins: NotRequired[int]  # of equal width; the last one holds its upper end, too
-    range: NotRequired[Range]  # the array's own when absent
+    dataset: str  # Name of the dataset, as in dataset.list.
+    array: str  # Name of the scalar, such as `p`, `U:x` or `cell:p`.
+    time: NotRequired[float]  # Simulation time; the nearest step is used. Default: the first step.
+    bins: NotRequired[int]  # Number of bins of equal width. Each excludes its upper end, except the last.
+    range: NotRequired[Range]  # Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
 
 
 class DatasetHistogramResult(TypedDict):
     range: Range
     counts: list[int]
-    invalid: int  # values that are not finite
+    invalid: int  # Number of values that are NaN or infinite.
     below: int
     above: int
-    cells: NotRequired[CellExtremes]  # of the cells that the array is of, or was made from, at this step
+    cells: NotRequired[CellExtremes]  # Cells with the lowest and the highest value at this step. Present for arrays on cells and for point arrays that were made from them, if the cells are known.
 
 
 class SessionOpenParams(TypedDict):
-    """session.open: A new session, or one that exists; over WebSocket the connection then hears of its changes."""
+    """session.open: Opens a new session or joins an existing one. A WebSocket that calls it receives scene.changed for the session."""
 
-    session: NotRequired[str]  # an id to join or recreate; it is the session's key, so a client that chooses one makes it of 128 random bits
-    dataset: NotRequired[str]  # whose default scene a new session shows; the first of dataset.list when absent
-    scene: NotRequired[Scene]  # the scene of a new session
-    undo: NotRequired[list[dict[str, Any]]]  # RFC 7396 merge patches, nearest step first: what scene.undo goes back to in a new session. The first applies to the scene, each other to the result of the one before it. For a client whose server was restarted; an existing session keeps its own history
-    redo: NotRequired[list[dict[str, Any]]]  # likewise for scene.redo
+    session: NotRequired[str]  # Id of the session to join. If there is none with this id, a session with this id is opened. The id is the key to the session, so a client that chooses one must make it from 128 random bits. Absent: the server chooses an id.
+    dataset: NotRequired[str]  # Dataset whose default scene a new session shows. Default: the first of dataset.list that can be opened. Ignored if `scene` is given.
+    scene: NotRequired[Scene]  # Scene of a new session. An existing session keeps its own.
+    undo: NotRequired[list[dict[str, Any]]]  # Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
+    redo: NotRequired[list[dict[str, Any]]]  # Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
 
 
 SessionOpenResult = SessionState
 
 
 class SessionCloseParams(TypedDict):
-    """session.close: Forgets the session."""
+    """session.close: Ends a session and deletes its scene and history."""
 
-    session: str  # the id that session.open answered with
+    session: str  # Id of the session, as session.open returned it.
 
 
 SessionCloseResult = None
 
 
 class SceneGetParams(TypedDict):
-    """scene.get: The session's scene."""
+    """scene.get: Returns the scene of a session."""
 
-    session: str  # the id that session.open answered with
+    session: str  # Id of the session, as session.open returned it.
 
 
 SceneGetResult = SessionState
 
 
 class ScenePatchParams(TypedDict):
-    """scene.patch: Applies an RFC 7396 merge patch. Patches with the same gesture are one undo step."""
+    """scene.patch: Applies an RFC 7396 merge patch to a session's scene. Consecutive patches with the same gesture are one undo step."""
 
-    session: str  # the id that session.open answered with
-    patch: dict[str, Any]  # an RFC 7396 merge patch of the scene: null removes a member
-    gesture: NotRequired[str]  # any text that names what the user is doing, such as one drag of a slider; at most 256 bytes of UTF-8
+    session: str  # Id of the session, as session.open returned it.
+    patch: dict[str, Any]  # RFC 7396 merge patch of the scene. null removes a member.
+    gesture: NotRequired[str]  # Any text that identifies one action of the user, such as one drag of a slider. At most 256 bytes of UTF-8. Absent: the patch is its own undo step.
 
 
 ScenePatchResult = Revision
 
 
 class SceneUndoParams(TypedDict):
-    """scene.undo: Takes the last step back."""
+    """scene.undo: Undoes the last change of a session's scene."""
 
-    session: str  # the id that session.open answered with
+    session: str  # Id of the session, as session.open returned it.
 
 
 SceneUndoResult = SessionState
 
 
 class SceneRedoParams(TypedDict):
-    """scene.redo: Does it again."""
+    """scene.redo: Redoes the change of a session's scene that was undone last."""
 
-    session: str  # the id that session.open answered with
+    session: str  # Id of the session, as session.open returned it.
 
 
 SceneRedoResult = SessionState
 
 
 class ViewOpenParams(TypedDict):
-    """view.open: A stream of frames of the session on this WebSocket."""
+    """view.open: Opens a view of a session. The server sends its frames on this WebSocket."""
 
-    session: str  # the id that session.open answered with
-    width: int  # in pixels
-    height: int  # in pixels
-    pixel_ratio: NotRequired[float]  # pixels of the pictures for one of lines and points: what the page is shown with (devicePixelRatio)
-    stream: NotRequired[Literal["image", "geometry"]]  # pictures, or polygons for the client to draw (frame.md)
-    moving: NotRequired[Literal["png", "jpeg"]]  # How interactive pictures are coded; a still is a PNG.
+    session: str  # Id of the session, as session.open returned it.
+    width: int  # Width of the view in pixels.
+    height: int  # Height of the view in pixels.
+    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio.
+    stream: NotRequired[Literal["image", "geometry"]]  # What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
+    moving: NotRequired[Literal["png", "jpeg"]]  # Format of interactive pictures. Stills are always PNG.
 
 
 class ViewOpenResult(TypedDict):
@@ -205,241 +205,241 @@ class ViewOpenResult(TypedDict):
 
 
 class ViewResizeParams(TypedDict):
-    """view.resize: Changes the size of a view's pictures."""
+    """view.resize: Changes the size of a view."""
 
-    view: int  # the number that view.open answered with
-    width: int  # in pixels
-    height: int  # in pixels
-    pixel_ratio: NotRequired[float]  # as in view.open; without it this stays as it is
+    view: int  # Number of the view, as view.open returned it.
+    width: int  # New width of the view in pixels.
+    height: int  # New height of the view in pixels.
+    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. Absent: unchanged.
 
 
 ViewResizeResult = None
 
 
 class ViewStreamParams(TypedDict):
-    """view.stream: Chooses pictures or polygon batches."""
+    """view.stream: Switches a view between pictures and batches of polygons."""
 
-    view: int  # the number that view.open answered with
-    stream: Literal["image", "geometry"]  # pictures, or polygons for the client to draw (frame.md)
-    moving: NotRequired[Literal["png", "jpeg"]]  # As in view.open; without it this stays as it is.
+    view: int  # Number of the view, as view.open returned it.
+    stream: Literal["image", "geometry"]  # What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
+    moving: NotRequired[Literal["png", "jpeg"]]  # Format of interactive pictures. Stills are always PNG. Absent: unchanged.
 
 
 ViewStreamResult = None
 
 
 class ViewAckParams(TypedDict):
-    """view.ack: The frame has been presented (usually a notification)."""
+    """view.ack: Acknowledges that the client has presented a frame. Usually sent as a notification."""
 
-    view: int  # the number that view.open answered with
-    frame: int  # the number in the frame's header
+    view: int  # Number of the view, as view.open returned it.
+    frame: int  # Number of the frame, from its header.
 
 
 ViewAckResult = None
 
 
 class ViewCloseParams(TypedDict):
-    """view.close: Ends the stream."""
+    """view.close: Closes a view. The server sends no more frames of it."""
 
-    view: int  # the number that view.open answered with
+    view: int  # Number of the view, as view.open returned it.
 
 
 ViewCloseResult = None
 
 
 class PictureRenderParams(TypedDict):
-    """picture.render: A lossless still picture."""
+    """picture.render: Draws one lossless picture with all annotations and returns it as PNG."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    width: NotRequired[int]  # width times height may be at most 33554432
-    height: NotRequired[int]  # in pixels; text and lines grow with it
-    progress: NotRequired[str]  # a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    width: NotRequired[int]  # Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise.
+    height: NotRequired[int]  # Height in pixels. Text and lines are larger in larger pictures.
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 PictureRenderResult = Picture
 
 
 class ProbePointParams(TypedDict):
-    """probe.point: Values at a world position, or under a pixel of a picture of the given size."""
+    """probe.point: Returns the values at a position, or at the position under a pixel of a picture of the given size."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    position: NotRequired[Vec3]  # in the dataset's length units; either this or a pixel
-    pixel: NotRequired[list[float]]  # x, y from the top left
-    width: NotRequired[int]  # of the picture that the pixel is of; with pixel
-    height: NotRequired[int]  # of the picture that the pixel is of; with pixel
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    position: NotRequired[Vec3]  # Position in the dataset's length units. Give either `position` or `pixel`.
+    pixel: NotRequired[list[float]]  # Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
+    width: NotRequired[int]  # Width in pixels of the picture that `pixel` belongs to. Required with `pixel`.
+    height: NotRequired[int]  # Height in pixels of the picture that `pixel` belongs to. Required with `pixel`.
 
 
 ProbePointResult = ProbeResult
 
 
 class SceneCameraParams(TypedDict):
-    """scene.camera: Where a scene is seen from: its own camera, or the one that pictures and views of a scene without one have."""
+    """scene.camera: Returns the camera of a scene. If the scene has none, returns the default camera that pictures and views of this size use."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    width: NotRequired[int]  # of the picture or the view: without a camera all of the bounds is seen, clear of what is written
-    height: NotRequired[int]  # of the picture or the view, in pixels
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    width: NotRequired[int]  # Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
+    height: NotRequired[int]  # Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
 
 
 SceneCameraResult = Camera
 
 
 class SceneBoundsParams(TypedDict):
-    """scene.bounds: The box around what clip planes and thresholds leave of the mesh: what a view of everything frames. Iso-surfaces and slices do not narrow it; where nothing is left it is the dataset's."""
+    """scene.bounds: Returns the box to which a camera is fitted to show everything."""
 
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    of: NotRequired[Literal["mesh", "drawn"]]  # drawn: the box around what the visible layers draw. Where a part of the boundary is drawn, slices, volumes and the whole boundary do not widen it; an outline counts alone only.
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh.
 
 
 class SceneBoundsResult(TypedDict):
-    bounds: list[float]  # x minimum, x maximum, y minimum, y maximum, z minimum, z maximum
+    bounds: list[float]  # [x minimum, x maximum, y minimum, y maximum, z minimum, z maximum] in the dataset's length units.
 
 
 class ScenePickParams(TypedDict):
-    """scene.pick: The first polygon on the line of sight through a pixel of a picture of the given size. Nothing is drawn for it: lines, points and volumes are not met."""
+    """scene.pick: Finds the first polygon under a pixel of a picture of the given size, without drawing. Lines, points and volumes are ignored."""
 
-    pixel: list[float]  # x, y from the top left
-    width: int  # of the picture, pixels
-    height: int  # of the picture, pixels
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
+    pixel: list[float]  # Pixel [x, y], counted from the top left.
+    width: int  # Width of the picture in pixels.
+    height: int  # Height of the picture in pixels.
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
 
 
 class ScenePickResult(TypedDict):
-    position: Vec3 | None  # null where no polygon is met
-    layer: str | None  # whose polygon it is
-    patch: str | None  # of the boundary, where the layer is a surface
-    centre: Vec3 | None  # the middle of the box around the points of layers that the picture shows, hidden ones too: of a part of the boundary where one is in view; null where none is
+    position: Vec3 | None  # Position on the polygon. null if no polygon is under the pixel.
+    layer: str | None  # Id of the layer that the polygon belongs to. null if no polygon is under the pixel.
+    patch: str | None  # Patch of the polygon. null if the layer is not a surface layer or the polygon is in no patch.
+    centre: Vec3 | None  # Center of the box of all drawn vertices inside the picture, hidden ones included. If a part of the boundary (`groups` or a threshold) is inside, only its vertices count. null if there are none.
 
 
 class ColorRangeParams(TypedDict):
-    """color.range: The range of the values that color layers, as far as they are in view."""
+    """color.range: Returns the range of the values by which layers are colored, or of the part that is in view."""
 
-    layers: list[str]  # ids of layers of the scene
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    aspect: NotRequired[float]  # width / height of the view; without it, what lies beside the view counts, too
-    of: NotRequired[Literal["layers", "contours"]]  # contours: of the values of the contour lines on the layers, which have a color scale of their own
+    layers: list[str]  # Ids of layers of the scene.
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    aspect: NotRequired[float]  # Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count.
+    of: NotRequired[Literal["layers", "contours"]]  # layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale.
 
 
 class ColorRangeResult(TypedDict):
-    range: Range | None  # null where no value is in view
+    range: Range | None  # Smallest and largest finite value. null if there is none.
 
 
 class SurfaceExportParams(TypedDict):
-    """surface.export: A layer's surface as a file, cut by the visible clip planes and with their caps, as pictures show it."""
+    """surface.export: Returns a layer's surface as a file. As in pictures, visible clip planes cut the surface, and caps close it."""
 
-    layer: str  # the id of an iso-surface, slice or surface layer of the scene
-    format: Literal["ply", "stl", "vtp"]  # PLY (binary), STL (binary) or VTK's XML PolyData
-    session: NotRequired[str]  # without it, `scene` is used and nothing is kept
-    scene: NotRequired[Scene]  # the scene to be used in place of a session's; nothing is kept of it
-    triangles: NotRequired[bool]  # true: polygons are cut into triangles; STL has triangles in any case
-    origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset; STL is so in any case where its floats would lose digits
-    progress: NotRequired[str]  # a name of the caller's own for call.progress, which is sent to the calling WebSocket, or after a POST to all WebSockets of the session
+    layer: str  # Id of a visible iso, slice or surface layer of the scene.
+    format: Literal["ply", "stl", "vtp"]  # ply: binary PLY. stl: binary STL. vtp: XML PolyData of VTK.
+    session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
+    scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    triangles: NotRequired[bool]  # true: polygons are split into triangles. STL always has triangles.
+    origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin.
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 class SurfaceExportResult(TypedDict):
     mime: str
     name: str
-    data: str  # base64 (RFC 4648)
+    data: str  # The file as base64 (RFC 4648).
     polygons: int
     vertices: int
-    origin: Vec3  # what the file's coordinates are relative to; the file says it too
+    origin: Vec3  # Origin of the file's coordinates; the file states it too, unless it is zero.
 
 
 class AppendBeginParams(TypedDict):
-    """append.begin: Begins to push a step to a dataset, and checks it: time, names, sizes, limits, free disk. Needs `ciel serve --allow-append` and the server's token."""
+    """append.begin: Begins the upload of a time step. Checks time, names, sizes, limits and free disk space. Needs `ciel serve --allow-append` and the server's token."""
 
-    dataset: str  # a name of dataset.list
-    time: float  # of the step; later than the last one
-    arrays: list[WantedArray]  # the arrays of the step
+    dataset: str  # Name of the dataset, as in dataset.list.
+    time: float  # Time of the step. It must be later than the last step of the dataset.
+    arrays: list[WantedArray]  # Arrays of the step.
 
 
 AppendBeginResult = Upload
 
 
 class AppendPieceParams(TypedDict):
-    """append.piece: Adds bytes to an array of an upload. On a WebSocket a binary message does the same (frame.md)."""
+    """append.piece: Adds bytes to one array of an upload. On a WebSocket, a binary message does the same (frame.md)."""
 
-    upload: str  # as append.begin answered
-    array: int  # its place among the arrays of append.begin, from 0
-    offset: int  # of the first byte among the array's; at most as many as have come, so that a piece may be sent again
-    data: str  # base64 (RFC 4648) of little-endian values in the `type` of append.begin, interleaved by component; at most `piece_bytes` bytes
+    upload: str  # Id of the upload, as append.begin returned it.
+    array: int  # Index of the array in `arrays` of append.begin, from 0.
+    offset: int  # Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again.
+    data: str  # Little-endian values as base64 (RFC 4648), in the `type` of append.begin, interleaved by component. At most `piece_bytes` bytes before encoding.
 
 
 class AppendPieceResult(TypedDict):
-    received: int  # bytes of the array that have come
+    received: int  # Number of bytes of the array received so far.
 
 
 class AppendCommitParams(TypedDict):
-    """append.commit: Writes the step of an upload whose arrays have all come; every client then hears of it. When it fails, the upload stays."""
+    """append.commit: Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept."""
 
-    upload: str  # as append.begin answered
+    upload: str  # Id of the upload, as append.begin returned it.
 
 
 class AppendCommitResult(TypedDict):
-    step: int  # its number, from 0
+    step: int  # Index of the new step, from 0.
     time: float
 
 
 class AppendCancelParams(TypedDict):
-    """append.cancel: Forgets an upload."""
+    """append.cancel: Cancels an upload and deletes its bytes."""
 
-    upload: str  # as append.begin answered
+    upload: str  # Id of the upload, as append.begin returned it.
 
 
 AppendCancelResult = None
 
 
 class DatasetChangedParams(TypedDict):
-    """dataset.changed: Steps were appended. No times: it can no longer be opened, and dataset.list says why."""
+    """dataset.changed: Steps were appended to a dataset. If `times` is empty, the dataset can no longer be opened, and dataset.list has the reason."""
 
-    dataset: str  # a name of dataset.list
-    times: NotRequired[list[float]]  # absent where the message would be longer than 512 KiB: call dataset.describe
+    dataset: str  # Name of the dataset, as in dataset.list.
+    times: NotRequired[list[float]]  # Times of all steps. Absent if the message would be longer than 512 KiB; then call dataset.describe.
 
 
 class SceneChangedParams(TypedDict):
-    """scene.changed: Another client of this session changed its scene. The scene is absent where the message would be longer than 512 KiB: call scene.get."""
+    """scene.changed: Another client of the session changed its scene."""
 
-    session: str  # the id that session.open answered with
-    revision: int  # counts the changes of the session's scene
-    scene: NotRequired[Scene]  # the whole scene, as it is now
+    session: str  # Id of the session, as session.open returned it.
+    revision: int  # Revision of the scene. Each change of the scene has the next revision.
+    scene: NotRequired[Scene]  # The whole new scene. Absent if the message would be longer than 512 KiB; then call scene.get.
 
 
 class ViewFailedParams(TypedDict):
-    """view.failed: A frame could not be made; the last one stays."""
+    """view.failed: A frame of a view could not be made. The view keeps its last frame."""
 
-    view: int  # the number that view.open answered with
-    revision: int  # of the scene that the frame was of
-    message: str  # a sentence for the user
+    view: int  # Number of the view, as view.open returned it.
+    revision: int  # Revision of the scene that the frame would have shown.
+    message: str  # Sentence for the user.
 
 
 class ViewLackingParams(TypedDict):
-    """view.lacking: What the next frame lacks, a sentence each: layers whose array was not written at its time, points that are too many to show all; and of which layers that are switched on it shows nothing. Empty when nothing is lacking any more."""
+    """view.lacking: Data that the next frame of a view does not show. Sent when this changes; all lists are empty if nothing is lacking any more."""
 
-    view: int  # the number that view.open answered with
-    revision: int  # of the scene that the frame is of
-    sentences: list[str]  # for the user
-    empty: list[EmptyLayer]  # layers that are switched on and show nothing
-    missing: list[str]  # layers whose colors have places without a value
+    view: int  # Number of the view, as view.open returned it.
+    revision: int  # Revision of the scene that the frame shows.
+    sentences: list[str]  # Sentences for the user, for example about arrays that were not written at this time or about too many points.
+    empty: list[EmptyLayer]  # Visible layers of which nothing is seen, with the reasons.
+    missing: list[str]  # Ids of layers that are colored by an array and have places without a finite value. These places have the color `nan`.
 
 
 class CallProgressParams(TypedDict):
-    """call.progress: How far a call is that gave a `progress`. The first comes when the call has had its turn."""
+    """call.progress: Progress of a call that has a parameter `progress`. The first is sent when the call leaves the queue."""
 
-    progress: str  # as the call gave it
-    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # waiting: for another picture to be drawn
-    done: int  # layers made, of the stage surfaces
-    of: int  # layers of the stage surfaces; 0: not counted
+    progress: str  # Name that the call gave as `progress`.
+    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # surfaces: makes the surfaces of the layers. waiting: another picture is drawn first. drawing: draws the picture. writing: makes the file.
+    done: int  # Number of layers that are made. 0 in other stages than surfaces.
+    of: int  # Number of layers to make. 0 in other stages than surfaces.
 
 
 class AppendRefusedParams(TypedDict):
-    """append.refused: A binary piece of an upload was not taken; the upload stays as it was."""
+    """append.refused: The server refused a binary piece of an upload. The upload is unchanged."""
 
-    upload: str  # as append.begin answered
-    reason: str  # a sentence
+    upload: str  # Id of the upload, as append.begin returned it.
+    reason: str  # Sentence that states the reason.
 
 
 class ServerDrainingParams(TypedDict):
