@@ -1,4 +1,4 @@
-"""Fails on retired words. Each thing has one name (server/README.md, "Words")."""
+"""Fails on retired words and on long lines of Markdown. Each thing has one name (server/README.md, "Words")."""
 
 import pathlib
 import re
@@ -24,6 +24,7 @@ RETIRED = [
 TEXTS = {".cpp", ".hpp", ".ts", ".tsx", ".py", ".md", ".json", ".txt", ".cmake", ".css", ".html", ".glsl", ""}
 # Old benchmark results keep the words of their time.
 LEFT_OUT = ("tests/bench/results/", "tests/layering/check_words.py", "webclient/package-lock.json", "protocol/colormaps.json")
+MOST_COLUMNS = 130  # of a line of Markdown: a longer row of a table cannot be read as text
 
 
 def main(root: pathlib.Path) -> int:
@@ -37,6 +38,12 @@ def main(root: pathlib.Path) -> int:
             lines = path.read_text(encoding="utf-8").splitlines()
         except UnicodeDecodeError:
             continue
+        if path.suffix == ".md":
+            problems += [
+                f"{name}:{number}: the line has {len(line)} columns; wrap it, or turn the table into a list ({MOST_COLUMNS} at most)"
+                for number, line in enumerate(lines, 1)
+                if len(line) > MOST_COLUMNS
+            ]
         for pattern, now, allowed in RETIRED:
             if name in allowed:
                 continue
@@ -45,7 +52,7 @@ def main(root: pathlib.Path) -> int:
                 for number, line in enumerate(lines, 1)
                 if (match := re.search(pattern, line))
             ]
-    print("\n".join(problems) or f"no retired word in {len(names)} files")
+    print("\n".join(problems) or f"no retired word and no long line of Markdown in {len(names)} files")
     return 1 if problems else 0
 
 

@@ -13,20 +13,20 @@ STILL, LAST_OF_FRAME, FIRST_OF_FRAME = 1, 2, 4
 class FrameHeader:
     kind: int
     flags: int
-    view: int  # as `view.open` answered
-    frame: int  # counts up from 1 in each view
-    revision: int  # of the scene that the frame shows
-    width: int  # of the picture, or of the view, in pixels
-    height: int  # likewise
+    view: int  # number of the view, from `view.open`
+    frame: int  # number of the frame, from 1 in each view
+    revision: int  # revision of the scene that the frame shows
+    width: int  # width in pixels of the picture, or of the view
+    height: int  # height in pixels of the picture, or of the view
     time: float  # simulation time shown
-    wait_ms: float  # from the newest change to the start of the work
-    extract_ms: float  # iso-surfaces and slices
-    draw_ms: float  # drawing and reading back
-    encode_ms: float  # compression of the payload
-    triangles: int  # in the whole frame
-    payload_bytes: int  # of this message
-    whole_bytes: int  # of the whole picture or batch
-    piece_offset: int  # where in the whole this message's payload begins
+    wait_ms: float  # time from the newest change to the start of the work
+    extract_ms: float  # time for iso-surfaces and slices
+    draw_ms: float  # time for drawing and reading back
+    encode_ms: float  # time for the compression of the payload
+    triangles: int  # triangles in the whole frame
+    payload_bytes: int  # size of the payload of this message
+    whole_bytes: int  # size of the whole picture or batch
+    piece_offset: int  # offset of this message's payload in the whole
 
 
 def read_frame_header(message: bytes) -> FrameHeader:
