@@ -302,7 +302,7 @@ class DatasetDescription(TypedDict):
     arrays: list[ArrayInfo]
     groups: list[DatasetDescriptionGroupsItem]
     notes: list[str]
-    default_scene: Scene  # Scene that is shown first. With bodies in the flow: the bodies colored by pressure, and a slice colored by speed, at the last step whose arrays are finite. Without bodies: an iso-surface; in a mesh of one layer of cells, a slice.
+    default_scene: Scene  # Scene that is shown first. With bodies in the flow: the bodies colored by pressure, and a slice colored by speed, at the last step whose arrays are finite. Without bodies: an iso-surface; in a mesh of one layer of cells, a slice; if no scalar varies, the boundary.
     default_bounds: list[float]  # Box that the camera of default_scene looks at: around the bodies, or the bounds. A client can fit a camera for another picture size to it. [x minimum, x maximum, y minimum, y maximum, z minimum, z maximum] in the dataset's length units.
 
 
