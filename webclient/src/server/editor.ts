@@ -46,7 +46,7 @@ interface Change {
    * The change concerned a layer that another client has removed. The user has been told so, and a refusal by the
    * server is not reported in addition.
    */
-  isVain?: boolean;
+  targetsRemovedLayer?: boolean;
 }
 
 export class SceneEditor {
@@ -205,7 +205,7 @@ export class SceneEditor {
     this.document = state.scene;
     for (const change of [...onTheWay, ...this.queue]) {
       const patch = this.withoutLost(change.patch, this.document);
-      if (patch !== change.patch) Object.assign(change, { patch, isVain: true });
+      if (patch !== change.patch) Object.assign(change, { patch, targetsRemovedLayer: true });
       this.document = applyPatch(this.document as unknown as Json, patch) as unknown as Scene;
     }
     this.queue = this.queue.filter(({ patch }) => Object.keys(patch).length > 0);
@@ -286,7 +286,7 @@ export class SceneEditor {
       },
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
-        if (change.isVain !== true) this.events.refused(error as Error);
+        if (change.targetsRemovedLayer !== true) this.events.refused(error as Error);
         this.doubtful = true; // the local scene still contains the refused change
         this.answered(change);
       },
