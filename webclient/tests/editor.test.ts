@@ -37,7 +37,7 @@ const server = {
   },
   undo: () => {
     wire.push("undo");
-    return lost === null ? Promise.resolve(state(scene, 9)) : Promise.reject(lost);
+    return lost === null ? Promise.resolve(state(structuredClone(scene), 9)) : Promise.reject(lost);
   },
   redo: () => {
     wire.push("redo");
@@ -86,6 +86,19 @@ describe("scene editor", () => {
     runFrame();
     expect(sent.length).toBe(2);
     expect(sent[0]?.gesture).not.toBe(sent[1]?.gesture);
+  });
+
+  test("members that a change, an answer or another page leaves alone stay the same objects", async () => {
+    const layersBefore = editor.scene?.layers;
+    editor.change({ camera: { position: [0, 0, 9], target: [0, 0, 0] } });
+    expect(editor.scene?.layers).toBe(layersBefore);
+    held = { ...structuredClone(scene), background: "light" };
+    editor.overheard(held);
+    expect(editor.scene).toMatchObject({ background: "light", camera: { position: [0, 0, 9] } });
+    expect(editor.scene?.layers).toBe(layersBefore);
+    await editor.undo(); // the server answers with another copy of the whole scene
+    expect(editor.scene?.background).toBeUndefined();
+    expect(editor.scene?.layers).toBe(layersBefore);
   });
 
   test("an amendment is undone with the step before it", () => {

@@ -1,5 +1,13 @@
 import { describe, expect, test } from "vitest";
-import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../src/model/merge_patch";
+import {
+  applyPatch,
+  composePatches,
+  diff,
+  equal,
+  keepEqual,
+  type Json,
+  type JsonObject,
+} from "../src/model/merge_patch";
 
 // Document, patch and result of the examples in RFC 7396, appendix A.
 const EXAMPLES: [Json, Json, Json][] = [
@@ -94,5 +102,35 @@ describe("merge patch", () => {
     expect(equal({ a: undefined as unknown as Json }, { b: 1 })).toBe(false);
     expect(equal([1, 2], [1])).toBe(false);
     expect(equal({ a: 1 }, [1])).toBe(false);
+  });
+});
+
+describe("keeping equal parts", () => {
+  const before = { a: { x: [1, 2] }, b: { y: [{ z: 1 }, { z: 2 }] }, c: 3 };
+
+  test("an equal document is the one of before", () => {
+    expect(keepEqual(before, structuredClone(before))).toBe(before);
+    expect(keepEqual(before, { c: 3, b: structuredClone(before.b), a: structuredClone(before.a) })).toBe(before);
+  });
+
+  test("a document that differs keeps the parts that do not", () => {
+    const after = { ...structuredClone(before), c: 4, d: null };
+    const kept = keepEqual(before, after) as JsonObject;
+    expect(kept).toEqual(after);
+    expect(kept.a).toBe(before.a);
+    expect(kept.b).toBe(before.b);
+  });
+
+  test("a list that differs keeps its equal items", () => {
+    const kept = keepEqual(before, { ...before, b: { y: [{ z: 1 }, { z: 5 }, { z: 6 }] } }) as typeof before;
+    expect(kept.b.y).toEqual([{ z: 1 }, { z: 5 }, { z: 6 }]);
+    expect(kept.b.y[0]).toBe(before.b.y[0]);
+    expect(keepEqual(before, { ...before, b: { y: [{ z: 1 }] } })).toEqual({ ...before, b: { y: [{ z: 1 }] } });
+  });
+
+  test("a part that is gone is not kept", () => {
+    expect(keepEqual(before, { c: 3 })).toEqual({ c: 3 });
+    expect(keepEqual(before, { a: [1], b: 2, c: 3 })).toEqual({ a: [1], b: 2, c: 3 });
+    expect(keepEqual(undefined, before)).toBe(before);
   });
 });

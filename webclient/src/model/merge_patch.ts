@@ -47,6 +47,22 @@ export function diff(from: JsonObject, to: JsonObject): JsonObject {
   return patch;
 }
 
+/**
+ * Returns `after`, with each part that equals the same part of `before` taken from `before`. Equal parts therefore stay
+ * the same objects, and their readers need not run again.
+ */
+export function keepEqual(before: Json | undefined, after: Json): Json {
+  if (Array.isArray(before) && Array.isArray(after)) {
+    const items = after.map((value, index) => keepEqual(before[index], value));
+    return items.length === before.length && items.every((item, index) => item === before[index]) ? before : items;
+  }
+  if (!isObject(before) || !isObject(after)) return after;
+  const members = Object.entries(after).map(([key, value]) => [key, keepEqual(before[key], value)] as const);
+  const isSame =
+    members.length === Object.keys(before).length && members.every(([key, value]) => value === before[key]);
+  return isSame ? before : Object.fromEntries(members);
+}
+
 export function equal(a: Json | undefined, b: Json | undefined): boolean {
   if (a === b) return true;
   if (Array.isArray(a) && Array.isArray(b)) {

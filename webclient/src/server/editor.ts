@@ -1,7 +1,7 @@
 // Local copy of the scene, kept in step with the server's. Changes apply at once and are sent at most once per
 // animation frame.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
-import { applyPatch, composePatches, diff, equal, type Json, type JsonObject } from "../model/merge_patch";
+import { applyPatch, composePatches, diff, keepEqual, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";
 import { PatchesAtOnce } from "./patches_at_once";
 import { SceneHistory, type Steps } from "./scene_history";
@@ -48,6 +48,13 @@ interface Change {
    */
   targetsRemovedLayer?: boolean;
 }
+
+const patched = (scene: Scene, patch: JsonObject): Scene =>
+  applyPatch(scene as unknown as Json, patch) as unknown as Scene;
+
+/** Returns `after`. Members equal to those of `before` stay the same objects. */
+const keptEqual = (before: Scene | null, after: Scene): Scene =>
+  keepEqual(before as unknown as Json, after as unknown as Json) as unknown as Scene;
 
 export class SceneEditor {
   private document: Scene | null = null;
@@ -104,9 +111,9 @@ export class SceneEditor {
   change(patch: object, gesture = this.newGesture()): void {
     if (this.document === null) return;
     const part = this.withoutLost(patch as JsonObject, this.document);
-    const changed = applyPatch(this.document as unknown as Json, part);
-    if (equal(changed, this.document as unknown as Json)) return;
-    this.document = changed as unknown as Scene;
+    const changed = keptEqual(this.document, patched(this.document, part));
+    if (changed === this.document) return;
+    this.document = changed;
     this.differsFromServer = true;
     const newest = this.queue.at(-1);
     const both = newest?.gesture === gesture ? composePatches(newest.patch, part) : null;
@@ -202,12 +209,13 @@ export class SceneEditor {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
     for (const [id, layer] of removedBetween(this.document, state.scene)) this.lost.set(id, layer);
-    this.document = state.scene;
+    let scene = state.scene;
     for (const change of [...onTheWay, ...this.queue]) {
-      const patch = this.withoutLost(change.patch, this.document);
+      const patch = this.withoutLost(change.patch, scene);
       if (patch !== change.patch) Object.assign(change, { patch, targetsRemovedLayer: true });
-      this.document = applyPatch(this.document as unknown as Json, patch) as unknown as Scene;
+      scene = patched(scene, patch);
     }
+    this.document = keptEqual(this.document, scene);
     this.queue = this.queue.filter(({ patch }) => Object.keys(patch).length > 0);
     this.differsFromServer = this.queue.length > 0 || this.unanswered.length > 0;
     this.events.changed();
