@@ -24,7 +24,7 @@ describe("what a layer is called", () => {
 
   test("layers of one name are told apart", () => {
     const layers: Record<string, Layer> = { a: { type: "surface" }, b: { type: "outline" }, c: { type: "surface" } };
-    expect([...layerNames({ dataset: "d", layers })]).toEqual([
+    expect([...layerNames({ layers })]).toEqual([
       ["a", "Whole boundary"],
       ["b", "Outline"],
       ["c", "Whole boundary (2)"],

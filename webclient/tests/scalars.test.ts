@@ -108,7 +108,7 @@ describe("scalars", () => {
       d: slice({}, { array: "U:y", coloring: {}, visible: false }),
       e: slice({}, { array: "U:z" }), // drawn in one color, so without legend
     };
-    expect(legendsOf({ dataset: "d", layers }, null).map(({ coloring, of }) => [coloring.array, of])).toEqual([
+    expect(legendsOf({ layers }, null).map(({ coloring, of }) => [coloring.array, of])).toEqual([
       ["p", { layers: ["a", "b"], contours: ["a"] }],
       ["U:x", { layers: [], contours: ["b", "c"] }],
     ]);

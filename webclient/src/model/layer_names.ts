@@ -1,6 +1,6 @@
 // Names of layers for display.
-import type { Layer, Scene, Vec3 } from "../generated/protocol";
-import { layersInOrder } from "./layer_order";
+import type { Layer, Vec3 } from "../generated/protocol";
+import { layersInOrder, type Layered } from "./layer_order";
 import { formatNumber } from "./numbers";
 
 const MOST_LISTED = 3;
@@ -42,7 +42,7 @@ export function layerName(layer: Layer): string {
 }
 
 /** Display names by layer id, in layer order. Equal names get a number, as in "Slice (2)". */
-export function layerNames(scene: Scene | null): Map<string, string> {
+export function layerNames(scene: Layered | null): Map<string, string> {
   const seen = new Map<string, number>();
   return new Map(
     layersInOrder(scene).map(([id, layer]) => {

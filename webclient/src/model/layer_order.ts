@@ -4,8 +4,11 @@ import type { JsonObject } from "./merge_patch";
 
 type Entry = [string, Layer];
 
+/** A scene, or the part of it that has the layers. */
+export type Layered = Pick<Scene, "layers">;
+
 /** Layers in the order in which the server draws them: by `order`, then by id. */
-export const layersInOrder = (scene: Scene | null): Entry[] =>
+export const layersInOrder = (scene: Layered | null): Entry[] =>
   Object.entries(scene?.layers ?? {}).sort(
     ([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : a > b ? 1 : 0),
   );

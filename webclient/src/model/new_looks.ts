@@ -2,8 +2,9 @@
 // color scale.
 import { complete, type FullCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
-import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer, Scene } from "../generated/protocol";
+import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer } from "../generated/protocol";
 import { AXES } from "./axes";
+import type { Layered } from "./layer_order";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
 /**
@@ -17,7 +18,7 @@ type Described = DatasetDescription | null;
  * Coloring by `array`. Copies the scene's color scale of that array if there is one, so that the layers share one
  * legend.
  */
-export function coloredBy(scene: Scene | null, description: Described, array: string): Coloring {
+export function coloredBy(scene: Layered | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
   const shared = legendsOf(scene, description).find(({ coloring }) => coloring.array === name);
   const scale: Coloring = { ...shared?.coloring, array };
@@ -26,7 +27,7 @@ export function coloredBy(scene: Scene | null, description: Described, array: st
 }
 
 /** Returns the first of SOLIDS that no layer of the type has. {} stands for the default color. */
-export function freshSolid(scene: Scene | null, type: "iso" | "surface"): Coloring {
+export function freshSolid(scene: Layered | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
   );
@@ -42,7 +43,7 @@ const mainScalars = (description: Described): string[] =>
   });
 
 /** Returns a scalar that no slice is colored by, or the first scalar if all are used. */
-export function freshArray(scene: Scene | null, description: Described): string | undefined {
+export function freshArray(scene: Layered | null, description: Described): string | undefined {
   const first = firstScalar(description);
   const taken = new Set(
     layersOf(scene, "slice").flatMap(([, { color }]) =>
@@ -60,7 +61,7 @@ const isWhole = (layer: Layer): boolean =>
  * Coloring of a new clip layer's caps by the first scalar. Empty if a visible layer shows the whole boundary colored by
  * an array, because the caps then have the colors of that layer.
  */
-export function capColoring(scene: Scene | null, description: Described): Pick<ClipLayer, "color"> {
+export function capColoring(scene: Layered | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
     (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
   );

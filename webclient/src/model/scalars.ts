@@ -1,6 +1,6 @@
 // Scalars of a dataset's arrays, and the color scales and legends of a scene.
 import { scaleOf } from "./color_range";
-import { layersInOrder } from "./layer_order";
+import { layersInOrder, type Layered } from "./layer_order";
 import { legendNameOf, legendNames } from "./legend_names";
 import { formatMeasured } from "./numbers";
 import { prettyUnits } from "../wasm/numbers_as_text";
@@ -94,7 +94,7 @@ export const shownTime = (description: DatasetDescription | null, scene: Scene |
 export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
 
 /** Layers of one type with their ids, in drawing order. */
-export function layersOf<T extends Layer["type"]>(scene: Scene | null, type: T): [string, LayerOf<T>][] {
+export function layersOf<T extends Layer["type"]>(scene: Layered | null, type: T): [string, LayerOf<T>][] {
   return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
@@ -128,7 +128,7 @@ interface ScaleOf {
 /**
  * Color scales of the caps of visible clip layers. Empty unless `layer` is the whole boundary, which draws the caps.
  */
-function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
+function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
     visible === false || caps === false || color?.array === undefined
@@ -138,7 +138,7 @@ function scalesOfCaps(scene: Scene | null, layer: Layer): ScaleOf[] {
 }
 
 /** Color scales of one visible layer: of the layer, of its contour lines and of its caps. */
-function scalesOf(scene: Scene | null, id: string, layer: Layer): ScaleOf[] {
+function scalesOf(scene: Layered | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
   const own = array === undefined ? [] : [{ part: "layers" as const, id, coloring: { ...layer.color, array } }];
@@ -159,7 +159,7 @@ export interface LegendOf {
  * Skips the layers in `empty`.
  */
 export function legendsOf(
-  scene: Scene | null,
+  scene: Layered | null,
   description: Pick<DatasetDescription, "arrays"> | null,
   empty: readonly EmptyLayer[] = [],
 ): LegendOf[] {

@@ -4,7 +4,9 @@ import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { Commands } from "../commands/commands";
 import type { FullCamera } from "../model/camera";
+import type { Layered } from "../model/layer_order";
 import { cameraOf, type Model } from "../model/model";
+import { shownTime } from "../model/scalars";
 
 export interface Page {
   model: Model;
@@ -26,6 +28,14 @@ export function useModel<V>(select: (model: Model) => V): V {
   const { model } = usePage();
   return useComputed(() => select(model)).value;
 }
+
+/** Layers of the scene. A panel that needs no other member is not rendered again when the camera moves. */
+export function useLayers(): Layered {
+  return { layers: useModel((model) => model.scene.value?.layers) };
+}
+
+/** Time step of the scene. */
+export const useShownTime = (): number => useModel((model) => shownTime(model.description.value, model.scene.value));
 
 /** Camera of the shown picture. It may be older than that of the scene. */
 export function useCamera(): FullCamera | null {

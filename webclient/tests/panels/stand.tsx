@@ -1,29 +1,62 @@
 // Renders one panel for tests, with a model but without a server. Commands are only recorded.
 import { render, type JSX } from "preact";
 import { act } from "preact/test-utils";
-import type { Commands } from "../../src/commands/commands";
-import type { DatasetDescription, Scene } from "../../src/generated/protocol";
+import { Commands } from "../../src/commands/commands";
+import type { Links } from "../../src/commands/links";
+import type { ArrayInfo, DatasetDescription, Scene } from "../../src/generated/protocol";
 import { makeModel, type Model } from "../../src/model/model";
 import type { PageState } from "../../src/model/state";
 import { PageContext } from "../../src/panels/context";
+import type { Server } from "../../src/server/server";
+import type { View } from "../../src/view/view";
 
 type Call = [name: string, ...args: unknown[]];
+type Answers = Record<string, unknown>;
 
-export const described = {
+const array = (name: string, range: [number, number], units: string): ArrayInfo => ({
+  name,
+  association: "point",
+  components: 1,
+  units,
+  description: "",
+  range,
+  scalars: [name],
+  times: [0, 0.5, 1],
+  origin: "original",
+  stored: "float32",
+  invalid: 0,
+  missing: 0,
+});
+
+export const described: DatasetDescription = {
   name: "box",
+  source: "box.vtu",
+  created: "",
   length_units: "m",
   times: [0, 0.5, 1],
-  bounds: { min: [0, 0, 0], max: [1, 1, 1] },
-  arrays: [
-    { name: "p", association: "point", components: 1, range: [0, 10], units: "Pa", scalars: ["p"] },
-    { name: "T", association: "point", components: 1, range: [200, 400], units: "K", scalars: ["T"] },
+  bounds: [0, 1, 0, 1, 0, 1],
+  default_bounds: [0, 1, 0, 1, 0, 1],
+  input: { vertices: 8, edges: 0, cells: 1 },
+  mesh: {
+    vertices: 8,
+    edges: 12,
+    half_edges: 24,
+    faces: 6,
+    cells: { hexahedron: 1 },
+    boundary_faces: 6,
+    components: 1,
+  },
+  arrays: [array("p", [0, 10], "Pa"), array("T", [200, 400], "K")],
+  groups: [
+    { name: "wall_left", of: "faces", count: 1 },
+    { name: "wall_right", of: "faces", count: 1 },
+    { name: "inlet", of: "faces", count: 4 },
   ],
-  groups: [],
+  notes: [],
   default_scene: { dataset: "box", layers: {} },
-  mesh: { vertices: 8, cells: { hexahedron: 1 } },
-} as unknown as DatasetDescription;
+};
 
-const ANSWERS: Record<string, unknown> = {
+const ANSWERS: Answers = {
   "layers.middleOf": 5,
   "layers.add": "iso2",
   newGesture: "gesture-1",
@@ -32,26 +65,47 @@ const ANSWERS: Record<string, unknown> = {
   "camera.get": null,
 };
 
-/** A fake of all commands. Each call is recorded with the command's path; some return a fixed result. */
-function recorder(calls: Call[], path: string[] = []): unknown {
-  return new Proxy(() => undefined, {
-    get: (_, name) =>
-      path.length === 0 && name === "colors" ? recordColors(calls) : recorder(calls, [...path, String(name)]),
-    apply: (_, __, args: unknown[]) => {
-      const name = path.join(".");
-      if (!(name in ANSWERS) || name === "layers.add") calls.push([name, ...args]);
-      return ANSWERS[name];
+/** Commands that only read. Panels call some of them at each rendering, so these calls are not recorded. */
+const READS = new Set(["layers.middleOf", "newGesture", "histogram", "page.pictureSize", "camera.get"]);
+
+const realCommands = (model: Model): Commands => new Commands(model, {} as Server, {} as View, {} as Links);
+
+/**
+ * A fake of all commands. Each call is recorded with the command's path; `answers` has the results. Throws for a name
+ * that `real` does not have.
+ */
+function recorder(real: object, calls: Call[], answers: Answers, path: readonly string[] = []): unknown {
+  return new Proxy(real, {
+    get: (_, member) => {
+      if (typeof member !== "string") return undefined;
+      const names = [...path, member];
+      const name = names.join(".");
+      const value: unknown = Reflect.get(real, member);
+      if (typeof value === "object" && value !== null) return recorder(value, calls, answers, names);
+      if (typeof value !== "function") throw new Error(`Commands has no ${name}; see src/commands/commands.ts`);
+      return (...args: unknown[]) => {
+        if (!READS.has(name)) calls.push([name, ...args]);
+        return answers[name];
+      };
     },
   });
 }
 
-function recordColors(calls: Call[]): unknown {
-  const beforeLog = new Map();
-  return new Proxy(
-    {},
-    { get: (_, name) => (name === "beforeLog" ? beforeLog : recorder(calls, ["colors", String(name)])) },
-  );
+/** Throws for an answer to a command that does not exist. */
+function checkNames(commands: Commands, answers: Answers): void {
+  for (const name of Object.keys(answers))
+    name.split(".").reduce((part: unknown, member) => (part as Record<string, unknown>)[member], commands);
 }
+
+export function recordedCommands(model: Model, calls: Call[], answers: Answers = {}): Commands {
+  const all = { ...ANSWERS, ...answers };
+  const commands = recorder(realCommands(model), calls, all) as Commands;
+  checkNames(commands, all);
+  return commands;
+}
+
+/** A place on a track in percent of its size, from its upper left corner. */
+type Place = readonly [x: number, y: number];
 
 export interface Stand {
   model: Model;
@@ -61,7 +115,14 @@ export interface Stand {
   find: (name: string) => HTMLElement;
   click: (name: string) => void;
   key: (name: string, key: string) => void;
+  /** Types into a number field or another field that takes the text at once, and presses Enter. */
   type: (name: string, text: string) => void;
+  /** Chooses an option, a color or a text of a field that tells its value when it is complete. */
+  choose: (name: string, value: string) => void;
+  /** Moves a slider to each of the values, as one gesture. */
+  slide: (name: string, ...values: number[]) => void;
+  /** Presses the pointer on an element, moves it to each of the places, and releases it. */
+  drag: (name: string, ...places: Place[]) => void;
   change: (change: () => void) => void;
 }
 
@@ -71,35 +132,76 @@ const nameOf = (element: Element): string =>
   element.getAttribute("title") ??
   element.textContent.trim();
 
-export function stand(panel: JSX.Element, scene: Scene, state: Partial<PageState> = {}): Stand {
-  const calls: Call[] = [];
-  const model = makeModel({ scene, description: described, connection: { kind: "open" }, ...state });
-  const root = document.createElement("div");
-  document.body.replaceChildren(root);
-  const commands = recorder(calls) as Commands;
-  void act(() => render(<PageContext.Provider value={{ model, commands }}>{panel}</PageContext.Provider>, root));
-  const find = (name: string): HTMLElement => {
-    const all = [...root.querySelectorAll<HTMLElement>("button, input, select, [role=slider], summary")];
+const NAMED = "button, input, select, [role=slider], [role=group], .points-bar, summary";
+
+function finderIn(root: HTMLElement): (name: string) => HTMLElement {
+  return (name) => {
+    const all = [...root.querySelectorAll<HTMLElement>(NAMED)];
     const found = all.find((element) => nameOf(element) === name) ?? all.find((one) => nameOf(one).startsWith(name));
     if (found === undefined) throw new Error(`no ${name}; there are: ${all.map(nameOf).join(", ")}`);
     return found;
   };
-  const dispatch = (name: string, event: Event): void => void act(() => void find(name).dispatchEvent(event));
+}
+
+/** Gives each element of the page a box of 100 by 100 pixels, because the fake page has no layout. */
+function laidOut(work: () => void): void {
+  const { getBoundingClientRect } = Element.prototype;
+  Element.prototype.getBoundingClientRect = () => new DOMRect(0, 0, 100, 100);
+  try {
+    work();
+  } finally {
+    Element.prototype.getBoundingClientRect = getBoundingClientRect;
+  }
+}
+
+function dragged(element: HTMLElement, places: readonly Place[]): void {
+  const events = [...places.map((place, i) => [i === 0 ? "pointerdown" : "pointermove", place] as const)];
+  const [x, y] = places.at(-1) ?? [0, 0];
+  laidOut(() => {
+    for (const [type, [clientX, clientY]] of [...events, ["pointerup", [x, y]] as const]) {
+      const event = new PointerEvent(type, { clientX, clientY, button: 0, pointerId: 1, bubbles: true });
+      void act(() => void element.dispatchEvent(event));
+    }
+  });
+}
+
+function valued(element: HTMLElement, value: string, event: "input" | "change"): void {
+  void act(() => {
+    (element as HTMLInputElement).value = value;
+    element.dispatchEvent(new Event(event, { bubbles: true }));
+  });
+}
+
+export function stand(panel: JSX.Element, scene: Scene, state: Partial<PageState> = {}, answers: Answers = {}): Stand {
+  const calls: Call[] = [];
+  const model = makeModel({ scene, description: described, connection: { kind: "open" }, ...state });
+  const root = document.createElement("div");
+  document.body.replaceChildren(root);
+  const commands = recordedCommands(model, calls, answers);
+  void act(() => render(<PageContext.Provider value={{ model, commands }}>{panel}</PageContext.Provider>, root));
+  const find = finderIn(root);
+  const key = (name: string, pressed: string): void => {
+    const event = new KeyboardEvent("keydown", { key: pressed, bubbles: true, cancelable: true });
+    void act(() => void find(name).dispatchEvent(event));
+  };
   return {
     model,
     calls,
     root,
     find,
     click: (name) => void act(() => find(name).click()),
-    key: (name, key) => dispatch(name, new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })),
+    key,
     type: (name, text) => {
-      const field = find(name) as HTMLInputElement;
-      void act(() => {
-        field.value = text;
-        field.dispatchEvent(new Event("input", { bubbles: true }));
-      });
-      dispatch(name, new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
+      valued(find(name), text, "input");
+      key(name, "Enter");
     },
+    choose: (name, value) => valued(find(name), value, "change"),
+    slide: (name, ...values) => {
+      const slider = find(name);
+      void act(() => void slider.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })));
+      for (const value of values) valued(slider, String(value), "input");
+    },
+    drag: (name, ...places) => dragged(find(name), places),
     change: (change) => void act(change),
   };
 }

@@ -1,14 +1,14 @@
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";
-import { arrayOf, shownTime } from "../../model/scalars";
-import { useCommands, useModel } from "../context";
+import { arrayOf } from "../../model/scalars";
+import { useCommands, useModel, useShownTime } from "../context";
 
 /** Histogram of a scalar at the shown time. null until it has arrived, and if the scalar has no values at that time. */
 export function useDataRange(array: string): Histogram | null {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const time = useShownTime();
   const description = useModel((model) => model.description.value);
-  return description === null ? null : commands.histogram(description.name, array, shownTime(description, scene));
+  return description === null ? null : commands.histogram(description.name, array, time);
 }
 
 /** Range of a scalar at the shown time. Until it is known, the array's range over all times, or [0, 1]. */

@@ -6,7 +6,7 @@ import { freshSolid } from "../../model/new_looks";
 import { layersOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
 import { IconButton, Section } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 import { EdgesFields } from "./line_fields";
 import { PatchList } from "./patch_list";
 import { RemoveButton } from "../controls/remove_button";
@@ -50,9 +50,9 @@ function FurtherCard({ id, layer, number }: { id: string; layer: SurfaceLayer; n
 
 export function BoundarySection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
   const description = useModel((model) => model.description.value);
-  const [entry, ...further] = layersOf(scene, "surface");
+  const [entry, ...further] = layersOf(layers, "surface");
   const shown = entry !== undefined && entry[1].visible !== false;
   const show = (groups: string[] | null): void => {
     if (entry !== undefined)
@@ -61,10 +61,10 @@ export function BoundarySection(): JSX.Element {
   };
   // A new layer starts with a patch that no other layer shows, because coincident layers would hide each other.
   const addFurther = (): void => {
-    const taken = new Set(layersOf(scene, "surface").flatMap(([, layer]) => layer.groups ?? []));
+    const taken = new Set(layersOf(layers, "surface").flatMap(([, layer]) => layer.groups ?? []));
     const free = description?.groups.find(({ of, name }) => of === "faces" && !taken.has(name));
     const groups = free === undefined ? [] : [free.name];
-    commands.layers.add("surface", { type: "surface", groups, color: freshSolid(scene, "surface") });
+    commands.layers.add("surface", { type: "surface", groups, color: freshSolid(layers, "surface") });
   };
   const button = entry && (
     <IconButton icon="plus" label="Add another layer of the boundary" text="Add" onClick={addFurther} />

@@ -8,7 +8,7 @@ import { layersOf } from "../../model/scalars";
 import { AddPlaneRow } from "./add_plane_row";
 import { ColoringFields } from "../color/coloring";
 import { Check, IconButton, Section } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 import { PlaneFields } from "./plane_fields";
 import { PositionRow } from "./position_row";
 import { RemoveButton } from "../controls/remove_button";
@@ -66,16 +66,16 @@ function ClipCard({ id, layer }: { id: string; layer: ClipLayer }): JSX.Element 
 
 export function ClipSection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
   const description = useModel((model) => model.description.value);
-  const clips = layersOf(scene, "clip");
+  const clips = layersOf(layers, "clip");
   const full = clips.filter(([, layer]) => layer.visible !== false).length >= MOST_SHOWN;
   const add = (across: Across): void => {
     if (description === null) return;
     const centre = boundsCentre(description.bounds);
     const normal = normalOf(across);
     const looks = {
-      ...capColoring(scene, description),
+      ...capColoring(layers, description),
       ...(keepsFarHalf(normal, commands.camera.get()) && { invert: true }),
     };
     if (across === "free") commands.layers.add("clip", { type: "clip", origin: centre, normal, ...looks });

@@ -3,10 +3,10 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { IsoLayer, Range } from "../../generated/protocol";
 import { formatNumber, logarithmicStart } from "../../model/numbers";
-import { arrayOf, scalarsOf, shownTime, unitsOf } from "../../model/scalars";
+import { arrayOf, scalarsOf, unitsOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
 import { Check, IconButton, SelectField } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useModel, useShownTime } from "../context";
 import { HistogramSlider } from "../controls/histogram_slider";
 import { EdgesFields } from "./line_fields";
 import { RemoveButton } from "../controls/remove_button";
@@ -72,11 +72,10 @@ function OutsideHint({ values, range }: { values: readonly number[]; range: Rang
 export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
-  const scene = useModel((model) => model.scene.value);
+  const time = useShownTime();
   const [scales, setScales] = useState<Scales>({ counts: true, axis: false });
   const visible = layer.visible !== false;
   const units = unitsOf(description, layer.array);
-  const time = shownTime(description, scene);
   const histogram = description === null ? null : commands.histogram(description.name, layer.array, time);
   const own = arrayOf(description, layer.array)?.range;
   const range: Range = histogram?.range ?? own ?? [Math.min(0, ...layer.values), Math.max(1, ...layer.values)];

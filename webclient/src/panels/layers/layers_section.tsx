@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { layerNames } from "../../model/layer_names";
 import { layersInOrder } from "../../model/layer_order";
 import { IconButton, Section } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 
 type Step = "up" | "down";
 type Drag = { id: string; over: number | null } | null;
@@ -72,13 +72,13 @@ function LayerRow({ id, name, visible, reason, place, count, move, mark, drag }:
 
 export function LayersSection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layered = useLayers();
   const empty = useModel((model) => model.empty.value);
   const list = useRef<HTMLOListElement>(null);
   const moved = useRef<{ id: string; step: Step } | null>(null);
   const [drag, setDrag] = useState<Drag>(null);
-  const layers = layersInOrder(scene);
-  const names = layerNames(scene);
+  const layers = layersInOrder(layered);
+  const names = layerNames(layered);
   const order = JSON.stringify(layers.map(([id]) => id));
   // Restores the focus, which a moved row loses. At an end of the list one of its two buttons is disabled, so the other
   // one gets the focus.

@@ -5,7 +5,7 @@ import { formatCount } from "../../model/numbers";
 import { layersOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
 import { IconButton, NumberField, Section, SelectField } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 import { PatchList } from "./patch_list";
 import { RemoveButton } from "../controls/remove_button";
 import { ThresholdFields } from "./threshold_fields";
@@ -152,7 +152,7 @@ function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Elem
 
 export function LinesAndPointsSection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
   const disabled = useModel((model) => model.description.value === null);
   return (
     <Section title="Lines and points">
@@ -172,10 +172,10 @@ export function LinesAndPointsSection(): JSX.Element {
           onClick={() => commands.layers.add("points", { type: "points" })}
         />
       </div>
-      {layersOf(scene, "edges").map(([id, layer]) => (
+      {layersOf(layers, "edges").map(([id, layer]) => (
         <EdgesCard key={id} id={id} layer={layer} />
       ))}
-      {layersOf(scene, "points").map(([id, layer]) => (
+      {layersOf(layers, "points").map(([id, layer]) => (
         <PointsCard key={id} id={id} layer={layer} />
       ))}
     </Section>

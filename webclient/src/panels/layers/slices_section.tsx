@@ -8,25 +8,25 @@ import { layersOf } from "../../model/scalars";
 import { furtherSlice } from "../../model/slices";
 import { AddPlaneRow } from "./add_plane_row";
 import { Section } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 import { SliceCard } from "./slice_card";
 
 export function SlicesSection(): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
   // At first only the first slice is unfolded, so that the positions of all slices are visible.
   const [opened, setOpened] = useState<readonly string[] | null>(null);
   const first = useRef<string | undefined>(undefined);
   const added = useRef<string | null>(null);
-  const slices = layersOf(scene, "slice");
-  const names = layerNames(scene);
+  const slices = layersOf(layers, "slice");
+  const names = layerNames(layers);
   if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept while it exists
   const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
   const add = (across: Across): void => {
     if (description === null) return;
-    const array = freshArray(scene, description);
-    const color = array === undefined ? {} : coloredBy(scene, description, array);
+    const array = freshArray(layers, description);
+    const color = array === undefined ? {} : coloredBy(layers, description, array);
     const slice = furtherSlice(slices, across, description.bounds, color);
     added.current = commands.layers.add(across === "free" ? "slice" : `slice-${across}`, slice);
     if (added.current !== null) setOpened([added.current]);

@@ -2,9 +2,9 @@
 import type { JSX } from "preact";
 import type { Range, Threshold } from "../../generated/protocol";
 import { formatNumber, fractionOf, valueAt, withEnd } from "../../model/numbers";
-import { arrayOf, firstScalar, shownTime, allScalarsOf } from "../../model/scalars";
+import { arrayOf, firstScalar, allScalarsOf } from "../../model/scalars";
 import { Check, NumberField, SelectField, Slider } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useModel, useShownTime } from "../context";
 
 interface ThresholdProps {
   id: string;
@@ -51,13 +51,13 @@ function ThresholdEnd({ end, range, whole, set }: EndProps): JSX.Element {
 export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.Element | null {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
-  const scene = useModel((model) => model.scene.value);
+  const time = useShownTime();
   const scalars = allScalarsOf(description);
   const first = color ?? firstScalar(description) ?? scalars[0]?.name;
   if (first === undefined || description === null) return null;
   const shown = threshold !== undefined && threshold.enabled !== false;
   const wholeOf = (array: string): Range => {
-    const known = commands.histogram(description.name, array, shownTime(description, scene));
+    const known = commands.histogram(description.name, array, time);
     return known?.range ?? arrayOf(description, array)?.range ?? [0, 1];
   };
   const set = (change: Partial<Threshold>, gesture?: string): void =>

@@ -4,7 +4,7 @@ import { layersOf } from "../../model/scalars";
 import { Check, Section, SelectField } from "../controls/controls";
 import { DEFAULT_SOLID } from "../color/coloring";
 import { AnnotationFields } from "./annotation_fields";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 
 const STREAMS = [
   { value: "auto", text: "Automatic" },
@@ -16,11 +16,12 @@ const CUSTOM = "custom";
 
 export function ViewSection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
+  const background = useModel((model) => model.scene.value?.background) ?? "dark";
+  const annotations = useModel((model) => model.scene.value?.annotations) ?? {};
   const choice = useModel((model) => model.streamChoice.value);
   const why = useModel((model) => model.streamWhy.value);
-  const [outline] = layersOf(scene, "outline");
-  const background = scene?.background ?? "dark";
+  const [outline] = layersOf(layers, "outline");
   const own = background.startsWith("#");
   const toggleOutline = (visible: boolean): void => {
     if (outline !== undefined) commands.layers.set(outline[0], { visible });
@@ -75,7 +76,7 @@ export function ViewSection(): JSX.Element {
         </label>
       )}
       <AnnotationFields
-        annotations={scene?.annotations ?? {}}
+        annotations={annotations}
         change={(annotations, gesture) => commands.change({ annotations }, gesture)}
         newGesture={() => commands.newGesture()}
       />

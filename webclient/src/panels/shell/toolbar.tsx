@@ -5,7 +5,7 @@ import type { Theme } from "../../model/state";
 import { layerNames } from "../../model/layer_names";
 import { MINUS } from "../../model/numbers";
 import { Check, IconButton, Menu, SelectField } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel } from "../context";
 import { PictureMenu } from "./picture_menu";
 import { ShareMenu } from "./share_menu";
 import { ConnectionBadge } from "./connection_badge";
@@ -77,24 +77,24 @@ const FORMATS: { format: ExportFormat; text: string }[] = [
 
 function ExportMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
-  const layers = Object.entries(scene?.layers ?? {}).filter(([, { type }]) =>
+  const layers = useLayers();
+  const surfaces = Object.entries(layers.layers ?? {}).filter(([, { type }]) =>
     ["iso", "slice", "surface"].includes(type),
   );
-  const names = layerNames(scene);
+  const names = layerNames(layers);
   const [chosen, setChosen] = useState<{ id: string; after: string | null }>({ id: "", after: null });
   const [triangles, setTriangles] = useState(false);
   const touched = useModel((model) => model.touched.value);
   const preferred = chosen.after === touched ? [chosen.id, touched] : [touched];
-  const layer = preferred.find((id) => layers.some(([other]) => other === id)) ?? layers[0]?.[0] ?? "";
+  const layer = preferred.find((id) => surfaces.some(([other]) => other === id)) ?? surfaces[0]?.[0] ?? "";
   return (
-    <Menu icon="download" label="Export a surface" disabled={disabled || layers.length === 0}>
+    <Menu icon="download" label="Export a surface" disabled={disabled || surfaces.length === 0}>
       {(close) => (
         <>
           <SelectField
             label="Surface"
             value={layer}
-            options={layers.map(([id]) => ({ value: id, text: names.get(id) ?? id }))}
+            options={surfaces.map(([id]) => ({ value: id, text: names.get(id) ?? id }))}
             onChange={(id) => setChosen({ id, after: touched })}
           />
           <Check label="Triangles only" checked={triangles} onChange={setTriangles} />

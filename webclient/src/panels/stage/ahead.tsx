@@ -1,6 +1,7 @@
 // Draws changes of the scene that the shown picture lacks over it, if the newer picture is late. Polygons lag behind
 // values only: the page turns them itself.
 import type { JSX } from "preact";
+import type { Scene } from "../../generated/protocol";
 import { ahead } from "../../model/ahead";
 import { cameraOf } from "../../model/model";
 import { useModel } from "../context";
@@ -9,20 +10,16 @@ import { useLasting } from "../controls/lasting";
 /** Milliseconds of latency above which these changes are drawn. */
 const BEHIND_MS = 120;
 
-export function Ahead(): JSX.Element | null {
-  const shownScene = useModel((model) => model.shownScene.value);
-  const { stream, revision, latencyMs, frame } = useModel((model) => model.readout.value);
+/** The drawing. Its own component, because it is rendered again at each move of the camera. */
+function Drawn({ known }: { known: Scene }): JSX.Element | null {
   const wanted = useModel((model) => model.scene.value);
+  const stream = useModel((model) => model.readout.value.stream);
   const bounds = useModel((model) => model.description.value?.bounds);
   const size = useModel((model) => model.canvasSize.value);
-  const newest = useModel((model) => (model.pending.value ? -1 : model.revision.value));
-  const differs = revision > 0 && newest !== revision;
-  const isLate = useLasting(differs, BEHIND_MS, frame);
-  const shown = differs && (isLate || (latencyMs ?? 0) > BEHIND_MS) ? shownScene : null;
   const camera = useModel(cameraOf);
-  if (shown === null || wanted === null || bounds === undefined || camera === null) return null;
-  const known = stream === "geometry" ? { ...shown, camera: wanted.camera } : shown;
-  const { lines, words } = ahead(known, wanted, camera, bounds, size);
+  if (wanted === null || bounds === undefined || camera === null) return null;
+  const shown = stream === "geometry" ? { ...known, camera: wanted.camera } : known;
+  const { lines, words } = ahead(shown, wanted, camera, bounds, size);
   if (lines.length + words.length === 0) return null;
   return (
     <svg class="ahead" aria-hidden="true">
@@ -36,4 +33,14 @@ export function Ahead(): JSX.Element | null {
       ))}
     </svg>
   );
+}
+
+export function Ahead(): JSX.Element | null {
+  const shownScene = useModel((model) => model.shownScene.value);
+  const { revision, latencyMs, frame } = useModel((model) => model.readout.value);
+  const newest = useModel((model) => (model.pending.value ? -1 : model.revision.value));
+  const differs = revision > 0 && newest !== revision;
+  const isLate = useLasting(differs, BEHIND_MS, frame);
+  const isDrawn = differs && (isLate || (latencyMs ?? 0) > BEHIND_MS);
+  return isDrawn && shownScene !== null ? <Drawn known={shownScene} /> : null;
 }

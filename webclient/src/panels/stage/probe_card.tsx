@@ -1,5 +1,6 @@
 // Card with the values at the clicked point, and a mark at that point.
 import type { JSX } from "preact";
+import type { Vec3 } from "../../generated/protocol";
 import { project } from "../../model/camera";
 import { extremesText } from "../../model/cell_extremes";
 import { formatNumber } from "../../model/numbers";
@@ -27,25 +28,29 @@ function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Eleme
   );
 }
 
+/** Mark at the clicked point. Its own component, because it is rendered again at each move of the camera. */
+function ProbeMark({ position }: { position: Vec3 }): JSX.Element | null {
+  const size = useModel((model) => model.canvasSize.value);
+  const camera = useCamera();
+  const mark = camera === null ? null : project(camera, position, size);
+  if (mark === null) return null;
+  return <div class="probe-mark" style={{ left: `${mark.x}px`, top: `${mark.y}px` }} aria-hidden="true" />;
+}
+
 const solverId = (id: number | undefined): string => (id === undefined ? "" : ` (${id} to the solver)`);
 
 export function ProbeCard(): JSX.Element | null {
   const commands = useCommands();
   const probe = useModel((model) => model.probe.value);
   const description = useModel((model) => model.description.value);
-  const size = useModel((model) => model.canvasSize.value);
   const shownTime = useModel((model) => model.readout.value.time);
   const position = probe?.result.position;
   if (probe === null || !position) return null;
-  const camera = useCamera();
-  const mark = camera === null ? null : project(camera, position, size);
   const { result } = probe;
   const units = description?.length_units ?? "";
   return (
     <>
-      {mark !== null && (
-        <div class="probe-mark" style={{ left: `${mark.x}px`, top: `${mark.y}px` }} aria-hidden="true" />
-      )}
+      <ProbeMark position={position} />
       <aside class="probe" aria-label="Values at the clicked point" aria-live="polite">
         <header>
           <strong>{`(${position.map((v) => formatNumber(v)).join(", ")}) ${units}`.trim()}</strong>

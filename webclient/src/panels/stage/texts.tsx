@@ -13,11 +13,11 @@ import { equal } from "../../model/merge_patch";
 import { exponentOf, labelOn } from "../../wasm/color_labels";
 import { layTexts, type Box, type LegendText, type Overlay } from "../../wasm/overlay";
 import { cellsText, extremesText } from "../../model/cell_extremes";
-import { arrayOf, legendsOf, rangeOfAllSteps, shownTime, unitsOf, type LegendOf } from "../../model/scalars";
+import { arrayOf, legendsOf, rangeOfAllSteps, unitsOf, type LegendOf } from "../../model/scalars";
 import { legendTitle } from "../../model/legend_names";
 import { numberAlone } from "../../wasm/numbers_as_text";
 import { IconButton, NumberField } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel, useShownTime } from "../context";
 import { Drawing } from "./drawing";
 
 /** CSS pixels kept free between the bounding box and a legend. */
@@ -40,12 +40,13 @@ interface Entry extends LegendOf {
 /** The legends of the scene whose range is known. */
 function useEntries(): Entry[] {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
+  const time = useShownTime();
+  const hidden = useModel((model) => model.scene.value?.annotations?.legend === false);
   const empty = useModel((model) => model.empty.value);
   const description = useModel((model) => model.description.value);
-  if (description === null || scene?.annotations?.legend === false) return [];
-  const time = shownTime(description, scene);
-  return legendsOf(scene, description, empty).flatMap((legend) => {
+  if (description === null || hidden) return [];
+  return legendsOf(layers, description, empty).flatMap((legend) => {
     const { coloring } = legend;
     const data = commands.histogram(description.name, coloring.array, time);
     const known = data?.range ?? coloring.range ?? null;
@@ -214,12 +215,15 @@ const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
 
 export function Texts(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const name = useModel((model) => model.scene.value?.dataset);
+  const background = useModel((model) => model.scene.value?.background);
+  const annotations = useModel((model) => model.scene.value?.annotations);
+  const shownTime = useShownTime();
   const description = useModel((model) => model.description.value);
   const missing = useModel((model) => model.missing.value);
   const size = useModel((model) => model.canvasSize.value);
   const entries = useEntries();
-  const { title = "", dataset = false, time = false, scale: zoom = 1 } = scene?.annotations ?? {};
+  const { title = "", dataset = false, time = false, scale: zoom = 1 } = annotations ?? {};
   const hasSteps = (description?.times.length ?? 0) > 1;
   const text = textPixels(size) * zoom;
   const legends = entries.map((entry): LegendText => {
@@ -236,10 +240,10 @@ export function Texts(): JSX.Element {
     };
   });
   const captions = [
-    ...(dataset && scene !== null ? [scene.dataset] : []),
-    ...(time ? [`Time: ${numberAlone(shownTime(description, scene))}`] : []),
+    ...(dataset && name !== undefined ? [name] : []),
+    ...(time ? [`Time: ${numberAlone(shownTime)}`] : []),
   ];
-  const wanted = { size, text, background: backgroundColors(scene?.background), title, captions, legends };
+  const wanted = { size, text, background: backgroundColors(background), title, captions, legends };
   const key = JSON.stringify(wanted);
   const { overlay, taken } = useMemo(() => layTexts(wanted), [key]);
   useEffect(() => {

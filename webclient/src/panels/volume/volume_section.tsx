@@ -4,10 +4,10 @@ import type { Range, VolumeLayer } from "../../generated/protocol";
 import { rangeOf } from "../../model/color_range";
 import { coloredBy } from "../../model/new_looks";
 import { DEFAULT_OPACITY, firstOpacity, inserted, middleOfGap, type OpacityPoint } from "../../model/opacity";
-import { arrayOf, firstScalar, layersOf, scalarsOf, shownTime, unitsOf } from "../../model/scalars";
+import { arrayOf, firstScalar, layersOf, scalarsOf, unitsOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
 import { Check, IconButton, NumberField, Section, SelectField } from "../controls/controls";
-import { useCommands, useModel } from "../context";
+import { useCommands, useLayers, useModel, useShownTime } from "../context";
 import { OpacityEditor } from "./opacity_editor";
 import { RemoveButton } from "../controls/remove_button";
 
@@ -68,9 +68,8 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
 function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
-  const scene = useModel((model) => model.scene.value);
+  const time = useShownTime();
   const visible = layer.visible !== false;
-  const time = shownTime(description, scene);
   const histogram = description === null ? null : commands.histogram(description.name, layer.array, time);
   const data: Range = histogram?.range ?? arrayOf(description, layer.array)?.range ?? [0, 1];
   const points: readonly OpacityPoint[] = layer.opacity_points ?? DEFAULT_OPACITY;
@@ -118,14 +117,15 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
 
 export function VolumeSection(): JSX.Element {
   const commands = useCommands();
-  const scene = useModel((model) => model.scene.value);
+  const layers = useLayers();
+  const time = useShownTime();
   const description = useModel((model) => model.description.value);
   const first = firstScalar(description);
-  const volumes = layersOf(scene, "volume");
+  const volumes = layersOf(layers, "volume");
   const add = (): void => {
     if (first === undefined || description === null) return;
-    const counts = commands.histogram(description.name, first, shownTime(description, scene))?.counts ?? null;
-    const color = coloredBy(scene, description, first);
+    const counts = commands.histogram(description.name, first, time)?.counts ?? null;
+    const color = coloredBy(layers, description, first);
     delete color.array; // the layer has its own member for the array
     commands.layers.add("volume", { type: "volume", array: first, color, opacity_points: firstOpacity(counts) });
   };
