@@ -1,5 +1,5 @@
 // Commands for the colorings of layers and contour lines.
-import type { ColoringChange } from "../model/color_edit";
+import { withLog, type ColoringChange } from "../model/color_edit";
 import type { Json, JsonObject } from "../model/merge_patch";
 import { percentiles } from "../model/percentiles";
 import { coloredBy } from "../model/new_looks";
@@ -11,8 +11,8 @@ const USUAL_SHARES = [0.01, 0.99] as const;
 const USUAL_BINS = 1024;
 
 export class ColorCommands {
-  /** Colorings before the logarithmic scale was switched on, by layer. */
-  readonly beforeLog = new Map<string, Coloring>();
+  /** Colorings before the logarithmic scale was switched on, by the layers and contour lines that have them. */
+  private readonly beforeLog = new Map<string, Coloring>();
 
   constructor(private readonly deps: Deps) {}
 
@@ -24,6 +24,14 @@ export class ColorCommands {
     this.deps.model.touched.value = layers.at(-1) ?? contours.at(-1) ?? null;
     for (const id of contours) patch[id] = { ...(patch[id] as JsonObject | undefined), contours: { coloring: color } };
     this.deps.server.editor.change({ layers: patch }, gesture);
+  }
+
+  /** Switches the logarithmic scale on or off. Off restores what switching it on has changed, unless it was changed since. */
+  setLog(of: Colored, coloring: Coloring, on: boolean): void {
+    const key = JSON.stringify(of);
+    this.set(of, withLog(coloring, on, this.beforeLog.get(key)));
+    if (on) this.beforeLog.set(key, coloring);
+    else this.beforeLog.delete(key);
   }
 
   /** Colors by an array, or with one color if `array` is null. Removes the range of the previous array. */

@@ -7,7 +7,6 @@ import type { Coloring, Range } from "../../generated/protocol";
 import {
   MOST_STEPS,
   pointsOf,
-  withLog,
   withMap,
   withDataRange,
   withRangeEnd,
@@ -140,19 +139,17 @@ interface WaysProps {
 
 function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
   const commands = useCommands();
-  const key = JSON.stringify(of);
   const isBoth = scale.log && coloring.symmetric === true;
-  const setLog = (on: boolean): void => {
-    change(withLog(coloring, on, commands.colors.beforeLog.get(key)));
-    if (on) commands.colors.beforeLog.set(key, coloring);
-    else commands.colors.beforeLog.delete(key);
-  };
   const steps = coloring.steps ?? null;
   return (
     <>
       <div class="scale-checks">
         <Check label="Reverse" checked={scale.reverse} onChange={(on) => change({ reverse: on || undefined })} />
-        <Check label="Logarithmic" checked={scale.log && !isBoth} onChange={setLog} />
+        <Check
+          label="Logarithmic"
+          checked={scale.log && !isBoth}
+          onChange={(on) => commands.colors.setLog(of, coloring, on)}
+        />
         <Check
           label="Symmetric"
           checked={coloring.symmetric === true && !isBoth}
