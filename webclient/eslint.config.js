@@ -23,12 +23,20 @@ export default tseslint.config(
         {
           patterns: [
             {
-              regex: `^(\\.\\./)+(${[...folders.slice(level + 1), ...(folder === "panels" ? ["server", "view"] : []), "main"].join("|")})(/|$)`,
+              regex: `^(\\.\\./)+(${[...folders.slice(level + 1), ...(folder === "panels" ? ["wasm", "server", "view"] : []), "main"].join("|")})(/|$)`,
               message:
                 "The folders of src/ import those before them only: wasm, model, server, view, commands, panels.",
             },
           ],
         },
+      ],
+      // no-restricted-imports does not see these forms of an import.
+      "no-restricted-syntax": [
+        "error",
+        ...["ImportExpression", "TSImportType"].map((selector) => ({
+          selector,
+          message: "Import at the top of the file, so that the rule on folders applies.",
+        })),
       ],
     },
   })),

@@ -4,8 +4,8 @@ import type { DatasetDescription } from "../../generated/protocol";
 import { arrayFacts } from "../../model/array_facts";
 import { extremesText } from "../../model/cell_extremes";
 import { datasetFacts } from "../../model/dataset_facts";
+import { prettyUnits } from "../../model/layout";
 import { formatCount, formatNumber } from "../../model/numbers";
-import { prettyUnits } from "../../wasm/numbers_as_text";
 import { Section } from "../controls/controls";
 import { useModel } from "../context";
 

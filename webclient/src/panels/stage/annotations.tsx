@@ -1,9 +1,9 @@
 // Axes of the bounding box and the triad over the canvas. Frames contain no text (Annotations in protocol/openrpc.json).
-// The layout is that of saved pictures (../../wasm/overlay.ts).
+// The layout is that of saved pictures (../../model/layout.ts).
 import type { JSX } from "preact";
 import { backgroundColors } from "../../model/background";
 import { textPixels } from "../../model/canvas_size";
-import { layOut } from "../../wasm/overlay";
+import { layOut } from "../../model/layout";
 import { useCamera, useModel } from "../context";
 import { Drawing } from "./drawing";
 

@@ -1,6 +1,6 @@
-// A drawing of the layout (../../wasm/overlay.ts), as SVG.
+// A drawing of the layout (../../model/layout.ts), as SVG.
 import type { JSX } from "preact";
-import type { Fill, Overlay } from "../../wasm/overlay";
+import type { Fill, Overlay } from "../../model/layout";
 
 /** CSS pixels of halo on each side of a letter or a stroke. */
 const HALO = 1.5;

@@ -1,5 +1,5 @@
 // Title, captions and legends over the canvas, with the fields and buttons of the legends. Frames contain no text
-// (Annotations in protocol/openrpc.json). The layout is that of saved pictures (../../wasm/overlay.ts).
+// (Annotations in protocol/openrpc.json). The layout is that of saved pictures (../../model/layout.ts).
 import type { JSX } from "preact";
 import { useEffect, useMemo } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
@@ -10,12 +10,18 @@ import type { Size } from "../../model/camera";
 import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
 import { rangeOf, scaleOf } from "../../model/color_range";
 import { equal } from "../../model/merge_patch";
-import { exponentOf, labelOn } from "../../wasm/color_labels";
-import { layTexts, type Box, type LegendText, type Overlay } from "../../wasm/overlay";
+import {
+  exponentOf,
+  labelOn,
+  layTexts,
+  numberAlone,
+  type Box,
+  type LegendText,
+  type Overlay,
+} from "../../model/layout";
 import { cellsText, extremesText } from "../../model/cell_extremes";
 import { arrayOf, legendsOf, rangeOfAllSteps, unitsOf, type LegendOf } from "../../model/scalars";
 import { legendTitle } from "../../model/legend_names";
-import { numberAlone } from "../../wasm/numbers_as_text";
 import { IconButton, NumberField } from "../controls/controls";
 import { useCommands, useLayers, useModel, useShownTime } from "../context";
 import { Drawing } from "./drawing";
