@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { options, render, type ComponentType, type JSX } from "preact";
+import { options, render, type ComponentType, type JSX, type VNode } from "preact";
 import { act } from "preact/test-utils";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { Scene } from "../../src/generated/protocol";
@@ -22,7 +22,7 @@ type Panel = (this: unknown, ...args: unknown[]) => unknown;
 
 let counts: Counts = {};
 const counting = new Map<unknown, Panel>();
-const { vnode } = options;
+const { vnode } = options as { vnode?: (node: VNode) => void };
 
 /** Returns a component that counts the renderings of `panel`. The same for each element of it. */
 function counted(panel: Panel): Panel {
@@ -47,7 +47,8 @@ beforeEach(() => {
   };
 });
 afterEach(() => {
-  options.vnode = vnode;
+  if (vnode === undefined) delete options.vnode;
+  else options.vnode = vnode;
 });
 
 const BUSY = { ...emptyReadout, stream: "image" as const, revision: 1, latencyMs: 500 };

@@ -1,14 +1,12 @@
 // Renders one panel for tests, with a model but without a server. Commands are only recorded.
 import { render, type JSX } from "preact";
 import { act } from "preact/test-utils";
+import { vi } from "vitest";
 import { Commands } from "../../src/commands/commands";
-import type { Links } from "../../src/commands/links";
 import type { ArrayInfo, DatasetDescription, Scene } from "../../src/generated/protocol";
 import { makeModel, type Model } from "../../src/model/model";
 import type { PageState } from "../../src/model/state";
 import { PageContext } from "../../src/panels/context";
-import type { Server } from "../../src/server/server";
-import type { View } from "../../src/view/view";
 
 type Call = [name: string, ...args: unknown[]];
 type Answers = Record<string, unknown>;
@@ -56,6 +54,8 @@ export const described: DatasetDescription = {
   default_scene: { dataset: "box", layers: {} },
 };
 
+const NONE = null as never;
+
 const ANSWERS: Answers = {
   "layers.middleOf": 5,
   "layers.add": "iso2",
@@ -68,7 +68,8 @@ const ANSWERS: Answers = {
 /** Commands that only read. Panels call some of them at each rendering, so these calls are not recorded. */
 const READS = new Set(["layers.middleOf", "newGesture", "histogram", "page.pictureSize", "camera.get"]);
 
-const realCommands = (model: Model): Commands => new Commands(model, {} as Server, {} as View, {} as Links);
+/** Commands that cannot act, because they have no server, view and links. They tell which names there are. */
+const realCommands = (model: Model): Commands => new Commands(model, NONE, NONE, NONE);
 
 /**
  * A fake of all commands. Each call is recorded with the command's path; `answers` has the results. Throws for a name
@@ -145,12 +146,11 @@ function finderIn(root: HTMLElement): (name: string) => HTMLElement {
 
 /** Gives each element of the page a box of 100 by 100 pixels, because the fake page has no layout. */
 function laidOut(work: () => void): void {
-  const { getBoundingClientRect } = Element.prototype;
-  Element.prototype.getBoundingClientRect = () => new DOMRect(0, 0, 100, 100);
+  const box = vi.spyOn(Element.prototype, "getBoundingClientRect").mockReturnValue(new DOMRect(0, 0, 100, 100));
   try {
     work();
   } finally {
-    Element.prototype.getBoundingClientRect = getBoundingClientRect;
+    box.mockRestore();
   }
 }
 
