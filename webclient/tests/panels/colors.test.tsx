@@ -96,10 +96,7 @@ describe("the color scale", () => {
   test("takes the range in view, of most values, of the data and of all times", async () => {
     const ranges = { "colors.rangeInView": Promise.resolve([3, 4]), "colors.usualRange": Promise.resolve(null) };
     const { calls, click } = scalePanel({ range: [1, 2] }, ranges);
-    for (const button of ["The range of the values that are in view", "The range of the values at this time"])
-      click(button);
-    click("The range of the data at each time");
-    click("The range at all times");
+    for (const button of ["In view", "1–99 %", "Data", "All times"]) click(button);
     await Promise.all(Object.values(ranges));
     expect(calls).toEqual([
       ["colors.rangeInView", of],

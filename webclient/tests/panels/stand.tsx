@@ -130,8 +130,7 @@ export interface Stand {
 const nameOf = (element: Element): string =>
   element.getAttribute("aria-label") ??
   element.closest("label")?.textContent.trim() ??
-  element.getAttribute("title") ??
-  element.textContent.trim();
+  (element.textContent.trim() || (element.getAttribute("title") ?? ""));
 
 const NAMED = "button, input, select, [role=slider], [role=group], .points-bar, summary";
 

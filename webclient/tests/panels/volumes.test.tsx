@@ -4,14 +4,15 @@ import type { Scene, VolumeLayer } from "../../src/generated/protocol";
 import { VolumeSection } from "../../src/panels/volume/volume_section";
 import { stand, type Stand } from "./stand";
 
+type Point = [number, number];
+const LOW: Point = [0, 0];
+const MIDDLE: Point = [0.5, 0.5];
+const HIGH: Point = [1, 1];
+
 const layer: VolumeLayer = {
   type: "volume",
   array: "p",
-  opacity_points: [
-    [0, 0],
-    [0.5, 0.5],
-    [1, 1],
-  ],
+  opacity_points: [LOW, MIDDLE, HIGH],
 };
 const section = (change: Partial<VolumeLayer> = {}): Stand => {
   const scene: Scene = { dataset: "box", layers: { fog: { ...layer, ...change } } };
@@ -60,16 +61,8 @@ describe("the opacity curve", () => {
     const { calls, drag } = section();
     drag("Opacity point 2", [50, 50], [60, 20], [70, 10]);
     expect(points(calls)).toEqual([
-      [
-        [0, 0],
-        [0.6, 0.8],
-        [1, 1],
-      ],
-      [
-        [0, 0],
-        [0.7, 0.9],
-        [1, 1],
-      ],
+      [LOW, [0.6, 0.8], HIGH],
+      [LOW, [0.7, 0.9], HIGH],
     ]);
     expect(calls.map(([name, id, , gesture]) => [name, id, gesture])).toEqual([
       ["layers.set", "fog", "gesture-1"],
@@ -80,14 +73,7 @@ describe("the opacity curve", () => {
   test("gets a point where the track is pressed", () => {
     const { calls, drag } = section();
     drag("Opacity over p", [25, 90]);
-    expect(points(calls)).toEqual([
-      [
-        [0, 0],
-        [0.25, 0.1],
-        [0.5, 0.5],
-        [1, 1],
-      ],
-    ]);
+    expect(points(calls)).toEqual([[LOW, [0.25, 0.1], MIDDLE, HIGH]]);
   });
 
   test("loses a point by a key, and moves one by another", () => {
@@ -96,15 +82,8 @@ describe("the opacity curve", () => {
     key("Opacity point 2", "Delete");
     key("Opacity point 2", "a");
     expect(points(calls)).toEqual([
-      [
-        [0, 0],
-        [0.5, 0.51],
-        [1, 1],
-      ],
-      [
-        [0, 0],
-        [1, 1],
-      ],
+      [LOW, [0.5, 0.51], HIGH],
+      [LOW, HIGH],
     ]);
   });
 
@@ -113,33 +92,16 @@ describe("the opacity curve", () => {
     type("Opacity of opacity point 1 in percent", "20");
     type("Value of opacity point 1", "1");
     expect(points(calls)).toEqual([
-      [
-        [0, 0.2],
-        [0.5, 0.5],
-        [1, 1],
-      ],
-      [
-        [0.1, 0],
-        [0.5, 0.5],
-        [1, 1],
-      ],
+      [[0, 0.2], MIDDLE, HIGH],
+      [[0.1, 0], MIDDLE, HIGH],
     ]);
   });
 
   test("gets a point in its widest gap", () => {
     const { calls, click } = section({
-      opacity_points: [
-        [0, 0],
-        [1, 1],
-      ],
+      opacity_points: [LOW, HIGH],
     });
     click("Add an opacity point");
-    expect(points(calls)).toEqual([
-      [
-        [0, 0],
-        [0.5, 0.5],
-        [1, 1],
-      ],
-    ]);
+    expect(points(calls)).toEqual([[LOW, MIDDLE, HIGH]]);
   });
 });
