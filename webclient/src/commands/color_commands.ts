@@ -26,7 +26,7 @@ export class ColorCommands {
     this.deps.server.editor.change({ layers: patch }, gesture);
   }
 
-  /** Switches the logarithmic scale on or off. Off restores what switching it on has changed, unless it was changed since. */
+  /** Switches the logarithmic scale on or off. Switching it off restores `symmetric` and the range (withLog). */
   setLog(of: Colored, coloring: Coloring, on: boolean): void {
     const key = JSON.stringify(of);
     this.set(of, withLog(coloring, on, this.beforeLog.get(key)));
