@@ -5,7 +5,7 @@ import re
 import subprocess
 
 import pytest
-from conftest import EXAMPLES, run
+from conftest import EXAMPLES, ROOT, run
 
 EXPECTED = {
     "contour": r"(\d+) polygons, (\d+) points, (\d+) triangles",
@@ -67,3 +67,20 @@ def test_another_minor_version_is_refused(prefix, tmp_path):
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode != 0 and "0.9" in done.stderr
+
+
+def test_a_compiler_without_vector_extensions_is_refused_in_words(tmp_path):
+    compiler = tmp_path / "other-c++"
+    compiler.write_text(
+        "#!/bin/sh\n"
+        'for file in "$@"; do case "$file" in *.cxx) grep -q vector_size "$file" && exit 1 ;; esac; done\n'
+        'exec g++ "$@"\n'
+    )
+    compiler.chmod(0o755)
+    done = subprocess.run(
+        ["cmake", "-S", ROOT / "server/ciel", "-B", tmp_path / "build", "-DCIEL_PARALLEL=serial",
+         f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_CXX_COMPILER_LAUNCHER="],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    said = " ".join(done.stderr.split())
+    assert done.returncode != 0 and "use g++ 12, clang 14 or newer" in said and "other-c++" in said, said
