@@ -1,7 +1,7 @@
 // ciel bench: measures the paper's four tables and the cost of pictures for a dataset on this machine.
 #include "app/commands.hpp"
 #include "bench/case.hpp"
-#include "ciel/parallel.hpp"
+#include "ciel/process_threads.hpp"
 #include "store/files/files.hpp"
 
 #include <CLI/CLI.hpp>

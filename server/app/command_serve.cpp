@@ -4,7 +4,7 @@
 #include "app/import_view.hpp"
 #include "app/limit_options.hpp"
 #include "app/scene_options.hpp"
-#include "ciel/parallel.hpp"
+#include "ciel/process_threads.hpp"
 #include "ciel/types.hpp"
 #include "engine/server.hpp"
 #include "gateway/gateway.hpp"

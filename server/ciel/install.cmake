@@ -3,7 +3,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CIEL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ciel)
 install(TARGETS ciel_kernel EXPORT ciel COMPONENT kernel)
-install(DIRECTORY include/ciel DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT kernel)
+install(DIRECTORY include/ciel DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT kernel
+  PATTERN process_threads.hpp EXCLUDE) # a limit of the whole process is not for libraries
 install(EXPORT ciel NAMESPACE ciel:: FILE ciel-targets.cmake DESTINATION ${CIEL_PACKAGE_DIR} COMPONENT kernel)
 configure_package_config_file(ciel-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/ciel-config.cmake
   INSTALL_DESTINATION ${CIEL_PACKAGE_DIR})

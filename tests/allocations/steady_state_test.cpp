@@ -1,7 +1,7 @@
 // Repeats a sequence of values: once every buffer has reached its final size, the kernel allocates no memory.
 #include "allocations/counted_new.hpp"
 #include "ciel/extract.hpp"
-#include "ciel/parallel.hpp"
+#include "ciel/process_threads.hpp"
 #include "ciel/slab.hpp"
 #include "ciel/sweep_sinks.hpp"
 #include "support/fields.hpp"

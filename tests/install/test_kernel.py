@@ -44,6 +44,8 @@ def test_pkg_config_finds_it(prefix, tmp_path):
 def test_only_public_headers_are_installed(prefix):
     headers = {path.relative_to(prefix / "include").parts[0] for path in (prefix / "include").rglob("*.hpp")}
     assert headers == {"ciel"}
+    with_a_global_limit = [h.name for h in prefix.rglob("*.hpp") if "set_thread_count" in h.read_text()]
+    assert with_a_global_limit == []
 
 
 def test_each_public_header_compiles_alone(prefix, tmp_path):

@@ -2,7 +2,7 @@
 // that of the machine.
 #pragma once
 
-#include "ciel/parallel.hpp"
+#include "ciel/process_threads.hpp"
 
 namespace ciel::test {
 

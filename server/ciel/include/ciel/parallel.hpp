@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 
 namespace ciel {
@@ -28,7 +29,17 @@ private:
 // exception thrown by a body reaches the caller after all ranges have ended.
 void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 
-void set_thread_count(unsigned threads); // 0: all hardware threads; must not be called while a loop runs
+// Returns the largest number of threads of a loop that the caller starts.
 [[nodiscard]] unsigned thread_count();
+
+void run_with_threads(unsigned threads, const std::function<void()>& call); // REQUIRES: threads > 0
+
+// Calls call(), whose loops use at most `threads` threads, the caller's included; 0: no limit. The limit holds for this
+// call alone. A loop that a body of such a loop starts runs on the thread of that body. Rethrows what call() throws.
+template <class Call>
+void with_threads(unsigned threads, const Call& call) {
+    if (threads == 0) return call();
+    run_with_threads(threads, std::cref(call)); // a std::function that holds a reference allocates no memory
+}
 
 } // namespace ciel

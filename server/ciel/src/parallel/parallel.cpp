@@ -1,6 +1,7 @@
-#include "ciel/parallel.hpp"
+#include "ciel/process_threads.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #if defined(CIEL_PARALLEL_TBB)
 #include <memory>
@@ -19,6 +20,53 @@
 
 namespace ciel {
 
+#if !defined(CIEL_PARALLEL_SERIAL)
+
+namespace {
+
+thread_local unsigned limit_of_call = 0; // of the loops that this thread starts; 0: that of the process
+
+// Sets the limit of this thread during the object's lifetime.
+class CallLimit {
+public:
+    explicit CallLimit(unsigned threads) : before_(std::exchange(limit_of_call, threads)) {}
+    ~CallLimit() { limit_of_call = before_; }
+    CallLimit(const CallLimit&) = delete;
+    CallLimit& operator=(const CallLimit&) = delete;
+
+private:
+    unsigned before_;
+};
+
+void run_in_turn(std::size_t count, std::size_t grain, LoopBody body) {
+    for (std::size_t begin = 0; begin < count; begin += grain) body(begin, std::min(count, begin + grain));
+}
+
+[[nodiscard]] unsigned process_thread_count();
+void run_on_threads(std::size_t count, std::size_t grain, LoopBody body); // REQUIRES: count > grain > 0
+
+} // namespace
+
+unsigned thread_count() {
+    const unsigned all = process_thread_count();
+    return limit_of_call > 0 ? std::min(limit_of_call, all) : all;
+}
+
+void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
+    if (count == 0) return;
+    grain = std::max<std::size_t>(1, grain);
+    if (count <= grain) return body(0, count);
+    if (limit_of_call == 0) return run_on_threads(count, grain, body);
+    if (limit_of_call == 1) return run_in_turn(count, grain, body);
+    // Several bodies may start loops at the same time, and together must not exceed the limit.
+    run_on_threads(count, grain, [&](std::size_t begin, std::size_t end) {
+        const CallLimit alone(1);
+        body(begin, end);
+    });
+}
+
+#endif
+
 #if defined(CIEL_PARALLEL_TBB)
 
 namespace {
@@ -35,22 +83,33 @@ void set_thread_count(unsigned threads) {
         wide_arena = std::make_unique<tbb::task_arena>(static_cast<int>(threads));
 }
 
-unsigned thread_count() {
+void run_with_threads(unsigned threads, const std::function<void()>& call) {
+    const unsigned allowed = std::min(threads, thread_count());
+    const auto limited = [&] {
+        const CallLimit call_limit(allowed);
+        call();
+    };
+    if (allowed == 1 || allowed == limit_of_call) return limited();
+    tbb::task_arena(static_cast<int>(allowed)).execute(limited);
+}
+
+namespace {
+
+unsigned process_thread_count() {
     return static_cast<unsigned>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
-    if (count == 0) return;
-    grain = std::max<std::size_t>(1, grain);
-    if (count <= grain) return body(0, count);
+void run_on_threads(std::size_t count, std::size_t grain, LoopBody body) {
     const auto loop = [&] {
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, grain),
             [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); },
             tbb::simple_partitioner());
     };
-    wide_arena ? wide_arena->execute(loop) : loop();
+    wide_arena&& limit_of_call == 0 ? wide_arena->execute(loop) : loop(); // a limited call has its own arena
 }
+
+} // namespace
 
 #elif defined(CIEL_PARALLEL_THREADS)
 
@@ -60,14 +119,19 @@ std::atomic<unsigned> requested{0};
 
 void set_thread_count(unsigned threads) { requested = threads; }
 
-unsigned thread_count() {
+void run_with_threads(unsigned threads, const std::function<void()>& call) {
+    const CallLimit call_limit(std::min(threads, thread_count()));
+    call();
+}
+
+namespace {
+
+unsigned process_thread_count() {
     const unsigned threads = requested;
     return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
-    if (count == 0) return;
-    grain = std::max<std::size_t>(1, grain);
+void run_on_threads(std::size_t count, std::size_t grain, LoopBody body) {
     const std::size_t ranges = (count + grain - 1) / grain;
     std::atomic<std::size_t> next{0};
     std::exception_ptr first_error;
@@ -91,11 +155,15 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (first_error) std::rethrow_exception(first_error);
 }
 
+} // namespace
+
 #else // a serial loop, for WebAssembly and as the reference for TBB and std::thread
 
 void set_thread_count(unsigned) {}
 
 unsigned thread_count() { return 1; }
+
+void run_with_threads(unsigned, const std::function<void()>& call) { call(); }
 
 void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     grain = std::max<std::size_t>(1, grain);
