@@ -64,6 +64,14 @@ public:
         return {reinterpret_cast<const T*>(begin_), rows_ * columns_};
     }
 
+    [[nodiscard]] ArrayView column(std::size_t column) const { // REQUIRES: column < columns()
+        return {begin_ + static_cast<std::ptrdiff_t>(column) * column_stride_,
+                type_,
+                rows_,
+                1,
+                row_stride_,
+                column_stride_};
+    }
     [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // converted from any NumberType
     // Throws Error when the array has floating-point numbers. A uint64 above the int64 range is returned as a negative
     // number.

@@ -27,8 +27,8 @@ public:
     // mesh alive.
     Field(const Mesh& mesh, const ArrayView& values);
     // Makes a field from one number per cell. A point gets a weighted mean of the cells around it, which is exact for
-    // linear fields if the cells surround the point (point_interpolation.hpp). Throws Error on another number of
-    // values.
+    // linear fields if the cells surround the point (point_interpolation.hpp). Not in the paper, whose values are at
+    // points. Throws Error on another number of values.
     [[nodiscard]] static Field from_cells(const Mesh& mesh, const ArrayView& values);
     // Makes the signed distance from the plane through `origin` perpendicular to `normal`, which must have unit length.
     // The iso-surface at 0 is a slice. The values are doubles if the positions are.

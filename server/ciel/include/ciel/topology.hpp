@@ -40,12 +40,14 @@ public:
     Topology(Topology&&) noexcept;
     Topology& operator=(Topology&&) noexcept;
 
-    // The six operators. `vertex` is the vertex that the half-edge points to, as in the paper; `edge` is a mesh-wide
-    // edge id. mate_polyhedron is no_half_edge on a boundary face. next_around_vertex runs through all half-edges
-    // that leave the half-edge's origin (the paper's appendix A), across blocks. Repeated vertices of a loop (collapsed
-    // cells) make no half-edge. So every half-edge joins two distinct vertices, and mate_face(h) is never h. If a face
-    // has collapsed to a line, mate_face may return a half-edge of the same face. Edge ids follow the first appearance
-    // of the edge in the mesh's faces, so they do not depend on the blocks.
+    // The six operators. Vertex and cell ids are those of the FaceMeshView that the topology was built from. For the
+    // topology of a Mesh these are the stored ids (Mesh::stored), not the caller's; Mesh::original_vertex and
+    // Mesh::original_cell lead from the one to the other. `vertex` is the vertex that the half-edge points to, as in
+    // the paper; `edge` is a mesh-wide edge id. mate_polyhedron is no_half_edge on a boundary face. next_around_vertex
+    // runs through all half-edges that leave the half-edge's origin (the paper's appendix A), across blocks. Repeated
+    // vertices of a loop (collapsed cells) make no half-edge. So every half-edge joins two distinct vertices, and
+    // mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the same face.
+    // Edge ids follow the first appearance of the edge in the mesh's faces, so they do not depend on the blocks.
     [[nodiscard]] Index vertex(HalfEdge h) const;
     [[nodiscard]] Index edge(HalfEdge h) const;
     [[nodiscard]] HalfEdge next_around_face(HalfEdge h) const;
