@@ -15,12 +15,15 @@ from ._kernel import (
     Error,
     Mesh,
     Surface,
+    clip,
     contour,
     contour_lines,
     gradients,
     interpolate,
     slice,
+    sweep,
     threshold,
+    triangulate,
 )
 
 __all__ = [
@@ -28,6 +31,7 @@ __all__ = [
     "Error",
     "Mesh",
     "Surface",
+    "clip",
     "contour",
     "contour_lines",
     "from_meshio",
@@ -35,6 +39,8 @@ __all__ = [
     "gradients",
     "interpolate",
     "slice",
+    "sweep",
     "threshold",
+    "triangulate",
 ]
 __version__ = "0.2.0"

@@ -1,5 +1,5 @@
-from collections.abc import Sequence
-from typing import Any, Literal
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,9 @@ __version__: str
 Algorithm = Literal["signatures", "propagation", "naive"]
 Decider = Literal["isolate-high", "asymptotic"]
 Normals = Literal["gradient", "polygons"]
+Vector = Sequence[float] | NDArray[Any]  # three numbers
+Levels = Sequence[float] | NDArray[Any]
+Blocks = Sequence[int] | NDArray[Any]
 
 class Error(ValueError): ...
 
@@ -45,6 +48,8 @@ class Mesh:
     @property
     def cell_count(self) -> int: ...
     @property
+    def block_count(self) -> int: ...
+    @property
     def report(self) -> dict[str, Any]: ...
 
 class Surface:
@@ -63,6 +68,8 @@ class Surface:
     @property
     def weights(self) -> NDArray[numpy.float64]: ...
     @property
+    def chunks(self) -> NDArray[numpy.uint32]: ...
+    @property
     def triangles(self) -> NDArray[numpy.uint32]: ...
     def __len__(self) -> int: ...
 
@@ -72,26 +79,78 @@ class Contour:
         mesh: Mesh,
         values: NDArray[Any],
         *,
+        of_cells: bool = False,
         algorithm: Algorithm = "signatures",
         decider: Decider = "isolate-high",
         normals: Normals | None = "gradient",
+        blocks: Blocks | None = None,
+        threads: int = 0,
     ) -> None: ...
-    def set(self, values: NDArray[Any], mesh: Mesh | None = None) -> None: ...
+    def set(self, values: NDArray[Any], mesh: Mesh | None = None, *, of_cells: bool = False) -> None: ...
     def at(self, level: float) -> Surface: ...
 
+@overload
 def contour(
     mesh: Mesh,
     values: NDArray[Any],
     level: float,
     *,
+    of_cells: bool = False,
     algorithm: Algorithm = "signatures",
     decider: Decider = "isolate-high",
     normals: Normals | None = "gradient",
+    blocks: Blocks | None = None,
+    threads: int = 0,
 ) -> Surface: ...
-def slice(mesh: Mesh, origin: Sequence[float], normal: Sequence[float]) -> Surface: ...
+@overload
+def contour(
+    mesh: Mesh,
+    values: NDArray[Any],
+    *,
+    levels: Levels,
+    of_cells: bool = False,
+    algorithm: Algorithm = "signatures",
+    decider: Decider = "isolate-high",
+    normals: Normals | None = "gradient",
+    blocks: Blocks | None = None,
+    threads: int = 0,
+) -> list[Surface]: ...
+def slice(
+    mesh: Mesh,
+    origin: Vector,
+    normal: Vector,
+    *,
+    algorithm: Algorithm = "signatures",
+    decider: Decider = "isolate-high",
+    normals: Normals | None = "gradient",
+    blocks: Blocks | None = None,
+    threads: int = 0,
+) -> Surface: ...
+def sweep(
+    mesh: Mesh,
+    values: NDArray[Any],
+    levels: Levels,
+    callback: Callable[[int, Surface], object],
+    *,
+    of_cells: bool = False,
+    algorithm: Algorithm = "signatures",
+    decider: Decider = "isolate-high",
+    threads: int = 0,
+) -> None: ...
 def threshold(mesh: Mesh, values: NDArray[Any], range: Sequence[float], of_cells: bool = False) -> Surface: ...
-def interpolate(surface: Surface, mesh: Mesh, values: NDArray[Any]) -> NDArray[numpy.float32]: ...
+def interpolate(
+    surface: Surface, mesh: Mesh, values: NDArray[Any], *, of_cells: bool = False
+) -> NDArray[numpy.float32] | NDArray[numpy.float64]: ...
+def clip(
+    surface: Surface,
+    mesh: Mesh,
+    planes: Sequence[tuple[Vector, Vector]],
+    values: NDArray[Any] | None = None,
+    *,
+    slack: float = 0.0,
+) -> tuple[Surface, NDArray[numpy.float64] | None]: ...
+def triangulate(surface: Surface) -> NDArray[numpy.uint32]: ...
 def gradients(mesh: Mesh, values: NDArray[Any]) -> NDArray[numpy.float32]: ...
-def contour_lines(surface: Surface, values: ArrayLike, levels: Sequence[float]) -> NDArray[numpy.float64]: ...
+def contour_lines(surface: Surface, values: ArrayLike, levels: Levels) -> NDArray[numpy.float64]: ...
 def from_meshio(mesh: Any) -> Mesh: ...
 def from_vtk(grid: Any) -> Mesh: ...

@@ -1,0 +1,34 @@
+// NumPy arrays to and from the kernel. Not in the paper.
+#pragma once
+
+#include "ciel/array_view.hpp"
+
+#include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <utility>
+
+namespace ciel::python {
+
+namespace py = pybind11;
+
+// Returns a view that does not own the array. Throws ValueError unless the array has one or two dimensions, TypeError
+// for a number type that the kernel does not read.
+[[nodiscard]] ArrayView view_of(const py::array& array, const char* name);
+[[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // empty without an array
+
+// Returns a NumPy array of rows x columns that takes over the vector's memory. A vector given as an rvalue is moved.
+template <class Number, class Owner>
+py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
+    using Vector = std::decay_t<Owner>;
+    auto* kept = new Vector(std::forward<Owner>(values));
+    const py::capsule owner(kept, [](void* vector) { delete static_cast<Vector*>(vector); });
+    const auto rows = static_cast<py::ssize_t>(kept->size() * sizeof(kept->front()) / sizeof(Number) / columns);
+    const auto* begin = reinterpret_cast<const Number*>(kept->data());
+    if (columns == 1) return py::array_t<Number>({rows}, {sizeof(Number)}, begin, owner);
+    return py::array_t<Number>({rows, static_cast<py::ssize_t>(columns)}, {columns * sizeof(Number), sizeof(Number)},
+                               begin, owner);
+}
+
+} // namespace ciel::python

@@ -1,0 +1,80 @@
+#include "parts.hpp"
+
+namespace ciel::python {
+
+py::array_t<double> PySurface::points() const {
+    py::array_t<double> out({static_cast<py::ssize_t>(surface.positions.size()), py::ssize_t{3}});
+    auto to = out.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < surface.positions.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            to(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) =
+                origin[k] + static_cast<double>(surface.positions[i][k]);
+    return out;
+}
+
+py::array_t<std::uint32_t> PySurface::edges() const {
+    py::array_t<std::uint32_t> out({static_cast<py::ssize_t>(surface.points.size()), py::ssize_t{2}});
+    auto to = out.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+        to(static_cast<py::ssize_t>(i), 0) = surface.points[i].a;
+        to(static_cast<py::ssize_t>(i), 1) = surface.points[i].b;
+    }
+    return out;
+}
+
+py::array_t<double> PySurface::weights() const {
+    py::array_t<double> out(static_cast<py::ssize_t>(surface.points.size()));
+    auto to = out.mutable_unchecked<1>();
+    for (std::size_t i = 0; i < surface.points.size(); ++i) to(static_cast<py::ssize_t>(i)) = surface.points[i].t;
+    return out;
+}
+
+py::array_t<std::uint32_t> PySurface::chunks() const {
+    py::array_t<std::uint32_t> out({static_cast<py::ssize_t>(surface.chunks.size()), py::ssize_t{3}});
+    std::uint32_t* to = out.mutable_data();
+    for (const Surface::Chunk& chunk : surface.chunks)
+        for (const Index number : {chunk.block, chunk.polygon_begin, chunk.polygon_end}) *to++ = number;
+    return out;
+}
+
+py::array_t<std::uint32_t> PySurface::triangles() const {
+    std::vector<Index> corners;
+    {
+        const py::gil_scoped_release free;
+        corners = triangulate(surface);
+    }
+    return array_of<std::uint32_t>(std::move(corners), 3);
+}
+
+void add_surface(py::module_& module) {
+    py::class_<PySurface>(module, "Surface", "Polygons with shared points. Each array is made when it is asked for.")
+        .def_property_readonly(
+            "points", &PySurface::points,
+            "(N, 3) float64, rounded like float32 relative to the middle of the mesh. Where that is\n"
+            "not enough: interpolate(surface, mesh, points) of the mesh's own points.")
+        .def_property_readonly(
+            "normals", [](const PySurface& self) { return array_of<float>(std::vector(self.surface.normals), 3); },
+            "(N, 3) float32, unit, towards higher values; (0, 3) where none were asked for")
+        .def_property_readonly(
+            "polygon_offset",
+            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_offset), 1); },
+            "(P + 1,) uint32, into polygon_vertex")
+        .def_property_readonly(
+            "polygon_vertex",
+            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_vertex), 1); },
+            "uint32, into points")
+        .def_property_readonly(
+            "polygon_cell",
+            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_cell), 1); },
+            "(P,) uint32: the cell of the mesh that each polygon cuts")
+        .def_property_readonly("edges", &PySurface::edges,
+                               "(N, 2) uint32: the points of the mesh between which each lies. In a clipped surface\n"
+                               "only its first points have them.")
+        .def_property_readonly("weights", &PySurface::weights, "(N,) float64: 0 at the first of edges, 1 at the second")
+        .def_property_readonly("chunks", &PySurface::chunks,
+                               "(K, 3) uint32: block, first polygon and end of each run of polygons of one block")
+        .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) uint32, into points")
+        .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
+}
+
+} // namespace ciel::python
