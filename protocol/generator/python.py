@@ -1,6 +1,6 @@
 """Emits the contract as Python TypedDicts."""
 
-from .model import Contract, Field, Method, Schema, fields_of, nullable, pascal, ref_name
+from .model import Contract, Field, Method, Schema, described, fields_of, nullable, pascal, ref_name
 
 PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
 
@@ -37,7 +37,8 @@ class Types:
         for one in fields:
             type_name = self.type_of(one.schema, name + pascal(one.name))
             mark = type_name if one.required else f"NotRequired[{type_name}]"
-            lines.append(f"    {one.name}: {mark}" + (f"  # {one.description}" if one.description else "") + "\n")
+            comment = described(one, repr)
+            lines.append(f"    {one.name}: {mark}" + (f"  # {comment}" if comment else "") + "\n")
         doc = f'    """{description}"""\n\n' if description else ""
         self.definitions.append(f"class {name}(TypedDict):\n" + doc + ("".join(lines) or "    pass\n"))
         return name

@@ -2,7 +2,7 @@
 
 import re
 
-from .model import Contract, Field, Method, pascal
+from .model import Contract, Field, Method, described, pascal
 from .python import Types
 
 
@@ -31,8 +31,8 @@ class Signatures:
         start = "async def" if is_async else "def"
         parameters = "".join(self.parameter(method, one) for one in method.params)
         signature = f"(\n        self,\n        *,\n{parameters}    )" if parameters else "(self)"
-        described = "".join(f"        {one.name}: {one.description}\n" for one in method.params)
-        doc = f'        """{method.summary}' + (f"\n\n{described}        " if described else "") + '"""\n'
+        facts = "".join(f"        {one.name}: {described(one, repr)}\n" for one in method.params)
+        doc = f'        """{method.summary}' + (f"\n\n{facts}        " if facts else "") + '"""\n'
         given = "".join(f", {one.name}={one.name}" for one in method.params)
         call = f'{"await " if is_async else ""}self.call("{method.name}"{given})'
         return f"    {start} {method.identifier}{signature} -> {result}:\n{doc}        return {call}\n"

@@ -1,8 +1,8 @@
-"""Emits the contract as one TypeScript module: types, method and notification maps, error codes."""
+"""Emits the contract as one TypeScript module: types, maps of methods and notifications, version, defaults, errors."""
 
 import json
 
-from .model import Contract, Field, Method, Schema, fields_of, ref_name
+from .model import Contract, Field, Method, Schema, default_of, described, fields_of, limits, ref_name
 
 STANDARD_ERRORS = {
     "ParseError": -32700,
@@ -49,8 +49,8 @@ def object_(schema: Schema, indent: str) -> str:
 def members(fields: list[Field], indent: str) -> str:
     lines = []
     for one in fields:
-        if one.description:
-            lines.append(f"{indent}/** {one.description} */\n")
+        if comment := described(one, json.dumps):
+            lines.append(f"{indent}/** {comment} */\n")
         mark = "" if one.required else "?"
         lines.append(f"{indent}{one.name}{mark}: {type_of(one.schema, indent)};\n")
     return "".join(lines)
@@ -58,6 +58,50 @@ def members(fields: list[Field], indent: str) -> str:
 
 def parameters(method: Method, indent: str) -> str:
     return "{\n" + members(method.params, indent + "  ") + indent + "}" if method.params else "Record<string, never>"
+
+
+def owners(contract: Contract) -> list[tuple[str, str, list[Field]]]:
+    """Returns name, TypeScript type and members of all schemas and of the parameters of all methods."""
+    schemas = [(name, name, fields_of(schema)) for name, schema in contract.schemas.items() if "properties" in schema]
+    methods = [(json.dumps(m.name), f'Methods["{m.name}"]["params"]', m.params) for m in contract.methods]
+    return schemas + methods
+
+
+def defaults(contract: Contract) -> str:
+    types, values = [], []
+    for name, type_name, fields in owners(contract):
+        given = {one.name: default_of(one.schema) for one in fields if default_of(one.schema) is not None}
+        if not given:
+            continue
+        names = " | ".join(json.dumps(member) for member in given)
+        types.append(f"  readonly {name}: Given<{type_name}, {names}>;\n")
+        values.append(f"  {name}: {{ " + ", ".join(f"{key}: {json.dumps(one)}" for key, one in given.items()) + " },\n")
+    return (
+        "type Given<T, K extends keyof T> = Readonly<Required<Pick<T, K>>>;\n\n"
+        "/** Values of absent members, by schema, and of absent parameters, by method. */\n"
+        f"export const DEFAULTS: {{\n{''.join(types)}}} = {{\n{''.join(values)}}};\n\n"
+    )
+
+
+def limit_table(contract: Contract) -> str:
+    rows = []
+    for name, _, fields in owners(contract):
+        given = {one.name: limits(one.schema) for one in fields}
+        stated = ", ".join(f"{key}: {json.dumps(both)}" for key, both in given.items() if both)
+        if stated:
+            rows.append(f"  {name}: {{ {stated} }},\n")
+    return (
+        "/** [least, most] of a number, or of an array's number of items. A bound may be exclusive: see the member. */\n"
+        f"export const LIMITS = {{\n{''.join(rows)}}} as const;\n\n"
+    )
+
+
+def version(contract: Contract) -> str:
+    major, minor = contract.protocol
+    return (
+        "/** The version of the contract that this code is generated from. */\n"
+        f"export const PROTOCOL = {{ major: {major}, minor: {minor} }} as const;\n\n"
+    )
 
 
 def emit(contract: Contract) -> str:
@@ -77,7 +121,7 @@ def emit(contract: Contract) -> str:
     out.append("}\n\nexport interface Notifications {\n")
     for note in contract.notifications:
         out.append(f"  /** {note.summary} */\n  {json.dumps(note.name)}: {parameters(note, '  ')};\n")
-    out.append("}\n\nexport const ErrorCode = {\n")
+    out += ["}\n\n", version(contract), defaults(contract), limit_table(contract), "export const ErrorCode = {\n"]
     for name, code in {**STANDARD_ERRORS, **{n: c for n, (c, _) in contract.errors.items()}}.items():
         out.append(f"  {name}: {code},\n")
     out.append("} as const;\n")

@@ -139,6 +139,24 @@ class Generated(unittest.TestCase):
             self.assertIn(f"{name}: {code}", typescript.emit(self.contract))
             self.assertIn(f'"{name}": {code}', python.emit(self.contract))
 
+    def test_defaults_and_limits_are_in_every_language(self):
+        text = typescript.emit(self.contract)
+        self.assertIn("  Camera: { up: [0, 0, 1], fov: 30, parallel: false },\n", text)
+        self.assertIn('  "picture.render": { width: 1280, height: 720 },\n', text)
+        self.assertIn("  Coloring: { points: [2, 64], steps: [2, 256] },\n", text)
+        self.assertIn('  "view.open": { width: [16, 8192], height: [16, 8192], pixel_ratio: [0.25, 16] },\n', text)
+        schemas = python.emit_schemas(self.contract)
+        self.assertIn("    fov: NotRequired[float]  # vertical, degrees (above 0 and below 180, default 30)\n", schemas)
+        self.assertIn("    opacity: NotRequired[float]  # 0 to 1, default 1\n", schemas)
+        self.assertIn("    bins: NotRequired[int]  # of equal width;", python.emit(self.contract))
+        self.assertIn("(1 to 4096, default 256)\n", python_calls.emit(self.contract, is_async=False))
+
+    def test_the_version_is_in_every_language(self):
+        major, minor = self.contract.protocol
+        self.assertIn(f"major_version = {major}, minor_version = {minor};", cpp.emit_document(self.contract))
+        self.assertIn(f"PROTOCOL = {{ major: {major}, minor: {minor} }}", typescript.emit(self.contract))
+        self.assertIn(f'PROTOCOL = {{"major": {major}, "minor": {minor}}}', python.emit(self.contract))
+
     def test_again_is_the_same(self):
         again = model.load(ROOT / "protocol/openrpc.json")
         for emit in [*cpp.FILES.values(), *cpp_scene.FILES.values(), typescript.emit, python.emit_schemas, python.emit]:

@@ -93,7 +93,7 @@ class Calls:
         dataset: Name of the dataset, as in dataset.list.
         array: Name of the scalar, such as `p`, `U:x` or `cell:p`.
         time: Simulation time; the nearest step is used. Default: the first step.
-        bins: Number of bins of equal width. Each excludes its upper end, except the last.
+        bins: Number of bins of equal width. Each excludes its upper end, except the last. (1 to 4096, default 256)
         range: Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
         """
         return self.call("dataset.histogram", dataset=dataset, array=array, time=time, bins=bins, range=range)
@@ -112,8 +112,8 @@ class Calls:
         session: Id of the session to join. If there is none with this id, a session with this id is opened. The id is the key to the session, so a client that chooses one must make it from 128 random bits. Absent: the server chooses an id.
         dataset: Dataset whose default scene a new session shows. Default: the first of dataset.list that can be opened. Ignored if `scene` is given.
         scene: Scene of a new session. An existing session keeps its own.
-        undo: Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
-        redo: Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
+        undo: Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history. (at most 50 items)
+        redo: Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history. (at most 50 items)
         """
         return self.call("session.open", session=session, dataset=dataset, scene=scene, undo=undo, redo=redo)
 
@@ -189,11 +189,11 @@ class Calls:
         """Opens a view of a session. The server sends its frames on this WebSocket.
 
         session: Id of the session, as session.open returned it.
-        width: Width of the view in pixels.
-        height: Height of the view in pixels.
-        pixel_ratio: Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio.
-        stream: What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
-        moving: Format of interactive pictures. Stills are always PNG.
+        width: Width of the view in pixels. (16 to 8192)
+        height: Height of the view in pixels. (16 to 8192)
+        pixel_ratio: Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio. (0.25 to 16, default 1)
+        stream: What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws. (default 'image')
+        moving: Format of interactive pictures. Stills are always PNG. (default 'png')
         """
         return self.call("view.open", session=session, width=width, height=height, pixel_ratio=pixel_ratio, stream=stream, moving=moving)
 
@@ -207,10 +207,10 @@ class Calls:
     ) -> ViewResizeResult:
         """Changes the size of a view.
 
-        view: Number of the view, as view.open returned it.
-        width: New width of the view in pixels.
-        height: New height of the view in pixels.
-        pixel_ratio: Factor on the widths of lines and the sizes of points. Absent: unchanged.
+        view: Number of the view, as view.open returned it. (at least 1)
+        width: New width of the view in pixels. (16 to 8192)
+        height: New height of the view in pixels. (16 to 8192)
+        pixel_ratio: Factor on the widths of lines and the sizes of points. Absent: unchanged. (0.25 to 16)
         """
         return self.call("view.resize", view=view, width=width, height=height, pixel_ratio=pixel_ratio)
 
@@ -223,7 +223,7 @@ class Calls:
     ) -> ViewStreamResult:
         """Switches a view between pictures and batches of polygons.
 
-        view: Number of the view, as view.open returned it.
+        view: Number of the view, as view.open returned it. (at least 1)
         stream: What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
         moving: Format of interactive pictures. Stills are always PNG. Absent: unchanged.
         """
@@ -237,7 +237,7 @@ class Calls:
     ) -> ViewAckResult:
         """Acknowledges that the client has presented a frame. Usually sent as a notification.
 
-        view: Number of the view, as view.open returned it.
+        view: Number of the view, as view.open returned it. (at least 1)
         frame: Number of the frame, from its header.
         """
         return self.call("view.ack", view=view, frame=frame)
@@ -249,7 +249,7 @@ class Calls:
     ) -> ViewCloseResult:
         """Closes a view. The server sends no more frames of it.
 
-        view: Number of the view, as view.open returned it.
+        view: Number of the view, as view.open returned it. (at least 1)
         """
         return self.call("view.close", view=view)
 
@@ -266,8 +266,8 @@ class Calls:
 
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        width: Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise.
-        height: Height in pixels. Text and lines are larger in larger pictures.
+        width: Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise. (16 to 8192, default 1280)
+        height: Height in pixels. Text and lines are larger in larger pictures. (16 to 8192, default 720)
         progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
         return self.call("picture.render", session=session, scene=scene, width=width, height=height, progress=progress)
@@ -288,8 +288,8 @@ class Calls:
         scene: Scene to use instead of a session's. The server does not keep it after the call.
         position: Position in the dataset's length units. Give either `position` or `pixel`.
         pixel: Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
-        width: Width in pixels of the picture that `pixel` belongs to. Required with `pixel`.
-        height: Height in pixels of the picture that `pixel` belongs to. Required with `pixel`.
+        width: Width in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
+        height: Height in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
         """
         return self.call("probe.point", session=session, scene=scene, position=position, pixel=pixel, width=width, height=height)
 
@@ -305,8 +305,8 @@ class Calls:
 
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        width: Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
-        height: Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
+        width: Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 1280)
+        height: Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 720)
         """
         return self.call("scene.camera", session=session, scene=scene, width=width, height=height)
 
@@ -321,7 +321,7 @@ class Calls:
 
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        of: mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh.
+        of: mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh. (default 'mesh')
         """
         return self.call("scene.bounds", session=session, scene=scene, of=of)
 
@@ -337,8 +337,8 @@ class Calls:
         """Finds the first polygon under a pixel of a picture of the given size, without drawing. Lines, points and volumes are ignored.
 
         pixel: Pixel [x, y], counted from the top left.
-        width: Width of the picture in pixels.
-        height: Height of the picture in pixels.
+        width: Width of the picture in pixels. (16 to 8192)
+        height: Height of the picture in pixels. (16 to 8192)
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
         """
@@ -355,11 +355,11 @@ class Calls:
     ) -> ColorRangeResult:
         """Returns the range of the values by which layers are colored, or of the part that is in view.
 
-        layers: Ids of layers of the scene.
+        layers: Ids of layers of the scene. (at most 64 items)
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        aspect: Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count.
-        of: layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale.
+        aspect: Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count. (0.01 to 100)
+        of: layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale. (default 'layers')
         """
         return self.call("color.range", layers=layers, session=session, scene=scene, aspect=aspect, of=of)
 
@@ -380,8 +380,8 @@ class Calls:
         format: ply: binary PLY. stl: binary STL. vtp: XML PolyData of VTK.
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        triangles: true: polygons are split into triangles. STL always has triangles.
-        origin: true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin.
+        triangles: true: polygons are split into triangles. STL always has triangles. (default False)
+        origin: true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin. (default False)
         progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
         return self.call("surface.export", layer=layer, format=format, session=session, scene=scene, triangles=triangles, origin=origin, progress=progress)
@@ -397,7 +397,7 @@ class Calls:
 
         dataset: Name of the dataset, as in dataset.list.
         time: Time of the step. It must be later than the last step of the dataset.
-        arrays: Arrays of the step.
+        arrays: Arrays of the step. (1 to 256 items)
         """
         return self.call("append.begin", dataset=dataset, time=time, arrays=arrays)
 
@@ -412,8 +412,8 @@ class Calls:
         """Adds bytes to one array of an upload. On a WebSocket, a binary message does the same (frame.md).
 
         upload: Id of the upload, as append.begin returned it.
-        array: Index of the array in `arrays` of append.begin, from 0.
-        offset: Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again.
+        array: Index of the array in `arrays` of append.begin, from 0. (0 to 255)
+        offset: Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again. (at least 0)
         data: Little-endian values as base64 (RFC 4648), in the `type` of append.begin, interleaved by component. At most `piece_bytes` bytes before encoding.
         """
         return self.call("append.piece", upload=upload, array=array, offset=offset, data=data)

@@ -14,71 +14,71 @@ Color = str
 class Camera(TypedDict):
     position: Vec3
     target: Vec3
-    up: NotRequired[Vec3]
-    fov: NotRequired[float]  # Vertical angle of view in degrees, of a camera that is not parallel.
-    parallel: NotRequired[bool]
-    parallel_height: NotRequired[float]  # Height of the visible area in the dataset's length units. Required if `parallel` is true.
+    up: NotRequired[Vec3]  # default [0, 0, 1]
+    fov: NotRequired[float]  # Vertical angle of view in degrees, of a camera that is not parallel. (above 0 and below 180, default 30)
+    parallel: NotRequired[bool]  # default False
+    parallel_height: NotRequired[float]  # Height of the visible area in the dataset's length units. Required if `parallel` is true. (above 0)
 
 
 class ColorPoint(TypedDict):
-    at: float  # Position on the color scale, from 0 at the lower end of the range to 1 at the upper end. With `log`, positions are those of the logarithmic scale.
+    at: float  # Position on the color scale, from 0 at the lower end of the range to 1 at the upper end. With `log`, positions are those of the logarithmic scale. (0 to 1)
     color: Color
 
 
 class Coloring(TypedDict):
     array: NotRequired[str]  # Name of the scalar that is mapped to colors. Absent: the layer has the color `solid`.
-    map: NotRequired[str]  # Name of a color map, from color_maps of server.info.
-    points: NotRequired[list[ColorPoint] | None]  # Custom colors instead of `map`, in ascending order of `at`. Colors are linear between two points.
-    reverse: NotRequired[bool]
+    map: NotRequired[str]  # Name of a color map, from color_maps of server.info. (default 'viridis')
+    points: NotRequired[list[ColorPoint] | None]  # Custom colors instead of `map`, in ascending order of `at`. Colors are linear between two points. (2 to 64 items)
+    reverse: NotRequired[bool]  # default False
     range: NotRequired[Range | None]  # Values of the two ends of the color scale. Absent: the range of the array at the shown time.
-    symmetric: NotRequired[bool]  # Widens the range to be symmetric about zero.
-    log: NotRequired[bool]  # Logarithmic scale. A given range must lie above zero. Without one, the scale covers only the positive values of the array; if the array reaches zero, it begins at a millionth of the largest value. With `symmetric`, the scale is logarithmic on both sides of zero and nearly linear within a thousandth of the end of the range.
-    steps: NotRequired[int | None]  # Number of equal parts of the scale. Each part has one color. Absent: a smooth scale.
-    nan: NotRequired[Color]  # Color of missing, NaN and infinite values.
+    symmetric: NotRequired[bool]  # Widens the range to be symmetric about zero. (default False)
+    log: NotRequired[bool]  # Logarithmic scale. A given range must lie above zero. Without one, the scale covers only the positive values of the array; if the array reaches zero, it begins at a millionth of the largest value. With `symmetric`, the scale is logarithmic on both sides of zero and nearly linear within a thousandth of the end of the range. (default False)
+    steps: NotRequired[int | None]  # Number of equal parts of the scale. Each part has one color. Absent: a smooth scale. (2 to 256)
+    nan: NotRequired[Color]  # Color of missing, NaN and infinite values. (default '#808080')
     below: NotRequired[Color | None]  # Color of values below the range. Absent: the color of the lower end.
     above: NotRequired[Color | None]  # Color of values above the range. Absent: the color of the upper end.
-    solid: NotRequired[Color]
+    solid: NotRequired[Color]  # default '#cccccc'
 
 
 class Edges(TypedDict):
     """Lines along the sides of a layer's polygons. There is one polygon per cut cell or boundary face, so no lines of a triangulation are shown. Absent: no lines."""
 
-    visible: NotRequired[bool]
-    color: NotRequired[Color]
-    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
+    visible: NotRequired[bool]  # default True
+    color: NotRequired[Color]  # default '#1a1a1a'
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text. (above 0 and at most 32, default 1)
 
 
 class Contours(TypedDict):
     """Contour lines of an array on a slice, at either the levels `values`, or `count` levels in `range`."""
 
-    visible: NotRequired[bool]
+    visible: NotRequired[bool]  # default True
     array: str  # Name of the scalar on points whose contour lines are shown.
-    values: NotRequired[list[float]]
-    count: NotRequired[int]  # Number of contour lines, evenly spaced inside `range` without its ends. 10 if `count` and `values` are absent.
+    values: NotRequired[list[float]]  # at most 64 items
+    count: NotRequired[int]  # Number of contour lines, evenly spaced inside `range` without its ends. 10 if `count` and `values` are absent. (1 to 64)
     range: NotRequired[Range | None]  # Range for `count`. Absent: the range of the array at the shown time.
-    color: NotRequired[Color]
+    color: NotRequired[Color]  # default '#1a1a1a'
     coloring: NotRequired[Coloring]  # Color scale of the lines: each line has the color of its value, instead of `color`. Its `array` may only be that of the lines.
-    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text. (above 0 and at most 32, default 1.5)
 
 
 class Threshold(TypedDict):
     """Draws the layer as if the mesh had only the cells with values of `array` in `range`. Cells stay whole, and faces towards removed cells become boundary. Absent: all cells."""
 
-    enabled: NotRequired[bool]
+    enabled: NotRequired[bool]  # default True
     array: str  # Name of a scalar on points or on cells.
     range: Range
-    keep: NotRequired[Literal["all", "any"]]  # all: keeps cells whose vertices all have a value in the range, ends included. any: keeps cells of which at least one vertex has. No effect on arrays of cells.
+    keep: NotRequired[Literal["all", "any"]]  # all: keeps cells whose vertices all have a value in the range, ends included. any: keeps cells of which at least one vertex has. No effect on arrays of cells. (default 'all')
 
 
 class IsoLayer(TypedDict):
     type: Literal["iso"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
     array: str
-    values: list[float]
+    values: list[float]  # at most 64 items
     color: NotRequired[Coloring]
-    smooth: NotRequired[bool]  # true: normals for lighting from the gradient of the array. false: each polygon is lit with its own normal.
+    smooth: NotRequired[bool]  # true: normals for lighting from the gradient of the array. false: each polygon is lit with its own normal. (default True)
     edges: NotRequired[Edges]
 
 
@@ -86,9 +86,9 @@ class SliceLayer(TypedDict):
     """Plane through the mesh, given by either `axis` and `value`, or `origin` and `normal`."""
 
     type: Literal["slice"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
     axis: NotRequired[Literal["x", "y", "z"]]
     value: NotRequired[float]  # Position of the plane along `axis`, in the dataset's length units. Required with `axis`.
     origin: NotRequired[Vec3]
@@ -100,10 +100,10 @@ class SliceLayer(TypedDict):
 
 class SurfaceLayer(TypedDict):
     type: Literal["surface"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
-    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary.
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
+    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary. (default [])
     threshold: NotRequired[Threshold]
     color: NotRequired[Coloring]
     edges: NotRequired[Edges]
@@ -111,9 +111,9 @@ class SurfaceLayer(TypedDict):
 
 class OutlineLayer(TypedDict):
     type: Literal["outline"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
     color: NotRequired[Coloring]
 
 
@@ -121,13 +121,13 @@ class EdgesLayer(TypedDict):
     """Edges of the mesh's boundary faces, as lines."""
 
     type: Literal["edges"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
-    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary.
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
+    groups: NotRequired[list[str]]  # Names of the patches to show. Absent or empty: the whole boundary. (default [])
     threshold: NotRequired[Threshold]
-    angle: NotRequired[float]  # Angle in degrees. Shows only edges where the boundary bends by more than this angle, ends or branches. Absent: all edges.
-    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text.
+    angle: NotRequired[float]  # Angle in degrees. Shows only edges where the boundary bends by more than this angle, ends or branches. Absent: all edges. (0 to 180)
+    width: NotRequired[float]  # Width in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have wider lines, in proportion to their larger text. (above 0 and at most 32, default 1.5)
     color: NotRequired[Coloring]
 
 
@@ -135,14 +135,14 @@ class PointsLayer(TypedDict):
     """Vertices of the mesh, as points."""
 
     type: Literal["points"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]
-    of: NotRequired[Literal["boundary", "all"]]  # boundary: vertices of boundary faces. all: vertices of all cells.
-    groups: NotRequired[list[str]]  # Names of the patches whose vertices are shown. Absent or empty: the whole boundary. Only with `of` boundary.
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # 0 to 1, default 1
+    of: NotRequired[Literal["boundary", "all"]]  # boundary: vertices of boundary faces. all: vertices of all cells. (default 'boundary')
+    groups: NotRequired[list[str]]  # Names of the patches whose vertices are shown. Absent or empty: the whole boundary. Only with `of` boundary. (default [])
     threshold: NotRequired[Threshold]
-    size: NotRequired[float]  # Size of each point in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have larger points, in proportion to their larger text.
-    most: NotRequired[int]  # Maximum number of points shown. Of more points, every second, third ... is shown, and view.lacking reports it.
+    size: NotRequired[float]  # Size of each point in pixels of a 1280 x 720 picture. A view multiplies it by its `pixel_ratio`. Larger stills have larger points, in proportion to their larger text. (above 0 and at most 64, default 4)
+    most: NotRequired[int]  # Maximum number of points shown. Of more points, every second, third ... is shown, and view.lacking reports it. (1 to 10000000, default 1000000)
     color: NotRequired[Coloring]
 
 
@@ -150,14 +150,14 @@ class ClipLayer(TypedDict):
     """Plane that cuts all layers, given by either `axis` and `value`, or `origin` and `normal`. At most 6 may be visible. Pictures, probes under a pixel, polygon batches and surface.export show what remains."""
 
     type: Literal["clip"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
     axis: NotRequired[Literal["x", "y", "z"]]
     value: NotRequired[float]  # Position of the plane along `axis`, in the dataset's length units. Required with `axis`.
     origin: NotRequired[Vec3]
     normal: NotRequired[Vec3]
-    invert: NotRequired[bool]  # false: cuts away the side to which the normal or the axis points. true: cuts away the other side.
-    caps: NotRequired[bool]  # Closes surface layers that show the whole boundary with a slice of the mesh along the plane.
+    invert: NotRequired[bool]  # false: cuts away the side to which the normal or the axis points. true: cuts away the other side. (default False)
+    caps: NotRequired[bool]  # Closes surface layers that show the whole boundary with a slice of the mesh along the plane. (default True)
     color: NotRequired[Coloring]  # Coloring of the caps. Absent: that of the surface layer.
 
 
@@ -168,16 +168,16 @@ class VolumeLayer(TypedDict):
     """The mesh as a medium that emits and absorbs light. `color` maps values of `array` to colors, `opacity_points` to opacity. Several volumes are mixed point by point, whatever their order."""
 
     type: Literal["volume"]
-    order: NotRequired[float]
-    visible: NotRequired[bool]
-    opacity: NotRequired[float]  # Fades the finished volume. `opacity_points` set its density. Several volumes are mixed point by point: the largest `opacity` fades the mixture, and the `opacity_points` of volumes with a smaller `opacity` are lowered in proportion.
+    order: NotRequired[float]  # default 0
+    visible: NotRequired[bool]  # default True
+    opacity: NotRequired[float]  # Fades the finished volume. `opacity_points` set its density. Several volumes are mixed point by point: the largest `opacity` fades the mixture, and the `opacity_points` of volumes with a smaller `opacity` are lowered in proportion. (0 to 1, default 1)
     array: str
     color: NotRequired[Coloring]
-    opacity_points: NotRequired[list[OpacityPoint]]  # Opacity along the color scale, in ascending order of position. Opacity is linear between two points, and constant before the first and after the last. Two points with the same position are a step.
-    unit_length: NotRequired[float | None]  # Length in the dataset's length units. A ray through one value has the opacity of `opacity_points` after this length. null or absent: a tenth of the diagonal of the bounds.
-    slices: NotRequired[int | None]  # Number of slices of a still. Fewer are drawn during movement, with the same brightness. null or absent: 200 to 1000; more along a long side of the bounds, so that the distance of the slices is similar in all directions, and more if `opacity_points` are steep.
-    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # Normal of the slices. auto: the axis nearest to the viewing direction. screen: the viewing direction; during movement, the nearest axis. x, y, z: this axis, unless rays of the picture run nearly along its slices; then as auto. Stills use the viewing direction if rays run nearly along the slices of the chosen axis. The first visible volume decides for all volumes.
-    shaded: NotRequired[bool]  # Shades the volume by the gradient of its array, with a light at the eye.
+    opacity_points: NotRequired[list[OpacityPoint]]  # Opacity along the color scale, in ascending order of position. Opacity is linear between two points, and constant before the first and after the last. Two points with the same position are a step. (1 to 256 items, default [[0, 0], [1, 0.9]])
+    unit_length: NotRequired[float | None]  # Length in the dataset's length units. A ray through one value has the opacity of `opacity_points` after this length. null or absent: a tenth of the diagonal of the bounds. (above 0)
+    slices: NotRequired[int | None]  # Number of slices of a still. Fewer are drawn during movement, with the same brightness. null or absent: 200 to 1000; more along a long side of the bounds, so that the distance of the slices is similar in all directions, and more if `opacity_points` are steep. (1 to 1000)
+    direction: NotRequired[Literal["auto", "x", "y", "z", "screen"]]  # Normal of the slices. auto: the axis nearest to the viewing direction. screen: the viewing direction; during movement, the nearest axis. x, y, z: this axis, unless rays of the picture run nearly along its slices; then as auto. Stills use the viewing direction if rays run nearly along the slices of the chosen axis. The first visible volume decides for all volumes. (default 'auto')
+    shaded: NotRequired[bool]  # Shades the volume by the gradient of its array, with a light at the eye. (default True)
 
 
 Layer = IsoLayer | SliceLayer | SurfaceLayer | OutlineLayer | ClipLayer | EdgesLayer | PointsLayer | VolumeLayer
@@ -192,33 +192,33 @@ class EmptyLayer(TypedDict):
 class Annotations(TypedDict):
     """Text, legends and axes over a picture. Pictures of picture.render and `ciel render` contain them. Frames of a view do not; the client draws them over the frames."""
 
-    legend: NotRequired[bool]  # Color bars with name, units and ticks.
-    triad: NotRequired[bool]  # Arrows that show the directions of x, y and z.
-    axes: NotRequired[bool]  # Ticks and numbers along edges of the bounding box, in the dataset's length units.
-    time: NotRequired[bool]  # Time of the shown step.
-    dataset: NotRequired[bool]  # Name of the dataset.
-    title: NotRequired[str]  # Title of the picture. At most 256 bytes of UTF-8. Empty: no title.
-    scale: NotRequired[float]  # Factor on the size of text and of the annotations' lines. At 1, text has 13 pixels in a picture of 1280 x 720, and more in larger pictures.
+    legend: NotRequired[bool]  # Color bars with name, units and ticks. (default True)
+    triad: NotRequired[bool]  # Arrows that show the directions of x, y and z. (default True)
+    axes: NotRequired[bool]  # Ticks and numbers along edges of the bounding box, in the dataset's length units. (default False)
+    time: NotRequired[bool]  # Time of the shown step. (default False)
+    dataset: NotRequired[bool]  # Name of the dataset. (default False)
+    title: NotRequired[str]  # Title of the picture. At most 256 bytes of UTF-8. Empty: no title. (default '')
+    scale: NotRequired[float]  # Factor on the size of text and of the annotations' lines. At 1, text has 13 pixels in a picture of 1280 x 720, and more in larger pictures. (0.25 to 4, default 1)
 
 
 class Light(TypedDict):
-    on: NotRequired[bool]
-    strength: NotRequired[float]
+    on: NotRequired[bool]  # default True
+    strength: NotRequired[float]  # 0 to 4, default 1
 
 
 class AmbientOcclusion(TypedDict):
     """Darkens opaque lit surfaces where other surfaces nearby block the ambient light. Slices darken other surfaces, but keep their own colors. Lines, points, transparent surfaces and volumes neither darken nor are darkened. Pictures show the effect; polygons of the geometry stream do not."""
 
-    on: NotRequired[bool]
-    radius: NotRequired[float]  # Largest distance at which surfaces darken each other, as a share of the diagonal of the bounds.
-    strength: NotRequired[float]  # Exponent of the share of the ambient light that reaches a point. 0: no effect. 1: the share itself. 2: as dark as 1 applied twice.
+    on: NotRequired[bool]  # default False
+    radius: NotRequired[float]  # Largest distance at which surfaces darken each other, as a share of the diagonal of the bounds. (above 0 and at most 1, default 0.1)
+    strength: NotRequired[float]  # Exponent of the share of the ambient light that reaches a point. 0: no effect. 1: the share itself. 2: as dark as 1 applied twice. (0 to 4, default 1)
 
 
 class Lighting(TypedDict):
     """Light on surfaces. The headlight is at the eye and the key light over the viewer's left shoulder; both move with the camera. A shaded volume has its own light at the eye, which goes off with the headlight. Slices are never lit."""
 
-    on: NotRequired[bool]  # false: everything is shown in its own colors, without light and shade.
-    ambient: NotRequired[float]  # Strength of the light from all directions.
+    on: NotRequired[bool]  # false: everything is shown in its own colors, without light and shade. (default True)
+    ambient: NotRequired[float]  # Strength of the light from all directions. (0 to 4, default 1)
     headlight: NotRequired[Light]
     key_light: NotRequired[Light]
     ambient_occlusion: NotRequired[AmbientOcclusion]
@@ -228,9 +228,9 @@ class Scene(TypedDict):
     """Everything that a picture depends on. Undo, links, replay and scripts use this document."""
 
     dataset: str
-    time: NotRequired[float]  # Simulation time. The nearest step is shown.
+    time: NotRequired[float]  # Simulation time. The nearest step is shown. (default 0)
     camera: NotRequired[Camera | None]
-    background: NotRequired[Literal["dark", "light"] | Color]
+    background: NotRequired[Literal["dark", "light"] | Color]  # default 'dark'
     annotations: NotRequired[Annotations]
     lighting: NotRequired[Lighting]
     layers: NotRequired[dict[str, Layer]]  # Layers by id. An id has at most 256 bytes of UTF-8. Layers are drawn by `order`, then by id.
@@ -308,7 +308,7 @@ class DatasetDescription(TypedDict):
 
 class WantedArray(TypedDict):
     name: str  # Name of an array of the dataset, or of a new one. Names of arrays on cells begin with 'cell:'.
-    components: NotRequired[int]  # Number of components. Default: 1 for a new array, and the existing number for an array of the dataset, from which it may not differ.
+    components: NotRequired[int]  # Number of components. Default: 1 for a new array, and the existing number for an array of the dataset, from which it may not differ. (1 to 64)
     type: NotRequired[Literal["float32", "float64"]]  # Type of the uploaded values. Default: float32. A new array is stored in this type.
 
 

@@ -116,7 +116,7 @@ class DatasetHistogramParams(TypedDict):
     dataset: str  # Name of the dataset, as in dataset.list.
     array: str  # Name of the scalar, such as `p`, `U:x` or `cell:p`.
     time: NotRequired[float]  # Simulation time; the nearest step is used. Default: the first step.
-    bins: NotRequired[int]  # Number of bins of equal width. Each excludes its upper end, except the last.
+    bins: NotRequired[int]  # Number of bins of equal width. Each excludes its upper end, except the last. (1 to 4096, default 256)
     range: NotRequired[Range]  # Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
 
 
@@ -135,8 +135,8 @@ class SessionOpenParams(TypedDict):
     session: NotRequired[str]  # Id of the session to join. If there is none with this id, a session with this id is opened. The id is the key to the session, so a client that chooses one must make it from 128 random bits. Absent: the server chooses an id.
     dataset: NotRequired[str]  # Dataset whose default scene a new session shows. Default: the first of dataset.list that can be opened. Ignored if `scene` is given.
     scene: NotRequired[Scene]  # Scene of a new session. An existing session keeps its own.
-    undo: NotRequired[list[dict[str, Any]]]  # Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
-    redo: NotRequired[list[dict[str, Any]]]  # Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history.
+    undo: NotRequired[list[dict[str, Any]]]  # Undo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history. (at most 50 items)
+    redo: NotRequired[list[dict[str, Any]]]  # Redo history of a new session, for a client whose server was restarted: RFC 7396 merge patches, the nearest step first. The first patch applies to the scene, each other patch to the result of the one before it. An existing session keeps its own history. (at most 50 items)
 
 
 SessionOpenResult = SessionState
@@ -193,11 +193,11 @@ class ViewOpenParams(TypedDict):
     """view.open: Opens a view of a session. The server sends its frames on this WebSocket."""
 
     session: str  # Id of the session, as session.open returned it.
-    width: int  # Width of the view in pixels.
-    height: int  # Height of the view in pixels.
-    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio.
-    stream: NotRequired[Literal["image", "geometry"]]  # What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
-    moving: NotRequired[Literal["png", "jpeg"]]  # Format of interactive pictures. Stills are always PNG.
+    width: int  # Width of the view in pixels. (16 to 8192)
+    height: int  # Height of the view in pixels. (16 to 8192)
+    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. In a browser, devicePixelRatio. (0.25 to 16, default 1)
+    stream: NotRequired[Literal["image", "geometry"]]  # What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws. (default 'image')
+    moving: NotRequired[Literal["png", "jpeg"]]  # Format of interactive pictures. Stills are always PNG. (default 'png')
 
 
 class ViewOpenResult(TypedDict):
@@ -207,10 +207,10 @@ class ViewOpenResult(TypedDict):
 class ViewResizeParams(TypedDict):
     """view.resize: Changes the size of a view."""
 
-    view: int  # Number of the view, as view.open returned it.
-    width: int  # New width of the view in pixels.
-    height: int  # New height of the view in pixels.
-    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. Absent: unchanged.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
+    width: int  # New width of the view in pixels. (16 to 8192)
+    height: int  # New height of the view in pixels. (16 to 8192)
+    pixel_ratio: NotRequired[float]  # Factor on the widths of lines and the sizes of points. Absent: unchanged. (0.25 to 16)
 
 
 ViewResizeResult = None
@@ -219,7 +219,7 @@ ViewResizeResult = None
 class ViewStreamParams(TypedDict):
     """view.stream: Switches a view between pictures and batches of polygons."""
 
-    view: int  # Number of the view, as view.open returned it.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
     stream: Literal["image", "geometry"]  # What the frames contain (frame.md). image: pictures. geometry: polygons that the client draws.
     moving: NotRequired[Literal["png", "jpeg"]]  # Format of interactive pictures. Stills are always PNG. Absent: unchanged.
 
@@ -230,7 +230,7 @@ ViewStreamResult = None
 class ViewAckParams(TypedDict):
     """view.ack: Acknowledges that the client has presented a frame. Usually sent as a notification."""
 
-    view: int  # Number of the view, as view.open returned it.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
     frame: int  # Number of the frame, from its header.
 
 
@@ -240,7 +240,7 @@ ViewAckResult = None
 class ViewCloseParams(TypedDict):
     """view.close: Closes a view. The server sends no more frames of it."""
 
-    view: int  # Number of the view, as view.open returned it.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
 
 
 ViewCloseResult = None
@@ -251,8 +251,8 @@ class PictureRenderParams(TypedDict):
 
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    width: NotRequired[int]  # Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise.
-    height: NotRequired[int]  # Height in pixels. Text and lines are larger in larger pictures.
+    width: NotRequired[int]  # Width in pixels. The server's limit for width times height is 33554432 pixels unless image_pixels of server.info says otherwise. (16 to 8192, default 1280)
+    height: NotRequired[int]  # Height in pixels. Text and lines are larger in larger pictures. (16 to 8192, default 720)
     progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
@@ -266,8 +266,8 @@ class ProbePointParams(TypedDict):
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
     position: NotRequired[Vec3]  # Position in the dataset's length units. Give either `position` or `pixel`.
     pixel: NotRequired[list[float]]  # Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
-    width: NotRequired[int]  # Width in pixels of the picture that `pixel` belongs to. Required with `pixel`.
-    height: NotRequired[int]  # Height in pixels of the picture that `pixel` belongs to. Required with `pixel`.
+    width: NotRequired[int]  # Width in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
+    height: NotRequired[int]  # Height in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
 
 
 ProbePointResult = ProbeResult
@@ -278,8 +278,8 @@ class SceneCameraParams(TypedDict):
 
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    width: NotRequired[int]  # Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
-    height: NotRequired[int]  # Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size.
+    width: NotRequired[int]  # Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 1280)
+    height: NotRequired[int]  # Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 720)
 
 
 SceneCameraResult = Camera
@@ -290,7 +290,7 @@ class SceneBoundsParams(TypedDict):
 
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh.
+    of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh. (default 'mesh')
 
 
 class SceneBoundsResult(TypedDict):
@@ -301,8 +301,8 @@ class ScenePickParams(TypedDict):
     """scene.pick: Finds the first polygon under a pixel of a picture of the given size, without drawing. Lines, points and volumes are ignored."""
 
     pixel: list[float]  # Pixel [x, y], counted from the top left.
-    width: int  # Width of the picture in pixels.
-    height: int  # Height of the picture in pixels.
+    width: int  # Width of the picture in pixels. (16 to 8192)
+    height: int  # Height of the picture in pixels. (16 to 8192)
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
 
@@ -317,11 +317,11 @@ class ScenePickResult(TypedDict):
 class ColorRangeParams(TypedDict):
     """color.range: Returns the range of the values by which layers are colored, or of the part that is in view."""
 
-    layers: list[str]  # Ids of layers of the scene.
+    layers: list[str]  # Ids of layers of the scene. (at most 64 items)
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    aspect: NotRequired[float]  # Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count.
-    of: NotRequired[Literal["layers", "contours"]]  # layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale.
+    aspect: NotRequired[float]  # Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count. (0.01 to 100)
+    of: NotRequired[Literal["layers", "contours"]]  # layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale. (default 'layers')
 
 
 class ColorRangeResult(TypedDict):
@@ -335,8 +335,8 @@ class SurfaceExportParams(TypedDict):
     format: Literal["ply", "stl", "vtp"]  # ply: binary PLY. stl: binary STL. vtp: XML PolyData of VTK.
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    triangles: NotRequired[bool]  # true: polygons are split into triangles. STL always has triangles.
-    origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin.
+    triangles: NotRequired[bool]  # true: polygons are split into triangles. STL always has triangles. (default False)
+    origin: NotRequired[bool]  # true: coordinates are relative to an origin that is the same for all surfaces of the dataset, and zero if 32-bit floats are precise enough for its bounds. STL always uses this origin. (default False)
     progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
@@ -354,7 +354,7 @@ class AppendBeginParams(TypedDict):
 
     dataset: str  # Name of the dataset, as in dataset.list.
     time: float  # Time of the step. It must be later than the last step of the dataset.
-    arrays: list[WantedArray]  # Arrays of the step.
+    arrays: list[WantedArray]  # Arrays of the step. (1 to 256 items)
 
 
 AppendBeginResult = Upload
@@ -364,8 +364,8 @@ class AppendPieceParams(TypedDict):
     """append.piece: Adds bytes to one array of an upload. On a WebSocket, a binary message does the same (frame.md)."""
 
     upload: str  # Id of the upload, as append.begin returned it.
-    array: int  # Index of the array in `arrays` of append.begin, from 0.
-    offset: int  # Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again.
+    array: int  # Index of the array in `arrays` of append.begin, from 0. (0 to 255)
+    offset: int  # Offset of the first byte in the array. At most the number of bytes received so far. A piece may be sent again. (at least 0)
     data: str  # Little-endian values as base64 (RFC 4648), in the `type` of append.begin, interleaved by component. At most `piece_bytes` bytes before encoding.
 
 
@@ -411,7 +411,7 @@ class SceneChangedParams(TypedDict):
 class ViewFailedParams(TypedDict):
     """view.failed: A frame of a view could not be made. The view keeps its last frame."""
 
-    view: int  # Number of the view, as view.open returned it.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
     revision: int  # Revision of the scene that the frame would have shown.
     message: str  # Sentence for the user.
 
@@ -419,7 +419,7 @@ class ViewFailedParams(TypedDict):
 class ViewLackingParams(TypedDict):
     """view.lacking: Data that the next frame of a view does not show. Sent when this changes; all lists are empty if nothing is lacking any more."""
 
-    view: int  # Number of the view, as view.open returned it.
+    view: int  # Number of the view, as view.open returned it. (at least 1)
     revision: int  # Revision of the scene that the frame shows.
     sentences: list[str]  # Sentences for the user, for example about arrays that were not written at this time or about too many points.
     empty: list[EmptyLayer]  # Visible layers of which nothing is seen, with the reasons.
@@ -431,8 +431,8 @@ class CallProgressParams(TypedDict):
 
     progress: str  # Name that the call gave as `progress`.
     stage: Literal["surfaces", "waiting", "drawing", "writing"]  # surfaces: makes the surfaces of the layers. waiting: another picture is drawn first. drawing: draws the picture. writing: makes the file.
-    done: int  # Number of layers that are made. 0 in other stages than surfaces.
-    of: int  # Number of layers to make. 0 in other stages than surfaces.
+    done: int  # Number of layers that are made. 0 in other stages than surfaces. (at least 0)
+    of: int  # Number of layers to make. 0 in other stages than surfaces. (at least 0)
 
 
 class AppendRefusedParams(TypedDict):
