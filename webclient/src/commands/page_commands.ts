@@ -1,4 +1,5 @@
 // Commands for the page: theme, panels, stream, canvases.
+import { DEFAULTS } from "../generated/protocol";
 import type { StreamChoice, Theme } from "../model/state";
 import type { Box } from "../wasm/overlay";
 import type { Size } from "../model/camera";
@@ -21,7 +22,7 @@ export class PageCommands {
   /** Sets the scene's background to that of the theme. Keeps a custom color. */
   matchBackground(): void {
     const { editor } = this.deps.server;
-    const background = editor.scene?.background ?? "dark";
+    const background = editor.scene?.background ?? DEFAULTS.Scene.background;
     if (!background.startsWith("#")) editor.amend({ background: this.background() });
   }
 

@@ -1,4 +1,6 @@
 // Converts a scene's background to the top and bottom colors of the gradient that the server draws.
+import { DEFAULTS } from "../generated/protocol";
+
 export type Rgb = [number, number, number];
 
 const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
@@ -7,7 +9,7 @@ const NAMED: Record<string, { top: Rgb; bottom: Rgb }> = {
 };
 
 export function backgroundColors(background: string | undefined): { top: Rgb; bottom: Rgb } {
-  const name = background ?? "dark";
+  const name = background ?? DEFAULTS.Scene.background;
   if (/^#[0-9a-f]{6}$/i.test(name)) {
     const rgb = [1, 3, 5].map((at) => parseInt(name.slice(at, at + 2), 16) / 255) as Rgb;
     return { top: rgb, bottom: rgb };

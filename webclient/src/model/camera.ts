@@ -1,5 +1,5 @@
 // Camera operations as pure functions. Pixel coordinates are relative to the canvas, with y downwards.
-import type { Camera } from "../generated/protocol";
+import { DEFAULTS, type Camera } from "../generated/protocol";
 import { add, cross, dot, length, normalize, rotate, scale, subtract, type Vec3 } from "./vector";
 
 export type Bounds = [number, number, number, number, number, number];
@@ -10,7 +10,7 @@ export interface Size {
 /** A camera with all defaults filled in. `up` is perpendicular to the view direction. */
 export type FullCamera = Required<Camera>;
 
-export const DEFAULT_FOV = 30;
+export const DEFAULT_FOV = DEFAULTS.Camera.fov;
 /** Limits of the field-of-view controls in degrees. A scene may exceed these limits. */
 export const FOV_RANGE: readonly [number, number] = [1, 120];
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -19,7 +19,8 @@ export function complete(camera: Camera): FullCamera {
   const fov = camera.fov ?? DEFAULT_FOV;
   const distance = length(subtract(camera.position, camera.target));
   const height = camera.parallel_height ?? 2 * distance * Math.tan(radians(fov) / 2);
-  const full = { fov, parallel: camera.parallel ?? false, parallel_height: height || 1, up: camera.up ?? [0, 0, 1] };
+  const { parallel, up } = DEFAULTS.Camera;
+  const full = { fov, parallel: camera.parallel ?? parallel, parallel_height: height || 1, up: camera.up ?? up };
   const result: FullCamera = { ...full, position: camera.position, target: camera.target };
   return { ...result, up: frame(result).up };
 }

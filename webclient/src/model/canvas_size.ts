@@ -1,10 +1,10 @@
 // Size of the canvas, in CSS pixels for pointer positions and in device pixels for pictures.
+import { LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
 
-// Side of a view in pixels: limits of the contract (protocol/openrpc.json).
-export const SMALLEST = 16;
-export const LARGEST = 8192;
+/** Side of a view in pixels. */
+export const [SMALLEST, LARGEST] = LIMITS["view.open"].width;
 
 /** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
@@ -56,7 +56,7 @@ export class CanvasSize {
 
   /** Picture pixels per CSS pixel, clamped to the limits of `pixel_ratio` in the contract. */
   get pixelRatio(): number {
-    return Math.min(16, Math.max(0.25, this.pixels().width / this.css.width));
+    return clamp(this.pixels().width / this.css.width, ...LIMITS["view.open"].pixel_ratio);
   }
 
   /** Canvas size in device pixels, multiplied by `times`. Each side is at most LARGEST. */

@@ -1,14 +1,13 @@
 // Edits of a coloring. Each returns only the changed members, including removals of members that exclude a new one.
 import { colorRow, hexOf, type ColorScale } from "./color_scale";
-import type { Coloring, ColorPoint, Range } from "../generated/protocol";
+import { LIMITS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
 import { rangeAboveZero } from "./color_range";
 import { withEnd } from "./numbers";
 
 /** Changed members of a coloring. undefined removes a member. */
 export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
 
-export const MOST_POINTS = 64;
-export const MOST_STEPS = 256;
+export const [, MOST_POINTS] = LIMITS.Coloring.points;
 const FIRST_POINTS = 5;
 
 /**

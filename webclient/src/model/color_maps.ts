@@ -1,4 +1,5 @@
 // Color maps of the page. They are decoded from the same table as the server's.
+import { DEFAULTS } from "../generated/protocol";
 import table from "../../../protocol/colormaps.json";
 
 // 256 RGBA entries
@@ -19,7 +20,7 @@ const maps = new Map(table.maps.map(({ name, colors }) => [name, decode(colors)]
 const first = table.maps[0]?.name ?? "viridis";
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
-export const DEFAULT_MAP = "viridis";
+export const DEFAULT_MAP = DEFAULTS.Coloring.map;
 /** Default color of missing values, as #rrggbb. */
 export const missingHex = `#${table.nan}`;
 

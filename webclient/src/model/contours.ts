@@ -1,9 +1,9 @@
 // Contour lines of a slice: their values, and the changes needed when another array is chosen.
 import { DEFAULT_MAP } from "./color_maps";
-import type { Coloring, Contours, Range } from "../generated/protocol";
+import { LIMITS, type Coloring, type Contours, type Range } from "../generated/protocol";
 
 export const DEFAULT_COUNT = 10;
-export const MOST_COUNT = 64;
+export const COUNTS = LIMITS.Contours.count;
 
 /** Merge patch of a slice's contours. null removes a member. */
 export type ContoursChange = {

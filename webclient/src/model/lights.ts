@@ -1,5 +1,5 @@
 // Converts a scene's lighting to light strengths for the shaders.
-import type { Light, Lighting } from "../generated/protocol";
+import { DEFAULTS, type Light, type Lighting } from "../generated/protocol";
 
 export interface Lights {
   on: boolean;
@@ -7,9 +7,10 @@ export interface Lights {
   strengths: [number, number, number];
 }
 
-const strengthOf = (light: Light | undefined): number => (light?.on === false ? 0 : (light?.strength ?? 1));
+const strengthOf = ({ on = DEFAULTS.Light.on, strength = DEFAULTS.Light.strength }: Light = {}): number =>
+  on ? strength : 0;
 
-export function lightsOf(lighting: Lighting | undefined): Lights {
-  const { on = true, ambient = 1, headlight, key_light } = lighting ?? {};
+export function lightsOf(lighting: Lighting = {}): Lights {
+  const { on, ambient, headlight, key_light } = { ...DEFAULTS.Lighting, ...lighting };
   return { on, strengths: [ambient, strengthOf(headlight), strengthOf(key_light)] };
 }

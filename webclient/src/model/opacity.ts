@@ -1,15 +1,12 @@
 // Opacity curve of a volume: points in ascending order of position. Positions are from 0 to 1 over the scalar range,
 // opacities are per unit length.
+import { DEFAULTS, LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 
 export type OpacityPoint = [position: number, opacity: number];
 
-/** Default opacity curve of the contract (protocol/openrpc.json). */
-export const DEFAULT_OPACITY: readonly OpacityPoint[] = [
-  [0, 0],
-  [1, 0.9],
-];
-export const MOST_POINTS = 256;
+export const DEFAULT_OPACITY: readonly OpacityPoint[] = DEFAULTS.VolumeLayer.opacity_points;
+export const [, MOST_POINTS] = LIMITS.VolumeLayer.opacity_points;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 

@@ -1,5 +1,6 @@
 // Histograms of scalars, fetched once for each dataset, scalar and time step.
 import { signal, type Signal } from "@preact/signals";
+import { ErrorCode } from "../generated/protocol";
 import { Disconnected, RpcError } from "./rpc";
 import type { Histogram } from "../model/state";
 
@@ -7,7 +8,6 @@ const KEPT = 200;
 /** Number of simultaneous requests. The server computes few at a time and refuses a connection with too many. */
 const AT_ONCE = 2;
 const RETRY_MILLISECONDS = 1000;
-const LIMIT_REACHED = -32003; // error code `Limit` of the contract
 
 interface Known {
   histogram: Signal<Histogram | null>;
@@ -77,7 +77,7 @@ export class Histograms {
     this.underWay -= 1;
     if (!(answer instanceof Error)) {
       this.remember(of, "here", answer);
-    } else if (answer instanceof RpcError && answer.code === LIMIT_REACHED) {
+    } else if (answer instanceof RpcError && answer.code === ErrorCode.Limit) {
       this.want(of, RETRY_MILLISECONDS);
       return; // the server would refuse further requests too
     } else if (answer instanceof Disconnected) {

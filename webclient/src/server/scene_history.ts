@@ -1,5 +1,5 @@
 // Copy of the server's undo and redo steps. A restarted server gets them when the session is opened again.
-import type { Scene } from "../generated/protocol";
+import { LIMITS, type Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
 /**
@@ -11,7 +11,7 @@ export interface Steps {
   redo: JsonObject[];
 }
 
-const MOST_STEPS = 50;
+const [, MOST_STEPS] = LIMITS["session.open"].undo;
 /** Limit of the characters of all patches as JSON. The message that contains them has at most 1 MiB. */
 const MOST_CHARACTERS = 400_000;
 /** Gesture name for the changes of other clients. Their gestures are unknown, so consecutive ones count as one step. */

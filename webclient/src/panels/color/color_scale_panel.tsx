@@ -3,9 +3,8 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { colorRow, hexOf, type ColorScale } from "../../model/color_scale";
-import type { Coloring, Range } from "../../generated/protocol";
+import { LIMITS, type Coloring, type Range } from "../../generated/protocol";
 import {
-  MOST_STEPS,
   pointsOf,
   withMap,
   withDataRange,
@@ -163,7 +162,7 @@ function Ways({ of, coloring, scale, change }: WaysProps): JSX.Element {
               label="Number of steps"
               value={steps}
               step={1}
-              limits={[2, MOST_STEPS]}
+              limits={LIMITS.Coloring.steps}
               onChange={(count) => change({ steps: Math.round(count) })}
             />
           )}

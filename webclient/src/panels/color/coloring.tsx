@@ -1,6 +1,6 @@
 // Fields that choose how a layer is colored: by an array through a color map, or with one color.
 import type { JSX } from "preact";
-import type { Coloring } from "../../generated/protocol";
+import { DEFAULTS, type Coloring } from "../../generated/protocol";
 import { DEFAULT_MAP, colorMapNames } from "../../model/color_maps";
 import { withMap } from "../../model/color_edit";
 import { allScalarsOf, boundaryScalarsOf, scalarsOf, type Colored, type ScaledColoring } from "../../model/scalars";
@@ -11,7 +11,7 @@ import { useSomeRange } from "./data_range";
 
 const SOLID = "";
 const OWN = "";
-export const DEFAULT_SOLID = "#cccccc";
+export const DEFAULT_SOLID = DEFAULTS.Coloring.solid;
 
 function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
   return <ColorScalePanel {...props} data={useSomeRange(props.coloring.array)} />;

@@ -1,11 +1,11 @@
 // Row of values of an array. Each value can be edited and removed. A new value is placed in the widest gap.
 import type { JSX } from "preact";
-import type { Range } from "../../generated/protocol";
+import { LIMITS, type Range } from "../../generated/protocol";
 import { niceStep, widestGap } from "../../model/numbers";
 import { IconButton, NumberField } from "./controls";
 import { RemoveButton } from "./remove_button";
 
-const MOST_VALUES = 64;
+const [, MOST_VALUES] = LIMITS.IsoLayer.values; // Contours.values has the same limit
 
 export function replaced(values: readonly number[], index: number, value: number): number[] {
   return values.map((old, i) => (i === index ? value : old));

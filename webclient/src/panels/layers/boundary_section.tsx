@@ -1,7 +1,7 @@
 // Settings of boundary layers. A layer shows the whole boundary or some of its patches. Several layers can have
 // different looks.
 import type { JSX } from "preact";
-import type { SurfaceLayer } from "../../generated/protocol";
+import { DEFAULTS, type SurfaceLayer } from "../../generated/protocol";
 import { freshSolid } from "../../model/new_looks";
 import { layersOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
@@ -16,7 +16,7 @@ function LookFields({ id, layer }: { id: string; layer: SurfaceLayer }): JSX.Ele
   return (
     <>
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} ofPatches />
-      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? DEFAULTS.SurfaceLayer.opacity} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
       <EdgesFields id={id} edges={layer.edges} />
     </>

@@ -1,14 +1,14 @@
 // Settings of a slice's contour lines: array, values, color and width.
 import type { JSX } from "preact";
-import type { Coloring, Contours, Range, SliceLayer } from "../../generated/protocol";
-import { DEFAULT_COUNT, evenValues, mapBeside, MOST_COUNT, ofArray, type ContoursChange } from "../../model/contours";
+import { DEFAULTS, type Coloring, type Contours, type Range, type SliceLayer } from "../../generated/protocol";
+import { COUNTS, DEFAULT_COUNT, evenValues, mapBeside, ofArray, type ContoursChange } from "../../model/contours";
 import { withEnd } from "../../model/numbers";
 import { firstScalar, scalarsOf } from "../../model/scalars";
 import { ColoringFields } from "../color/coloring";
 import { Check, NumberField, SelectField } from "../controls/controls";
 import { useCommands, useModel } from "../context";
 import { useSomeRange } from "../color/data_range";
-import { DEFAULT_COLOR, LineStyleFields } from "./line_fields";
+import { LineStyleFields } from "./line_fields";
 import { RangeRow } from "../controls/range_row";
 import { ValueRow } from "../controls/value_row";
 
@@ -60,7 +60,7 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
               label="Number of contour lines"
               value={contours.count ?? DEFAULT_COUNT}
               step={1}
-              limits={[1, MOST_COUNT]}
+              limits={COUNTS}
               onChange={(typed) => set({ count: Math.round(typed) })}
             />
           </label>
@@ -93,8 +93,8 @@ function LooksFields({
     <>
       <LineStyleFields
         label="the contour lines"
-        color={coloring === undefined ? (contours.color ?? DEFAULT_COLOR) : null}
-        width={contours.width ?? 1.5}
+        color={coloring === undefined ? (contours.color ?? DEFAULTS.Contours.color) : null}
+        width={contours.width ?? DEFAULTS.Contours.width}
         onChange={set}
       />
       <Check

@@ -1,7 +1,7 @@
 // Settings of an iso-surface layer: array, values over a histogram, colors.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
-import type { IsoLayer, Range } from "../../generated/protocol";
+import { DEFAULTS, type IsoLayer, type Range } from "../../generated/protocol";
 import { formatNumber, logarithmicStart } from "../../model/numbers";
 import { arrayOf, scalarsOf, unitsOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
@@ -116,7 +116,7 @@ export function IsoCard({ id, layer }: { id: string; layer: IsoLayer }): JSX.Ele
       </ValueRow>
       <OutsideHint values={layer.values} range={range} />
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
-      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? DEFAULTS.IsoLayer.opacity} />
       <Check
         label="Smooth"
         checked={layer.smooth !== false}

@@ -1,10 +1,8 @@
 // Fields for lines of a layer: visibility, color, width.
 import type { JSX } from "preact";
-import type { Edges } from "../../generated/protocol";
+import { DEFAULTS, LIMITS, type Edges } from "../../generated/protocol";
 import { Check, NumberField } from "../controls/controls";
 import { useCommands } from "../context";
-
-export const DEFAULT_COLOR = "#1a1a1a";
 
 interface LineStyleProps {
   label: string;
@@ -35,7 +33,7 @@ export function LineStyleFields({ label, color, width, onChange }: LineStyleProp
           value={width}
           step={0.5}
           unit="px"
-          limits={[0.1, 32]}
+          limits={[0.1, LIMITS.Edges.width[1]]}
           onChange={(typed) => onChange({ width: typed })}
         />
       </label>
@@ -53,8 +51,8 @@ export function EdgesFields({ id, edges }: { id: string; edges: Edges | undefine
       {shown && (
         <LineStyleFields
           label="the edges"
-          color={edges.color ?? DEFAULT_COLOR}
-          width={edges.width ?? 1}
+          color={edges.color ?? DEFAULTS.Edges.color}
+          width={edges.width ?? DEFAULTS.Edges.width}
           onChange={set}
         />
       )}

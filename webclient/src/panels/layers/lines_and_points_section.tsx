@@ -1,6 +1,6 @@
 // Settings of layers that show edges or vertices of the mesh.
 import type { ComponentChildren, JSX } from "preact";
-import type { EdgesLayer, PointsLayer, Range } from "../../generated/protocol";
+import { DEFAULTS, LIMITS, type EdgesLayer, type PointsLayer } from "../../generated/protocol";
 import { formatCount } from "../../model/numbers";
 import { layersOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
@@ -11,7 +11,6 @@ import { RemoveButton } from "../controls/remove_button";
 import { ThresholdFields } from "./threshold_fields";
 
 const USUAL_ANGLE = 30;
-const USUAL_MOST = 1e6;
 
 interface CardProps {
   id: string;
@@ -40,7 +39,7 @@ function Card({ id, layer, children }: CardProps): JSX.Element {
       </div>
       <div class="fields">{children}</div>
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} ofPoints />
-      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? DEFAULTS.EdgesLayer.opacity} />
       <ThresholdFields id={id} threshold={layer.threshold} color={layer.color?.array} />
       {hasPatches && !(layer.type === "points" && layer.of === "all") && (
         <PatchList
@@ -57,7 +56,7 @@ interface SizeProps {
   label: string;
   value: number;
   step: number;
-  range: Range;
+  range: readonly [number, number];
   unit?: string;
   set: (value: number) => void;
 }
@@ -94,9 +93,9 @@ function EdgesCard({ id, layer }: { id: string; layer: EdgesLayer }): JSX.Elemen
       <SizeField
         name="Width"
         label="Width of the lines in pixels"
-        value={layer.width ?? 1.5}
+        value={layer.width ?? DEFAULTS.EdgesLayer.width}
         step={0.5}
-        range={[0.1, 32]}
+        range={[0.1, LIMITS.EdgesLayer.width[1]]}
         unit="px"
         set={(width) => commands.layers.set(id, { width })}
       />
@@ -107,7 +106,7 @@ function EdgesCard({ id, layer }: { id: string; layer: EdgesLayer }): JSX.Elemen
           label="Angle in degrees"
           value={layer.angle}
           step={5}
-          range={[0, 180]}
+          range={LIMITS.EdgesLayer.angle}
           set={(angle) => commands.layers.set(id, { angle })}
         />
       )}
@@ -122,7 +121,7 @@ function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Elem
     <Card id={id} layer={layer}>
       <SelectField
         label="Which"
-        value={layer.of ?? "boundary"}
+        value={layer.of ?? DEFAULTS.PointsLayer.of}
         options={[
           { value: "boundary", text: "Of the boundary" },
           { value: "all", text: vertices === undefined ? "All" : `All ${formatCount(vertices)}` },
@@ -132,18 +131,18 @@ function PointsCard({ id, layer }: { id: string; layer: PointsLayer }): JSX.Elem
       <SizeField
         name="Size"
         label="Size of the points in pixels"
-        value={layer.size ?? 4}
+        value={layer.size ?? DEFAULTS.PointsLayer.size}
         step={1}
-        range={[0.5, 64]}
+        range={[0.5, LIMITS.PointsLayer.size[1]]}
         unit="px"
         set={(size) => commands.layers.set(id, { size })}
       />
       <SizeField
         name="At most"
         label="Number of points at most"
-        value={layer.most ?? USUAL_MOST}
-        step={USUAL_MOST / 10}
-        range={[1, 1e7]}
+        value={layer.most ?? DEFAULTS.PointsLayer.most}
+        step={DEFAULTS.PointsLayer.most / 10}
+        range={LIMITS.PointsLayer.most}
         set={(most) => commands.layers.set(id, { most: Math.round(most) })}
       />
     </Card>

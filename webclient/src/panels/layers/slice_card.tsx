@@ -1,7 +1,7 @@
 // Settings of a slice. Its plane is always visible; its colors and lines can be folded.
 import type { JSX } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import type { SliceLayer } from "../../generated/protocol";
+import { DEFAULTS, type SliceLayer } from "../../generated/protocol";
 import { endsOf, type Across } from "../../model/axes";
 import { formatNumber } from "../../model/numbers";
 import { likeThis, looksInWords, planeChange, type Slices } from "../../model/slices";
@@ -47,7 +47,7 @@ function LooksFields({ id, layer, slices }: { id: string; layer: SliceLayer; sli
   return (
     <>
       <ColoringFields of={{ layers: [id] }} coloring={layer.color ?? {}} />
-      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? DEFAULTS.SliceLayer.opacity} />
       <ContourFields id={id} slice={layer} />
       <EdgesFields id={id} edges={layer.edges} />
       {slices.length > 1 && (

@@ -1,6 +1,6 @@
 // Settings of a layer's threshold, which shows only cells with values in a range.
 import type { JSX } from "preact";
-import type { Range, Threshold } from "../../generated/protocol";
+import { DEFAULTS, type Range, type Threshold } from "../../generated/protocol";
 import { formatNumber, fractionOf, valueAt, withEnd } from "../../model/numbers";
 import { arrayOf, firstScalar, allScalarsOf } from "../../model/scalars";
 import { Check, NumberField, SelectField, Slider } from "../controls/controls";
@@ -87,7 +87,7 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
             {arrayOf(description, threshold.array)?.association !== "cell" && (
               <SelectField
                 label="Of their vertices"
-                value={threshold.keep ?? "all"}
+                value={threshold.keep ?? DEFAULTS.Threshold.keep}
                 options={[
                   { value: "all", text: "all in range" },
                   { value: "any", text: "any in range" },

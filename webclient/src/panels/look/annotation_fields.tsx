@@ -1,6 +1,6 @@
 // Switches for annotations over the picture. Saved pictures have the same annotations, drawn by the server.
 import type { JSX } from "preact";
-import type { Annotations } from "../../generated/protocol";
+import { DEFAULTS, type Annotations } from "../../generated/protocol";
 import { Check, Slider } from "../controls/controls";
 
 interface AnnotationFieldsProps {
@@ -10,15 +10,7 @@ interface AnnotationFieldsProps {
 }
 
 export function AnnotationFields({ annotations, change, newGesture }: AnnotationFieldsProps): JSX.Element {
-  const {
-    legend = true,
-    triad = true,
-    axes = false,
-    dataset = false,
-    time = false,
-    title = "",
-    scale = 1,
-  } = annotations;
+  const { legend, triad, axes, dataset, time, title, scale } = { ...DEFAULTS.Annotations, ...annotations };
   const percent = Math.round(100 * scale);
   return (
     <>

@@ -1,10 +1,8 @@
 // Settings of a scene's lights and of ambient occlusion.
 import type { JSX } from "preact";
-import type { AmbientOcclusion, Light, Lighting } from "../../generated/protocol";
+import { DEFAULTS, type AmbientOcclusion, type Light, type Lighting } from "../../generated/protocol";
 import { Check, Section, Slider } from "../controls/controls";
 import { useCommands, useModel } from "../context";
-
-const DEFAULT_RADIUS = 0.1;
 
 interface StrengthProps {
   label: string;
@@ -43,7 +41,7 @@ interface LightFieldsProps {
 }
 
 function LightFields({ label, light, change }: LightFieldsProps): JSX.Element {
-  const { on = true, strength = 1 } = light ?? {};
+  const { on, strength } = { ...DEFAULTS.Light, ...light };
   return (
     <>
       <Check label={label} checked={on} onChange={(checked) => change({ on: checked })} />
@@ -65,7 +63,7 @@ interface OcclusionFieldsProps {
 }
 
 function OcclusionFields({ occlusion, change }: OcclusionFieldsProps): JSX.Element {
-  const { on = false, radius = DEFAULT_RADIUS, strength = 1 } = occlusion ?? {};
+  const { on, radius, strength } = { ...DEFAULTS.AmbientOcclusion, ...occlusion };
   return (
     <>
       <Check label="Ambient occlusion" checked={on} onChange={(checked) => change({ on: checked })} />
@@ -93,7 +91,7 @@ function OcclusionFields({ occlusion, change }: OcclusionFieldsProps): JSX.Eleme
 export function LightingSection(): JSX.Element {
   const commands = useCommands();
   const lighting: Lighting = useModel((model) => model.scene.value?.lighting) ?? {};
-  const { on = true, ambient = 1 } = lighting;
+  const { on, ambient } = { ...DEFAULTS.Lighting, ...lighting };
   const change = (part: Lighting, gesture?: string): void => commands.change({ lighting: part }, gesture);
   return (
     <Section title="Lighting" open={false}>

@@ -1,4 +1,5 @@
 import type { JSX } from "preact";
+import { DEFAULTS } from "../../generated/protocol";
 import type { StreamChoice } from "../../model/state";
 import { layersOf } from "../../model/scalars";
 import { Check, Section, SelectField } from "../controls/controls";
@@ -17,7 +18,7 @@ const CUSTOM = "custom";
 export function ViewSection(): JSX.Element {
   const commands = useCommands();
   const layers = useLayers();
-  const background = useModel((model) => model.scene.value?.background) ?? "dark";
+  const background = useModel((model) => model.scene.value?.background) ?? DEFAULTS.Scene.background;
   const annotations = useModel((model) => model.scene.value?.annotations) ?? {};
   const choice = useModel((model) => model.streamChoice.value);
   const why = useModel((model) => model.streamWhy.value);

@@ -1,6 +1,7 @@
 // Axes of the bounding box and the triad over the canvas. Frames contain no text (Annotations in protocol/openrpc.json).
 // The layout is that of saved pictures (../../model/layout.ts).
 import type { JSX } from "preact";
+import { DEFAULTS } from "../../generated/protocol";
 import { backgroundColors } from "../../model/background";
 import { textPixels } from "../../model/canvas_size";
 import { layOut } from "../../model/layout";
@@ -8,7 +9,8 @@ import { useCamera, useModel } from "../context";
 import { Drawing } from "./drawing";
 
 export function Annotations(): JSX.Element | null {
-  const { axes = false, triad = true, scale = 1 } = useModel((model) => model.scene.value?.annotations) ?? {};
+  const given = useModel((model) => model.scene.value?.annotations);
+  const { axes, triad, scale } = { ...DEFAULTS.Annotations, ...given };
   const background = useModel((model) => model.scene.value?.background);
   const description = useModel((model) => model.description.value);
   const taken = useModel((model) => model.taken.value);

@@ -1,6 +1,7 @@
 // The canvases with their overlays and input events.
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { DEFAULTS } from "../../generated/protocol";
 import { openingIn } from "../../model/model";
 import { isBright, paperAt } from "../../model/background";
 import { Ahead } from "./ahead";
@@ -19,7 +20,7 @@ export function Stage(): JSX.Element {
   const nothing = useModel((model) => model.fatal.value !== null);
   const opening = useModel((model) => openingIn(model) !== null);
   const background = useModel(({ scene, fatal }) =>
-    scene.value === null || fatal.value !== null ? null : (scene.value.background ?? "dark"),
+    scene.value === null || fatal.value !== null ? null : (scene.value.background ?? DEFAULTS.Scene.background),
   );
   const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // "": theme of the page
   useEffect(() => {

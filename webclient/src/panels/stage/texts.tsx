@@ -5,7 +5,7 @@ import { useEffect, useMemo } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
 import { textPixels } from "../../model/canvas_size";
 import { hasWidth, inBytes, type ColorScale } from "../../model/color_scale";
-import type { Range } from "../../generated/protocol";
+import { DEFAULTS, type Range } from "../../generated/protocol";
 import type { Size } from "../../model/camera";
 import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
 import { rangeOf, scaleOf } from "../../model/color_range";
@@ -229,7 +229,7 @@ export function Texts(): JSX.Element {
   const missing = useModel((model) => model.missing.value);
   const size = useModel((model) => model.canvasSize.value);
   const entries = useEntries();
-  const { title = "", dataset = false, time = false, scale: zoom = 1 } = annotations ?? {};
+  const { title, dataset, time, scale: zoom } = { ...DEFAULTS.Annotations, ...annotations };
   const hasSteps = (description?.times.length ?? 0) > 1;
   const text = textPixels(size) * zoom;
   const legends = entries.map((entry): LegendText => {

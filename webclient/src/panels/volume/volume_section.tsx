@@ -1,6 +1,6 @@
 // Settings of volume layers, which show the mesh as a volume colored by an array.
 import type { JSX } from "preact";
-import type { Range, VolumeLayer } from "../../generated/protocol";
+import { DEFAULTS, LIMITS, type Range, type VolumeLayer } from "../../generated/protocol";
 import { rangeOf } from "../../model/color_range";
 import { coloredBy } from "../../model/new_looks";
 import { DEFAULT_OPACITY, firstOpacity, inserted, middleOfGap, type OpacityPoint } from "../../model/opacity";
@@ -11,7 +11,7 @@ import { useCommands, useLayers, useModel, useShownTime } from "../context";
 import { OpacityEditor } from "./opacity_editor";
 import { RemoveButton } from "../controls/remove_button";
 
-const MOST_SLICES = 1000;
+const [, MOST_SLICES] = LIMITS.VolumeLayer.slices;
 const DIRECTIONS = [
   { value: "auto", text: "Axis nearest the view" },
   { value: "x", text: "X" },
@@ -31,7 +31,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
     <div class="fields">
       <SelectField
         label="Slices across"
-        value={layer.direction ?? "auto"}
+        value={layer.direction ?? DEFAULTS.VolumeLayer.direction}
         options={DIRECTIONS}
         onChange={(direction) => commands.layers.set(id, { direction })}
       />
@@ -110,7 +110,7 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
       />
       <ColoringFields of={{ layers: [id] }} coloring={{ ...layer.color, array: layer.array }} ofArray />
       <VolumeFields id={id} layer={layer} />
-      <OpacityField id={id} opacity={layer.opacity ?? 1} />
+      <OpacityField id={id} opacity={layer.opacity ?? DEFAULTS.VolumeLayer.opacity} />
     </article>
   );
 }
