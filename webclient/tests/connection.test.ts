@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, test } from "vitest";
+import contract from "../../protocol/openrpc.json";
 import { Connection, HEARTBEAT_MS, LAST_RETRY_MS, retryDelay } from "../src/server/connection";
 import type { ConnectionState } from "../src/model/state";
 import { Disconnected, Rpc, RpcError } from "../src/server/rpc";
@@ -16,7 +17,12 @@ describe("JSON-RPC", () => {
     );
     const first = rpc.call("dataset.list", {});
     const second = rpc.call("scene.get", { session: "a" });
-    expect(JSON.parse(sent[1] ?? "")).toEqual({ jsonrpc: "2.0", id: 2, method: "scene.get", params: { session: "a" } });
+    expect(JSON.parse(sent[1] ?? "")).toMatchObject({
+      jsonrpc: "2.0",
+      id: 2,
+      method: "scene.get",
+      params: { session: "a" },
+    });
     const error = { code: -32001, message: "Not found", data: { reason: "no session a" } };
     rpc.receive(JSON.stringify({ jsonrpc: "2.0", id: 2, error }));
     rpc.receive(JSON.stringify({ jsonrpc: "2.0", id: 99, result: "to nobody" }));
@@ -48,6 +54,27 @@ describe("JSON-RPC", () => {
     expect(JSON.parse(sent[0] ?? "")).not.toHaveProperty("id");
     rpc.receive('{"jsonrpc":"2.0","method":"server.draining","params":{}}');
     expect(heard).toEqual([["server.draining", {}]]);
+  });
+});
+
+describe("the version of the contract", () => {
+  test("is declared by calls, notifications and what goes by POST", async () => {
+    const sent: string[] = [];
+    const send = (text: string): void => void sent.push(text);
+    const post = (text: string): Promise<string> => {
+      send(text);
+      return Promise.resolve('{"result":{}}');
+    };
+    const rpc = new Rpc(send, () => undefined, post);
+    void rpc.call("dataset.list", {});
+    rpc.notify("view.ack", { view: 1, frame: 2 });
+    await rpc.call("picture.render", {});
+    const { info } = contract;
+    for (const text of sent) {
+      const { major, minor } = (JSON.parse(text) as { protocol: Record<"major" | "minor", number> }).protocol;
+      expect(info.version).toMatch(`${major}.${minor}.`);
+    }
+    expect(sent.length).toBe(3);
   });
 });
 

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Scene } from "../src/generated/protocol";
+import { PROTOCOL, type Scene } from "../src/generated/protocol";
 import { RpcError } from "../src/server/rpc";
 import { SceneEditor } from "../src/server/editor";
 import { Session, wordsFor, type StreamWish } from "../src/server/session";
@@ -28,6 +28,11 @@ const join = async (held: Scene, view: number): Promise<void> => {
 const opened = (): Scene[] =>
   network.newest.calls("session.open").map(({ params }) => (params as { scene: Scene }).scene);
 const gone = { code: -32001, message: "There is no dataset", data: {} };
+const tooNew = {
+  code: -32600,
+  message: "Invalid Request",
+  data: { reason: "the request is of protocol version 1.1; this server has version 2.0; use a client of version 2" },
+};
 const reconnect = async (): Promise<void> => {
   network.newest.onclose?.();
   clock.advance(500);
@@ -57,7 +62,7 @@ beforeEach(() => {
     viewOpening: () => void views.push(-1),
     viewOpened: (view: number) => void views.push(view),
     opened: () => undefined,
-    refused: (error: Error) => void refusals.push(error.message),
+    refused: (error: Error) => void refusals.push(wordsFor(error)),
     connection: () => undefined,
     roundTrip: () => undefined,
     binary: () => undefined,
@@ -104,6 +109,16 @@ describe("session", () => {
     expect(network.newest.calls("view.stream")).toMatchObject([{ params: { view: 4, stream: "geometry" } }]);
     session.setStream({ ...wish });
     expect(network.newest.calls("view.stream").length).toBe(1); // not sent again: the stream is the same
+  });
+
+  test("a server that was upgraded to another major version says so", async () => {
+    await join(scene, 4);
+    await reconnect();
+    expect(network.newest.calls("session.open").at(-1)).toHaveProperty("protocol", PROTOCOL);
+    await network.newest.refuse(tooNew, "session.open");
+    expect(refusals).toEqual([
+      "The request is of protocol version 1.1; this server has version 2.0; use a client of version 2",
+    ]);
   });
 
   test("after a break the scene goes back as the hand left it", async () => {

@@ -1,6 +1,6 @@
 // JSON-RPC 2.0 over a text channel: calls, answers, notifications. Answers longer than a WebSocket message may be are
 // fetched by HTTP POST.
-import { ErrorCode, type Methods, type Notifications } from "../generated/protocol";
+import { ErrorCode, PROTOCOL, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
 export type Params<M extends MethodName> = Methods[M]["params"];
@@ -56,6 +56,13 @@ const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.redo": "scene.get",
 };
 
+/**
+ * Text of a request, or of a notification without `id`. It declares the page's version of the contract, because a page
+ * may be older than its server: an upgraded server of another major version then refuses the request with a sentence.
+ */
+const requestText = (method: MethodName, params: unknown, id?: number): string =>
+  JSON.stringify({ jsonrpc: "2.0", protocol: PROTOCOL, id, method, params });
+
 export class Rpc {
   private nextId = 1;
   private readonly pending = new Map<number, Pending>();
@@ -72,12 +79,12 @@ export class Rpc {
     const id = this.nextId++;
     return new Promise<Result<M>>((resolve, reject) => {
       this.pending.set(id, { method, params, resolve: resolve as (result: unknown) => void, reject });
-      this.send(JSON.stringify({ jsonrpc: "2.0", id, method, params }));
+      this.send(requestText(method, params, id));
     });
   }
 
   notify<M extends MethodName>(method: M, params: Params<M>): void {
-    this.send(JSON.stringify({ jsonrpc: "2.0", method, params }));
+    this.send(requestText(method, params));
   }
 
   receive(text: string): void {
@@ -95,7 +102,7 @@ export class Rpc {
   }
 
   private async byPost(method: MethodName, params: unknown, signal?: AbortSignal): Promise<unknown> {
-    const text = await this.post(JSON.stringify({ jsonrpc: "2.0", id: this.nextId++, method, params }), signal);
+    const text = await this.post(requestText(method, params, this.nextId++), signal);
     return new Promise((resolve, reject) => settle(JSON.parse(text) as Message, { resolve, reject }));
   }
 
