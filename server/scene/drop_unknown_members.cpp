@@ -1,4 +1,4 @@
-#include "scene/unknown_members.hpp"
+#include "scene/drop_unknown_members.hpp"
 
 #include "scene/schema.hpp"
 
