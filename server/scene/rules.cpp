@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace ciel::scene {
@@ -166,6 +167,13 @@ Plane plane_of(const ClipLayer& clip) {
     if (clip.invert)
         for (double& component : plane.normal) component = -component;
     return plane;
+}
+
+void refuse_old_legend(const nlohmann::json& document) {
+    if (document.is_object() && document.contains("legend"))
+        throw Invalid(
+            "/legend",
+            "/legend is not a member of a scene; use annotations.legend: {\"annotations\": {\"legend\": true}}");
 }
 
 void apply_rules(Scene& scene) {
