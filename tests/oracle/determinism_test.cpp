@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_P(Determinism, BothEnginesGiveTheSameBitsAfterAnyWalk) {
+TEST_P(Determinism, BothAlgorithmsGiveTheSameBitsAfterAnyWalk) {
     for (const NamedField& named : all_fields()) {
         const std::vector<float> values = named.make(input);
         const Field field = make_field(mesh.topology, mesh.stored(values));

@@ -108,7 +108,7 @@ double area_towards(const Surface& surface, std::size_t axis) {
     return sum;
 }
 
-TEST(Extract, IsClosedAndTheSameForAnyEngineHistoryBlockSizeAndThreads) {
+TEST(Extract, IsClosedAndTheSameForAnyAlgorithmHistoryBlockSizeAndThreads) {
     for (const NamedMesh& m : all_meshes()) {
         SCOPED_TRACE(m.name);
         const FaceMeshView view = m.mesh.view();
