@@ -14,9 +14,20 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/ciel-config-version
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ciel-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/ciel-config-version.cmake
   DESTINATION ${CIEL_PACKAGE_DIR} COMPONENT kernel)
 
-set(CIEL_PC_PRIVATE "-lstdc++")
+# The way from ciel.pc to the headers depends on how deep the folder of libraries lies: lib, or Debian's
+# lib/x86_64-linux-gnu.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+  OUTPUT_VARIABLE CIEL_PC_PREFIX)
+# A shared library is linked with these already; a static one leaves that to each program.
+get_target_property(type ciel_kernel TYPE)
+if(type STREQUAL "SHARED_LIBRARY")
+  set(private _PRIVATE)
+endif()
 if(CIEL_PARALLEL STREQUAL "tbb")
-  set(CIEL_PC_REQUIRES tbb)
+  set(CIEL_PC_REQUIRES${private} tbb)
+endif()
+if(NOT CIEL_PARALLEL STREQUAL "serial")
+  set(CIEL_PC_LIBS${private} " -pthread")
 endif()
 configure_file(ciel.pc.in ciel.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ciel.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT kernel)

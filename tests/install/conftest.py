@@ -1,3 +1,4 @@
+import functools
 import os
 import pathlib
 import shutil
@@ -8,8 +9,11 @@ import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLES = ROOT / "server/ciel/examples"
+# The back ends of the parallel loop and folders for libraries. Debian's is two levels deep.
+BACK_ENDS = {"tbb": "lib/x86_64-linux-gnu", "threads": "lib", "serial": "lib"}
 if shutil.which("ccache"):
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
+    os.environ.setdefault("CCACHE_BASEDIR", "/")  # paths become relative: temporary folders have new names in each run
 
 
 def run(*command, **options):
@@ -20,24 +24,44 @@ def run(*command, **options):
 
 
 @pytest.fixture(scope="session")
-def prefix(tmp_path_factory):
-    """Folder of the installed kernel, which has been moved after the installation."""
-    folder = tmp_path_factory.mktemp("kernel")
-    run("cmake", "-G", "Ninja", "-S", ROOT / "server/ciel", "-B", folder / "build",
-        "-DCIEL_PARALLEL=threads", f"-DCMAKE_INSTALL_PREFIX={folder / 'first'}")  # fmt: skip
-    run("cmake", "--build", folder / "build")
-    run("cmake", "--install", folder / "build")
-    shutil.rmtree(folder / "build")
-    (folder / "first").rename(folder / "installed")
-    return folder / "installed"
+def installed(tmp_path_factory):
+    """Function from a back end to the folder of the kernel installed with it, which was moved after the installation."""
+
+    @functools.cache
+    def install(back_end):
+        folder = tmp_path_factory.mktemp(back_end)
+        run("cmake", "-G", "Ninja", "-S", ROOT / "server/ciel", "-B", folder / "build", f"-DCIEL_PARALLEL={back_end}",
+            f"-DCMAKE_INSTALL_LIBDIR={BACK_ENDS[back_end]}", f"-DCMAKE_INSTALL_PREFIX={folder / 'first'}")  # fmt: skip
+        run("cmake", "--build", folder / "build")
+        run("cmake", "--install", folder / "build")
+        shutil.rmtree(folder / "build")
+        (folder / "first").rename(folder / "installed")
+        return folder / "installed"
+
+    return install
+
+
+@pytest.fixture(scope="session")
+def prefix(installed):
+    """Folder of the kernel installed with one of the back ends."""
+    return installed("threads")
+
+
+def fresh_python(folder):
+    """Interpreter of a new virtual environment, which has Debian's NumPy, VTK, pybind11 and setuptools."""
+    run(sys.executable, "-m", "venv", "--system-site-packages", folder)
+    return folder / "bin/python"
+
+
+def pip_install(python, source):
+    """Installs a package from a folder or a file. Nothing is downloaded: what it depends on must be there."""
+    run(python, "-m", "pip", "install", "--no-build-isolation", "--no-index", source,
+        env={**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1"})  # fmt: skip
 
 
 @pytest.fixture(scope="session")
 def python(tmp_path_factory):
-    """Interpreter of a fresh virtual environment with the kernel's package and Debian's NumPy and VTK."""
-    folder = tmp_path_factory.mktemp("python") / "venv"
-    run(sys.executable, "-m", "venv", "--system-site-packages", folder)
-    program = folder / "bin/python"
-    run(program, "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", ROOT,
-        env={**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1"})  # fmt: skip
+    """Interpreter of a fresh virtual environment with the kernel's package."""
+    program = fresh_python(tmp_path_factory.mktemp("python") / "venv")
+    pip_install(program, ROOT)
     return program

@@ -5,7 +5,7 @@ import re
 import subprocess
 
 import pytest
-from conftest import EXAMPLES, ROOT, run
+from conftest import BACK_ENDS, EXAMPLES, ROOT, run
 
 EXPECTED = {
     "contour": r"(\d+) polygons, (\d+) points, (\d+) triangles",
@@ -14,10 +14,10 @@ EXPECTED = {
 }
 
 
-@pytest.fixture(scope="module")
-def programs(prefix, tmp_path_factory):
+@pytest.fixture(scope="module", params=BACK_ENDS)
+def programs(request, installed, tmp_path_factory):
     build = tmp_path_factory.mktemp("examples")
-    run("cmake", "-G", "Ninja", "-S", EXAMPLES, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "-G", "Ninja", "-S", EXAMPLES, "-B", build, f"-DCMAKE_PREFIX_PATH={installed(request.param)}")
     run("cmake", "--build", build)
     return build
 
@@ -33,12 +33,21 @@ def test_the_sphere_is_closed(programs):
     assert points - triangles / 2 == 2
 
 
-def test_pkg_config_finds_it(prefix, tmp_path):
-    folder = next(prefix.rglob("ciel.pc")).parent
+@pytest.mark.parametrize("back_end", BACK_ENDS)
+def test_pkg_config_finds_it(installed, tmp_path, back_end):
+    folder = next(installed(back_end).rglob("ciel.pc")).parent
     environment = {**os.environ, "PKG_CONFIG_PATH": str(folder)}
-    flags = run("pkg-config", "--static", "--cflags", "--libs", "ciel", env=environment).split()
-    run("g++", "-std=c++20", EXAMPLES / "contour.cpp", "-o", tmp_path / "contour", *flags, "-pthread")
+    flags = run("pkg-config", "--cflags", "--libs", "ciel", env=environment).split()
+    assert ("-pthread" in flags, "-ltbb" in flags) == (back_end != "serial", back_end == "tbb")
+    run("g++", "-std=c++20", EXAMPLES / "contour.cpp", "-o", tmp_path / "contour", *flags)
     assert "polygons" in run(tmp_path / "contour")
+
+
+def test_programs_are_not_linked_with_what_a_shared_library_brings(tmp_path):
+    run("cmake", "-S", ROOT / "server/ciel", "-B", tmp_path, "-DBUILD_SHARED_LIBS=ON", "-DCIEL_PARALLEL=tbb")
+    lines = (tmp_path / "ciel.pc").read_text().splitlines()
+    assert "Requires.private: tbb" in lines and "Libs: -L${libdir} -lciel" in lines
+    assert "Libs.private: -pthread -lstdc++" in lines
 
 
 def test_only_public_headers_are_installed(prefix):
