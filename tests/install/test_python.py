@@ -1,9 +1,10 @@
 """The kernel's Python package, installed into a fresh virtual environment."""
 
+import shutil
 import textwrap
 
 import pytest
-from conftest import EXAMPLES, run
+from conftest import EXAMPLES, ROOT, fresh_python, pip_install, run
 
 SETUP = """
 import ciel_mesh as cm, numpy as np, gc
@@ -316,3 +317,21 @@ def test_examples_run(python, script):
 def test_the_types_are_there(python):
     code = "import ciel_mesh, pathlib; p = pathlib.Path(ciel_mesh.__file__).parent; print((p / 'py.typed').exists())"
     assert run(python, "-c", code).strip() == "True"
+
+
+def test_the_source_distribution_installs(tmp_path):
+    left_out = shutil.ignore_patterns(".git", "build*", "node_modules", "data")  # an old list of sources is in build
+    source = shutil.copytree(ROOT, tmp_path / "source", ignore=left_out)
+    run("/usr/bin/python3", "setup.py", "-q", "sdist", "--dist-dir", tmp_path, cwd=source)
+    shutil.rmtree(source)
+    (archive,) = tmp_path.glob("*.tar.gz")
+    program = fresh_python(tmp_path / "venv")
+    pip_install(program, archive)
+    check(
+        program,
+        """
+        points, types, offsets, connectivity = box(2)
+        surface = cm.contour(cm.Mesh.from_cells(points, types, offsets, connectivity), points[:, 0], 0.5)
+        assert len(surface) == 4
+        """,
+    )
