@@ -16,11 +16,13 @@ std::map<std::string, double> table_of(const limits::Limits& limits) {
 protocol::ServerInfoResult server_info(Context& context, const protocol::ServerInfoParams&) {
     const frames::Readiness drawing = context.server.last_readiness();
     const bool by_signatures = context.server.options().extraction.algorithm == Algorithm::signatures;
+    const std::string algorithm = by_signatures ? "signatures" : "propagation";
     return {CIEL_VERSION,
             {protocol::major_version, protocol::minor_version},
             drawing.gl_renderer,
             drawing.backend,
-            by_signatures ? "signatures" : "propagation",
+            algorithm,
+            algorithm, // `engine`, the deprecated name of the member
             table_of(context.server.limits()),
             color::color_map_names(),
             {scene::layer_types.begin(), scene::layer_types.end()},

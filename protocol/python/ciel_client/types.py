@@ -70,7 +70,8 @@ class ServerInfoResult(TypedDict):
     protocol: ServerInfoResultProtocol  # Version of this document.
     gl_renderer: str
     backend: str
-    engine: str
+    algorithm: Literal["signatures", "propagation"]  # How the server finds surfaces. Each algorithm finds the same ones.
+    engine: str  # The algorithm. Deprecated: the same value as `algorithm`, kept in all minor versions of protocol 1.
     limits: dict[str, float]  # Limits of the server by name, in the units that `ciel serve --help` states: bytes, seconds, pixels or counts.
     color_maps: list[str]
     layer_types: list[str]  # Allowed values of a layer's `type`.

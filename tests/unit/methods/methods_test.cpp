@@ -19,7 +19,8 @@ TEST_F(Methods, discover_is_the_contract_and_all_its_methods_exist) {
 TEST_F(Methods, server_info) {
     const json info = client.call("server.info");
     EXPECT_FALSE(info["gl_renderer"].get<std::string>().empty());
-    EXPECT_EQ(info["engine"], chosen_algorithm() == Algorithm::propagation ? "propagation" : "signatures");
+    EXPECT_EQ(info["algorithm"], chosen_algorithm() == Algorithm::propagation ? "propagation" : "signatures");
+    EXPECT_EQ(info["engine"], info["algorithm"]) << "the deprecated name of the member";
     const limits::Limits& limits = server.limits();
     EXPECT_EQ(info["limits"].size(), limits::limit_rows().size());
     for (const auto& row : limits::limit_rows()) EXPECT_EQ(info["limits"][row.name], limits.*row.member) << row.name;
