@@ -185,7 +185,7 @@ std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
     return array.received;
 }
 
-CommittedUpload Uploads::commit(const wire::UploadId& id) {
+CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& before_array) {
     const auto upload = find(id);
     const std::lock_guard one_at_a_time(committing_);
     const std::lock_guard lock(upload->mutex);
@@ -195,6 +195,7 @@ CommittedUpload Uploads::commit(const wire::UploadId& id) {
                         std::to_string(array.bytes) + " bytes; send the rest, then commit");
     store::Values values; // of one array at a time
     const auto values_of = [&](std::size_t i) {
+        before_array(i, upload->arrays.size());
         const Upload::Array& array = upload->arrays[i];
         values = {}; // before the next array takes memory
         values = array.doubles ? read_values<double>(*upload->file, array.begin, array.bytes)

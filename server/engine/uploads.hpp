@@ -7,6 +7,7 @@
 #include "wire/upload_piece.hpp"
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 
 namespace ciel::engine {
@@ -46,8 +47,9 @@ public:
     // then unchanged.
     std::uint64_t add(const wire::UploadPiece& piece);
     // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, Error; the upload
-    // is then unchanged.
-    CommittedUpload commit(const wire::UploadId& id);
+    // is then unchanged. Calls `before_array` on this thread before each array is written.
+    using BeforeArray = std::function<void(std::size_t written, std::size_t of)>;
+    CommittedUpload commit(const wire::UploadId& id, const BeforeArray& before_array);
     void cancel(const wire::UploadId& id); // throws NotFound
 
     void expire(Clock::time_point now);

@@ -21,7 +21,8 @@ protocol::PictureRenderResult picture_render(Context& context, const protocol::P
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     charge.change(pixel_bytes);
     // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
-    const auto geometry = source.geometry([&](std::size_t done, std::size_t of) { progress.layers(done, of); });
+    const auto geometry =
+        source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
     progress.begin("waiting");
     std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](engine::Worker& worker) {

@@ -15,11 +15,11 @@ Progress::Progress(const Context& context, std::optional<std::string> name, cons
 
 void Progress::begin(const char* stage) { tell(stage, 0, 0); }
 
-void Progress::layers(std::size_t done, std::size_t of) {
+void Progress::count(const char* stage, std::size_t done, std::size_t of) {
     const auto now = std::chrono::steady_clock::now();
     if (now - told_ < pause) return;
     told_ = now;
-    tell("surfaces", done, of);
+    tell(stage, done, of);
 }
 
 void Progress::tell(const char* stage, std::size_t done, std::size_t of) const {

@@ -13,12 +13,13 @@ namespace ciel::methods {
 class Progress {
 public:
     // `name`: the call's parameter `progress`, which the notifications repeat. `session`: the call's parameter; if the
-    // call came by POST, the connections of this session are notified. Borrows `context`. Throws NotFound.
+    // call came by POST, the connections of this session are notified, or none without a session. Borrows `context`.
+    // Throws NotFound.
     Progress(const Context& context, std::optional<std::string> name, const std::optional<std::string>& session);
 
     void begin(const char* stage); // one of the stages of call.progress in the contract
-    // Sends that `done` of `of` layers are made, at most five times a second.
-    void layers(std::size_t done, std::size_t of);
+    // Sends that `done` of `of` parts of the stage are done, at most five times a second.
+    void count(const char* stage, std::size_t done, std::size_t of);
 
 private:
     void tell(const char* stage, std::size_t done, std::size_t of) const;

@@ -79,7 +79,8 @@ File file_of(const Context& context, SceneSource& source, limits::Memory::Charge
              const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     Progress progress(context, params.progress, params.session);
-    const auto geometry = source.geometry([&](std::size_t done, std::size_t of) { progress.layers(done, of); });
+    const auto geometry =
+        source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
     geometry::require_complete(*geometry);
     progress.begin("writing");
     const wire::JoinedSurface surface =

@@ -422,12 +422,14 @@ class AsyncCalls:
         self,
         *,
         upload: str,
+        progress: str | None = None,
     ) -> AppendCommitResult:
         """Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept.
 
         upload: Id of the upload, as append.begin returned it.
+        progress: Name that the caller chooses for call.progress. The server sends it to the calling WebSocket, and to no one after a POST.
         """
-        return await self.call("append.commit", upload=upload)
+        return await self.call("append.commit", upload=upload, progress=progress)
 
     async def append_cancel(
         self,

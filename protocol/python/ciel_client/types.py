@@ -378,6 +378,7 @@ class AppendCommitParams(TypedDict):
     """append.commit: Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept."""
 
     upload: str  # Id of the upload, as append.begin returned it.
+    progress: NotRequired[str]  # Name that the caller chooses for call.progress. The server sends it to the calling WebSocket, and to no one after a POST.
 
 
 class AppendCommitResult(TypedDict):
@@ -431,9 +432,9 @@ class CallProgressParams(TypedDict):
     """call.progress: Progress of a call that has a parameter `progress`. The first is sent when the call leaves the queue."""
 
     progress: str  # Name that the call gave as `progress`.
-    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # surfaces: makes the surfaces of the layers. waiting: another picture is drawn first. drawing: draws the picture. writing: makes the file.
-    done: int  # Number of layers that are made. 0 in other stages than surfaces. (at least 0)
-    of: int  # Number of layers to make. 0 in other stages than surfaces. (at least 0)
+    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # surfaces: makes the surfaces of the layers. waiting: another picture is drawn first, or another commit ends first. drawing: draws the picture. writing: makes the file, or writes the step of append.commit.
+    done: int  # Number of layers made in the stage surfaces, or of arrays written by append.commit. 0 in other stages. (at least 0)
+    of: int  # Number of layers to make, or of arrays to write. 0 in other stages. (at least 0)
 
 
 class AppendRefusedParams(TypedDict):

@@ -89,6 +89,19 @@ TEST_F(Append, a_step_is_pushed_committed_and_seen_at_once) {
     refusal("append.commit", only(upload), not_found);
 }
 
+TEST_F(Append, a_commit_tells_how_far_it_is) {
+    const json upload = begin(3, {{{"name", "p"}}, {{"name", "U"}, {"components", 3}}});
+    fill(upload, 7);
+    json commit = only(upload);
+    commit["progress"] = "mine";
+    EXPECT_EQ(client_.call("append.commit", commit)["step"], 3);
+    json told = client_.next_text();
+    EXPECT_EQ(told["method"], "call.progress");
+    EXPECT_EQ(told["params"], json({{"progress", "mine"}, {"stage", "waiting"}, {"done", 0}, {"of", 0}}));
+    told = client_.next_text();
+    EXPECT_EQ(told["params"], json({{"progress", "mine"}, {"stage", "writing"}, {"done", 0}, {"of", 2}}));
+}
+
 TEST_F(Append, only_where_it_is_allowed_and_with_the_token) {
     Client stranger(server_, true);
     const json wanted{{"dataset", "box"}, {"time", 9}, {"arrays", {{{"name", "p"}}}}};
