@@ -137,13 +137,13 @@ def emit_json(contract: Contract) -> str:
 
 def emit_methods(contract: Contract) -> str:
     functions = "".join(
-        f"// {m.summary}\n[[nodiscard]] protocol::{m.type_prefix}Result {m.identifier}(Context& context, "
+        f"// {m.summary}\n[[nodiscard]] protocol::{m.type_prefix}Result {m.identifier}(CallContext& context, "
         f"const protocol::{m.type_prefix}Params& params);\n"
         for m in contract.methods
     )
     return HEAD + (
         '#include "protocol/types.hpp"\n\nnamespace ciel::methods {\n\n'
-        "struct Context; // methods/context.hpp\n\n" + functions + "\n} // namespace ciel::methods\n"
+        "struct CallContext; // methods/call_context.hpp\n\n" + functions + "\n} // namespace ciel::methods\n"
     )
 
 
@@ -156,9 +156,9 @@ def emit_table(contract: Contract) -> str:
         '#include "protocol/json.hpp"\n#include "protocol/methods.hpp"\n\n#include <string_view>\n\n'
         "namespace ciel::methods {\n\n"
         "struct Method {\n    std::string_view name;\n    bool slow; // x-slow: draws, extracts or exports\n"
-        "    nlohmann::json (*call)(Context& context, const nlohmann::json& params);\n};\n\n"
+        "    nlohmann::json (*call)(CallContext& context, const nlohmann::json& params);\n};\n\n"
         "template <class Params, auto function>\n"
-        "nlohmann::json call(Context& context, const nlohmann::json& params) {\n"
+        "nlohmann::json call(CallContext& context, const nlohmann::json& params) {\n"
         "    return nlohmann::json(function(context, params.get<Params>()));\n}\n\n"
         f"inline constexpr std::array<Method, {len(contract.methods)}> method_table{{{{\n{rows}}}}};\n\n"
         "} // namespace ciel::methods\n"

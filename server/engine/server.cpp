@@ -36,7 +36,7 @@ frames::Readiness tested(Worker& worker) {
 struct Server::State {
     ServerOptions options;
     Metrics metrics;
-    sessions::Connections connections;
+    sessions::OpenConnections connections;
     store::Catalog catalog;
     limits::Memory memory;
     FrameWorkers workers, picture_workers;

@@ -1,8 +1,8 @@
 #include "geometry/clip.hpp"
 
 #include "ciel/vector_operators.hpp"
+#include "geometry/clip_planes.hpp"
 #include "geometry/cut_box.hpp"
-#include "geometry/cutter.hpp"
 #include "scene/rules.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "geometry/cut_box.hpp"
 
-#include "geometry/cutter.hpp"
+#include "geometry/clip_planes.hpp"
 
 #include <algorithm>
 #include <cmath>

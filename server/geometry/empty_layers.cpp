@@ -1,7 +1,7 @@
 #include "geometry/empty_layers.hpp"
 
 #include "annotations/ticks.hpp"
-#include "geometry/cutter.hpp"
+#include "geometry/clip_planes.hpp"
 #include "geometry/layer_update.hpp"
 #include "geometry/volume_cut.hpp"
 
@@ -10,7 +10,7 @@
 namespace ciel::geometry {
 namespace {
 
-bool is_seen(const Drawable& drawable, const Cutter& cutter) {
+bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
     const std::span<const Index> indices = drawable.indices();
     if (indices.empty() || !cutter.cuts()) return !indices.empty();
     const auto& positions = drawable.shape->surface.positions;
@@ -114,7 +114,7 @@ public:
 private:
     const Geometry& geometry_;
     const store::Dataset& dataset_;
-    Cutter cutter_;
+    ClipPlanes cutter_;
 };
 
 bool shows_data(const scene::Layer& layer) {

@@ -1,5 +1,5 @@
 #include "engine/uploads.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -12,7 +12,7 @@ protocol::ExpectedArray expected(const store::PlannedArray& array) {
 
 } // namespace
 
-protocol::AppendBeginResult append_begin(Context& context, const protocol::AppendBeginParams& params) {
+protocol::AppendBeginResult append_begin(CallContext& context, const protocol::AppendBeginParams& params) {
     context.check_may_append();
     std::vector<store::WantedArray> wanted;
     for (const auto& array : params.arrays) wanted.push_back({array.name, array.components, array.type == "float64"});

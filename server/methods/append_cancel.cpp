@@ -1,9 +1,9 @@
 #include "engine/uploads.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::AppendCancelResult append_cancel(Context& context, const protocol::AppendCancelParams& params) {
+protocol::AppendCancelResult append_cancel(CallContext& context, const protocol::AppendCancelParams& params) {
     context.check_may_append();
     context.server.uploads().cancel(engine::upload_id(params.upload));
     return nullptr;

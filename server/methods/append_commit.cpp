@@ -3,7 +3,7 @@
 
 namespace ciel::methods {
 
-protocol::AppendCommitResult append_commit(Context& context, const protocol::AppendCommitParams& params) {
+protocol::AppendCommitResult append_commit(CallContext& context, const protocol::AppendCommitParams& params) {
     context.check_may_append();
     Progress progress(context, params.progress, std::nullopt);
     progress.begin("waiting");

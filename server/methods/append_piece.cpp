@@ -1,10 +1,10 @@
 #include "engine/uploads.hpp"
 #include "methods/base64.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::AppendPieceResult append_piece(Context& context, const protocol::AppendPieceParams& params) {
+protocol::AppendPieceResult append_piece(CallContext& context, const protocol::AppendPieceParams& params) {
     context.check_may_append();
     const auto bytes = from_base64(params.data);
     if (!bytes)

@@ -2,7 +2,7 @@
 
 #include "engine/metrics.hpp"
 #include "engine/uploads.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "sessions/notify.hpp"
 

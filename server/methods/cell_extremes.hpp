@@ -1,7 +1,7 @@
 // Converts the lowest and the highest cell value of an array to the form of an answer.
 #pragma once
 
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "store/cell_extremes.hpp"
 
 namespace ciel::methods {

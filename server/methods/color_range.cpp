@@ -3,7 +3,7 @@
 
 namespace ciel::methods {
 
-protocol::ColorRangeResult color_range(Context& context, const protocol::ColorRangeParams& params) {
+protocol::ColorRangeResult color_range(CallContext& context, const protocol::ColorRangeParams& params) {
     SceneSource source(context, params.session, params.scene);
     const scene::Scene& scene = source.version().scene();
     for (const std::string& id : params.layers)

@@ -59,7 +59,7 @@ std::vector<protocol::DatasetDescriptionGroupsItem> groups_of(const store::Datas
 
 } // namespace
 
-protocol::DatasetDescribeResult dataset_describe(Context& context, const protocol::DatasetDescribeParams& params) {
+protocol::DatasetDescribeResult dataset_describe(CallContext& context, const protocol::DatasetDescribeParams& params) {
     const auto loaded = context.dataset(params.dataset);
     const auto dataset = loaded->dataset();
     const store::DatasetInfo& info = dataset->info();

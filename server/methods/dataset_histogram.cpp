@@ -2,7 +2,8 @@
 
 namespace ciel::methods {
 
-protocol::DatasetHistogramResult dataset_histogram(Context& context, const protocol::DatasetHistogramParams& params) {
+protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
+                                                   const protocol::DatasetHistogramParams& params) {
     const std::size_t limit = context.server.limits().histogram_bins;
     if (params.bins > static_cast<std::int64_t>(limit))
         throw limits::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::DatasetListResult dataset_list(Context& context, const protocol::DatasetListParams&) {
+protocol::DatasetListResult dataset_list(CallContext& context, const protocol::DatasetListParams&) {
     protocol::DatasetListResult list;
     for (const auto& entry : context.server.catalog().list()) list.push_back({entry.name, entry.problem});
     return list;

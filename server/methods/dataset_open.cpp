@@ -1,9 +1,9 @@
 #include "geometry/default_scene.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::DatasetOpenResult dataset_open(Context& context, const protocol::DatasetOpenParams& params) {
+protocol::DatasetOpenResult dataset_open(CallContext& context, const protocol::DatasetOpenParams& params) {
     const auto session = context.session(params.session);
     const auto loaded = context.dataset(params.dataset);
     const auto scene = geometry::default_scene(*loaded, params.dataset).document;

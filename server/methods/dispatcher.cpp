@@ -2,7 +2,7 @@
 
 #include "engine/metrics.hpp"
 #include "engine/schedule/slow_calls.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/raw_ids.hpp"
 #include "methods/request.hpp"
@@ -179,7 +179,7 @@ private:
 
     const std::shared_ptr<sessions::Connection> connection_;
     std::stop_source stop_;
-    Context context_;
+    CallContext context_;
     const bool is_batch_;
     const json requests_;
     const std::vector<std::string> ids_;
@@ -243,7 +243,7 @@ void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> conn
               Answer answer) {
     Read read;
     if (auto error = refusal(server.limits(), text, read)) {
-        Context context{server, *connection};
+        CallContext context{server, *connection};
         return answer(text_of(refuse_text(context, std::move(*error))));
     }
     std::make_shared<Requests>(server, std::move(connection), std::move(read), std::move(answer))->go_on();

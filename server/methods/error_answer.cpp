@@ -1,6 +1,6 @@
 #include "methods/error_answer.hpp"
 
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "store/files/files.hpp"
 
 namespace ciel::methods {

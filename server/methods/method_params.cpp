@@ -1,6 +1,6 @@
 #include "methods/method_params.hpp"
 
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "scene/drop_unknown_members.hpp"
 #include "scene/schema.hpp"
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 
-protocol::PictureRenderResult picture_render(Context& context, const protocol::PictureRenderParams& params) {
+protocol::PictureRenderResult picture_render(CallContext& context, const protocol::PictureRenderParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
     Progress progress(context, params.progress, params.session);

@@ -10,7 +10,7 @@
 namespace ciel::methods {
 namespace {
 
-geometry::ViewSize size_of(const Context& context, const protocol::ProbePointParams& params) {
+geometry::ViewSize size_of(const CallContext& context, const protocol::ProbePointParams& params) {
     if (!params.width) throw InvalidParams("/width", "a pixel needs /width, the width of its picture");
     if (!params.height) throw InvalidParams("/height", "a pixel needs /height, the height of its picture");
     frames::check_picture_size(context.server.limits(), *params.width, *params.height);
@@ -42,7 +42,7 @@ std::optional<std::int64_t> id_of(Index id) { return id == none ? std::nullopt :
 
 } // namespace
 
-protocol::ProbePointResult probe_point(Context& context, const protocol::ProbePointParams& params) {
+protocol::ProbePointResult probe_point(CallContext& context, const protocol::ProbePointParams& params) {
     if (params.position.has_value() == params.pixel.has_value())
         throw InvalidParams("/position", "give either a position or a pixel");
     const auto size = params.pixel ? size_of(context, params) : geometry::ViewSize{};

@@ -9,7 +9,8 @@ namespace {
 constexpr std::chrono::milliseconds pause{200};
 } // namespace
 
-Progress::Progress(const Context& context, std::optional<std::string> name, const std::optional<std::string>& session)
+Progress::Progress(const CallContext& context, std::optional<std::string> name,
+                   const std::optional<std::string>& session)
     : context_(context), name_(std::move(name)),
       session_(name_ && session && !context.connection.is_streaming() ? context.session(*session) : nullptr) {}
 

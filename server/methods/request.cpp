@@ -2,7 +2,7 @@
 
 #include "engine/metrics.hpp"
 #include "logging/log.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/method_params.hpp"
 #include "methods/protocol_version.hpp"
@@ -47,7 +47,7 @@ const Method* find_method(const std::string& name) {
 
 // Calls the method of a request and returns its result. `ignored`: receives the JSON pointers of unknown members, if
 // the request declares a later minor version.
-json call(Context& context, const json& request, std::vector<std::string>& ignored) {
+json call(CallContext& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
     context.server.counters().count_request(method == nullptr ? "unknown" : name);
@@ -86,7 +86,7 @@ std::string session_of(const json& request) {
     return id != params->end() && id->is_string() ? logging::short_id(id->get_ref<const std::string&>()) : "";
 }
 
-json failed(Context& context, const json& request, json error) {
+json failed(CallContext& context, const json& request, json error) {
     const int code = error["code"].get<int>();
     context.server.counters().count_error(code);
     error["data"]["request"] = context.request_id;
@@ -102,7 +102,7 @@ json failed(Context& context, const json& request, json error) {
     return answer(id_of(request), "error", std::move(error));
 }
 
-void tell_if_slow(const Context& context, const json& request, double waited) {
+void tell_if_slow(const CallContext& context, const json& request, double waited) {
     const double took = context.milliseconds();
     if (took < (is_slow(request) ? slow_call_ms : slow_quick_call_ms)) return;
     logging::log_event(logging::LogLevel::warning, "slow call",
@@ -123,18 +123,18 @@ bool is_slow(const json& request) {
     return method != nullptr && method->slow;
 }
 
-json refuse_text(Context& context, json error) {
+json refuse_text(CallContext& context, json error) {
     context.begin();
     return failed(context, nullptr, std::move(error));
 }
 
-std::optional<json> refuse(Context& context, const json& request) {
+std::optional<json> refuse(CallContext& context, const json& request) {
     json error = failed(context, request, error_of_current_exception());
     if (is_request(request) && !request.contains("id")) return {}; // a notification
     return error;
 }
 
-std::optional<json> handle(Context& context, const json& request, double waited) {
+std::optional<json> handle(CallContext& context, const json& request, double waited) {
     context.begin();
     if (!is_request(request))
         return failed(context, request,

@@ -6,19 +6,20 @@
 
 namespace ciel::methods {
 
-struct Context; // context.hpp
+struct CallContext; // context.hpp
 
 // Returns whether the request's method runs in the queue of slow calls (x-slow in the contract).
 [[nodiscard]] bool is_slow(const nlohmann::json& request);
 
 // Counts and logs the error of a text without a valid request. Returns the answer to that text.
-[[nodiscard]] nlohmann::json refuse_text(Context& context, nlohmann::json error);
+[[nodiscard]] nlohmann::json refuse_text(CallContext& context, nlohmann::json error);
 
 // Calls the method of a request and returns the answer, or nothing for a notification. Never throws for any input. Logs
 // failures and slow calls. `waited`: seconds that the request waited in the queue.
-[[nodiscard]] std::optional<nlohmann::json> handle(Context& context, const nlohmann::json& request, double waited = 0);
+[[nodiscard]] std::optional<nlohmann::json> handle(CallContext& context, const nlohmann::json& request,
+                                                   double waited = 0);
 // Returns the error answer to a request for the current exception, or nothing for a notification. Call it inside a
 // catch block.
-[[nodiscard]] std::optional<nlohmann::json> refuse(Context& context, const nlohmann::json& request);
+[[nodiscard]] std::optional<nlohmann::json> refuse(CallContext& context, const nlohmann::json& request);
 
 } // namespace ciel::methods

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "scene/schema.hpp"
 
 namespace ciel::methods {
 
-protocol::RpcDiscoverResult rpc_discover(Context&, const protocol::RpcDiscoverParams&) { return scene::contract(); }
+protocol::RpcDiscoverResult rpc_discover(CallContext&, const protocol::RpcDiscoverParams&) { return scene::contract(); }
 
 } // namespace ciel::methods

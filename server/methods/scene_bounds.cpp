@@ -3,7 +3,7 @@
 
 namespace ciel::methods {
 
-protocol::SceneBoundsResult scene_bounds(Context& context, const protocol::SceneBoundsParams& params) {
+protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
     const auto geometry = source.geometry();
     const scene::Scene& scene = source.version().scene();

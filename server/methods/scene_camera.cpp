@@ -4,7 +4,7 @@
 
 namespace ciel::methods {
 
-protocol::SceneCameraResult scene_camera(Context& context, const protocol::SceneCameraParams& params) {
+protocol::SceneCameraResult scene_camera(CallContext& context, const protocol::SceneCameraParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
     const annotations::Camera camera =

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::SceneGetResult scene_get(Context& context, const protocol::SceneGetParams& params) {
+protocol::SceneGetResult scene_get(CallContext& context, const protocol::SceneGetParams& params) {
     const auto session = context.session(params.session);
     return state_of(*session, session->status());
 }

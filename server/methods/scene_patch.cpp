@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ScenePatchResult scene_patch(Context& context, const protocol::ScenePatchParams& params) {
+protocol::ScenePatchResult scene_patch(CallContext& context, const protocol::ScenePatchParams& params) {
     const std::string gesture = params.gesture.value_or("");
     if (gesture.size() > scene::most_name_bytes) // the contract's limit counts characters
         throw InvalidParams("/gesture",

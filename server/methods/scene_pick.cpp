@@ -5,7 +5,7 @@
 
 namespace ciel::methods {
 
-protocol::ScenePickResult scene_pick(Context& context, const protocol::ScenePickParams& params) {
+protocol::ScenePickResult scene_pick(CallContext& context, const protocol::ScenePickParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     SceneSource source(context, params.session, params.scene);

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::SceneRedoResult scene_redo(Context& context, const protocol::SceneRedoParams& params) {
+protocol::SceneRedoResult scene_redo(CallContext& context, const protocol::SceneRedoParams& params) {
     const auto session = context.session(params.session);
     return state_of(*session, session->redo(context.connection.id));
 }

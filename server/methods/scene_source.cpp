@@ -2,7 +2,7 @@
 
 namespace ciel::methods {
 
-SceneSource::SceneSource(const Context& context, const std::optional<std::string>& session,
+SceneSource::SceneSource(const CallContext& context, const std::optional<std::string>& session,
                          const std::optional<nlohmann::json>& scene)
     : context_(context), surfaces_(context.server.memory(), limits::Held::surfaces) {
     if (session) session_ = context.session(*session);

@@ -1,7 +1,7 @@
 // The scene of a picture, probe or export: a session's, or one given in the call.
 #pragma once
 
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 #include <optional>
 
@@ -11,7 +11,7 @@ class SceneSource {
 public:
     // Takes the given scene, or else the session's. Throws InvalidParams when there is neither, scene::Invalid,
     // NotFound. Borrows `context`.
-    SceneSource(const Context& context, const std::optional<std::string>& session,
+    SceneSource(const CallContext& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
@@ -23,7 +23,7 @@ public:
 private:
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry_of_scene(const geometry::LayersMade& layers_made);
 
-    const Context& context_;
+    const CallContext& context_;
     std::shared_ptr<engine::OpenSession> session_;
     std::shared_ptr<const sessions::SceneVersion> version_;
     limits::Memory::Charge surfaces_;

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::SceneUndoResult scene_undo(Context& context, const protocol::SceneUndoParams& params) {
+protocol::SceneUndoResult scene_undo(CallContext& context, const protocol::SceneUndoParams& params) {
     const auto session = context.session(params.session);
     return state_of(*session, session->undo(context.connection.id));
 }

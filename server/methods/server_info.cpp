@@ -1,5 +1,5 @@
 #include "color/color_map.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 #include "protocol/document.hpp"
 
 namespace ciel::methods {
@@ -13,7 +13,7 @@ std::map<std::string, double> table_of(const limits::Limits& limits) {
 
 } // namespace
 
-protocol::ServerInfoResult server_info(Context& context, const protocol::ServerInfoParams&) {
+protocol::ServerInfoResult server_info(CallContext& context, const protocol::ServerInfoParams&) {
     const frames::Readiness drawing = context.server.last_readiness();
     const bool by_signatures = context.server.options().extraction.algorithm == Algorithm::signatures;
     const std::string algorithm = by_signatures ? "signatures" : "propagation";

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::SessionCloseResult session_close(Context& context, const protocol::SessionCloseParams& params) {
+protocol::SessionCloseResult session_close(CallContext& context, const protocol::SessionCloseParams& params) {
     context.server.sessions().close(params.session, context.caller());
     return nullptr;
 }

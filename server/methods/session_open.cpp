@@ -1,5 +1,5 @@
 #include "geometry/default_scene.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 namespace {
@@ -13,7 +13,7 @@ std::string first_dataset(store::Catalog& catalog) {
 
 } // namespace
 
-protocol::SessionOpenResult session_open(Context& context, const protocol::SessionOpenParams& params) {
+protocol::SessionOpenResult session_open(CallContext& context, const protocol::SessionOpenParams& params) {
     const auto document = [&] {
         if (params.scene) return *params.scene;
         const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());

@@ -39,8 +39,9 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
 
 // Joins the drawables of a layer to one surface, in order. Throws LimitReached if the file would exceed
 // Limits::export_bytes.
-wire::JoinedSurface joined(const Context& context, const geometry::Geometry& geometry, const store::Dataset& dataset,
-                           const std::string& layer, wire::SurfaceFormat format, bool triangles) {
+wire::JoinedSurface joined(const CallContext& context, const geometry::Geometry& geometry,
+                           const store::Dataset& dataset, const std::string& layer, wire::SurfaceFormat format,
+                           bool triangles) {
     const std::size_t limit = context.server.limits().export_bytes;
     std::uint64_t bytes = 0;
     wire::JoinedSurface result;
@@ -75,7 +76,7 @@ struct File {
     Vec3d origin{};
 };
 
-File file_of(const Context& context, SceneSource& source, limits::Memory::Charge& charge,
+File file_of(const CallContext& context, SceneSource& source, limits::Memory::Charge& charge,
              const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     Progress progress(context, params.progress, params.session);
@@ -110,7 +111,7 @@ const char* mime_of(wire::SurfaceFormat format) {
 
 } // namespace
 
-protocol::SurfaceExportResult surface_export(Context& context, const protocol::SurfaceExportParams& params) {
+protocol::SurfaceExportResult surface_export(CallContext& context, const protocol::SurfaceExportParams& params) {
     SceneSource source(context, params.session, params.scene);
     const auto& layers = source.version().scene().layers;
     const auto layer =

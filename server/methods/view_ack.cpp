@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ViewAckResult view_ack(Context& context, const protocol::ViewAckParams& params) {
+protocol::ViewAckResult view_ack(CallContext& context, const protocol::ViewAckParams& params) {
     const auto view = context.view(params.view);
     if (params.frame >= 1 && params.frame <= UINT32_MAX) view->acknowledge(static_cast<std::uint32_t>(params.frame));
     return nullptr;

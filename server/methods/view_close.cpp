@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ViewCloseResult view_close(Context& context, const protocol::ViewCloseParams& params) {
+protocol::ViewCloseResult view_close(CallContext& context, const protocol::ViewCloseParams& params) {
     const auto view = context.view(params.view);
     context.server.sessions().close_view(view->id(), context.connection.id);
     return nullptr;

@@ -1,9 +1,9 @@
 #include "frames/picture.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ViewOpenResult view_open(Context& context, const protocol::ViewOpenParams& params) {
+protocol::ViewOpenResult view_open(CallContext& context, const protocol::ViewOpenParams& params) {
     const auto session = context.session(params.session);
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     const auto connection = context.streaming_connection();

@@ -1,9 +1,9 @@
 #include "frames/picture.hpp"
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ViewResizeResult view_resize(Context& context, const protocol::ViewResizeParams& params) {
+protocol::ViewResizeResult view_resize(CallContext& context, const protocol::ViewResizeParams& params) {
     const auto view = context.view(params.view);
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     view->resize(static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height),

@@ -1,8 +1,8 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 namespace ciel::methods {
 
-protocol::ViewStreamResult view_stream(Context& context, const protocol::ViewStreamParams& params) {
+protocol::ViewStreamResult view_stream(CallContext& context, const protocol::ViewStreamParams& params) {
     std::optional<wire::MovingCodec> moving;
     if (params.moving) moving = *params.moving == "jpeg" ? wire::MovingCodec::jpeg : wire::MovingCodec::png;
     context.view(params.view)

@@ -1,8 +1,8 @@
 #include "probe/shown_bounds.hpp"
 
 #include "annotations/camera.hpp"
+#include "geometry/clip_planes.hpp"
 #include "geometry/cut_box.hpp"
-#include "geometry/cutter.hpp"
 #include "geometry/viewpoint.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ private:
     Vec3d low_{INFINITY, INFINITY, INFINITY}, high_{-INFINITY, -INFINITY, -INFINITY};
 };
 
-void add_drawable(Box& box, const geometry::Drawable& drawable, const geometry::Cutter& cutter) {
+void add_drawable(Box& box, const geometry::Drawable& drawable, const geometry::ClipPlanes& cutter) {
     const std::span<const Index> indices = drawable.indices();
     const auto& positions = drawable.shape->surface.positions;
     const std::size_t corners = geometry::corners_of(drawable);
@@ -84,7 +84,7 @@ bool is_iso(const scene::Layer& layer) { return std::holds_alternative<scene::Is
 template <class Counts>
 Box box_of(const geometry::Geometry& geometry, const scene::Scene& scene, Counts counts) {
     Box box;
-    const geometry::Cutter cutter(geometry);
+    const geometry::ClipPlanes cutter(geometry);
     for (const scene::Layer& layer : scene.layers) {
         if (!shows_data(layer) || !counts(layer)) continue;
         for (const geometry::Drawable& drawable : geometry.drawables)
@@ -116,7 +116,7 @@ private:
 template <class Counts>
 Box box_in_view(const geometry::Geometry& geometry, const scene::Scene& scene, const View& view, Counts counts) {
     Box box;
-    const geometry::Cutter cutter(geometry);
+    const geometry::ClipPlanes cutter(geometry);
     for (const scene::Layer& layer : scene.layers) {
         if (!shows_data(layer) || !counts(layer)) continue;
         for (const geometry::Drawable& drawable : geometry.drawables) {
@@ -158,7 +158,7 @@ geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const sce
     if (geometry.clip.empty() && !all_have_thresholds) return whole;
     Box box;
     if (all_have_thresholds) {
-        const geometry::Cutter cutter(geometry);
+        const geometry::ClipPlanes cutter(geometry);
         for (const geometry::Drawable& drawable : geometry.drawables)
             if (std::any_of(shown.begin(), shown.end(), [&](const auto* layer) { return layer->id == drawable.layer; }))
                 add_drawable(box, drawable, cutter);

@@ -4,7 +4,7 @@
 #include "ciel/mesh_faces.hpp"
 #include "ciel/vectors.hpp"
 #include "geometry/clip.hpp"
-#include "geometry/cutter.hpp"
+#include "geometry/clip_planes.hpp"
 #include "geometry/viewpoint.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene:
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
     const Ray ray = ray_through(geometry::viewpoint_of(geometry, scene, width, height), pixel);
     const double length = std::sqrt(dot(ray.along, ray.along));
-    const geometry::Cutter cutter(geometry);
+    const geometry::ClipPlanes cutter(geometry);
     std::vector<Crossing> found;
     for (std::size_t d = 0; d < geometry.drawables.size(); ++d) {
         const geometry::Drawable& drawable = geometry.drawables[d];

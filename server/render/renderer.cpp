@@ -1,6 +1,6 @@
 #include "render/renderer.hpp"
 
-#include "render/context/context.hpp"
+#include "render/context/gl_context.hpp"
 #include "render/painter.hpp"
 #include "render/picture_memory.hpp"
 
@@ -40,7 +40,7 @@ struct Renderer::State {
     std::function<Spare()> spare;
     std::string selection, renderer_name, version;
     Gl gl;
-    std::unique_ptr<Context> context; // null after stop(); the next draw creates a context
+    std::unique_ptr<GlContext> context; // null after stop(); the next draw creates a context
     std::optional<Painter> painter;
     std::int64_t drawn_pixels = 0; // number of pixels of the last frame
     std::uint64_t kept = 0;        // estimated bytes of the largest picture of this context

@@ -3,7 +3,7 @@
 
 #include "limits/limits.hpp"
 #include "limits/memory.hpp"
-#include "sessions/connections.hpp"
+#include "sessions/open_connections.hpp"
 #include "store/catalog.hpp"
 
 namespace ciel::sessions {
@@ -11,7 +11,7 @@ namespace ciel::sessions {
 struct Services {
     const limits::Limits& limits;
     store::Catalog& catalog;
-    Connections& connections;
+    OpenConnections& connections;
     limits::Memory& memory;
 };
 

@@ -32,7 +32,7 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
 }
 
 // Sends a text to the connections `to` except one (0: to all). Makes the text only if one of them is open.
-void send(const Connections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
+void send(const OpenConnections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
           const std::function<std::string()>& make_text) {
     std::string text;
     for (const auto id : to) {

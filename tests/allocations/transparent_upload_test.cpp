@@ -1,7 +1,7 @@
 // The buffers for transparent layers are allocated once, for any number of layers. Growing them layer by layer would
 // copy the earlier layers each time.
 #include "allocations/counted_new.hpp"
-#include "render/context/context.hpp"
+#include "render/context/gl_context.hpp"
 #include "render/surfaces/transparency.hpp"
 #include "render/surfaces/transparent_points.hpp"
 

@@ -146,9 +146,9 @@ class Generated(unittest.TestCase):
         self.assertIn("  Coloring: { points: [2, 64], steps: [2, 256] },\n", text)
         self.assertIn('  "view.open": { width: [16, 8192], height: [16, 8192], pixel_ratio: [0.25, 16] },\n', text)
         schemas = python.emit_schemas(self.contract)
-        self.assertIn("    fov: NotRequired[float]  # Vertical angle of view in degrees, of a camera that is not parallel. (above 0 and below 180, default 30)\n", schemas)
+        self.assertIn("camera that is not parallel. (above 0 and below 180, default 30)\n", schemas)
         self.assertIn("    opacity: NotRequired[float]  # 0 to 1, default 1\n", schemas)
-        self.assertIn("    bins: NotRequired[int]  # of equal width;", python.emit(self.contract))
+        self.assertIn("    bins: NotRequired[int]  # Number of bins of equal width.", python.emit(self.contract))
         self.assertIn("(1 to 4096, default 256)\n", python_calls.emit(self.contract, is_async=False))
 
     def test_the_version_is_in_every_language(self):

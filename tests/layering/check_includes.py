@@ -1,6 +1,8 @@
 """Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
-library of the outside world into another room, or when a room above the store reads the face lists of a mesh."""
+library of the outside world into another room, when the declared edges form a circle, or when a room above the store
+reads the face lists of a mesh."""
 
+import graphlib
 import pathlib
 import re
 import sys
@@ -60,10 +62,22 @@ def place_of(path):
     return room, "/".join(folders) or "."
 
 
+def circle_in(edges):
+    """Returns the rooms of a circle of links, as a sentence; nothing if all links go downwards."""
+    links = graphlib.TopologicalSorter()
+    for room, lower in edges:
+        links.add(room, lower)
+    try:
+        links.prepare()
+    except graphlib.CycleError as error:
+        return [f"links between rooms form a circle: {' -> '.join(reversed(error.args[1]))}"]
+    return []
+
+
 def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
     edges, orders = read_declared(edges_file)
     rooms = {path.name for path in server.iterdir() if path.is_dir()}
-    problems = []
+    problems = circle_in(edges)
     for source in sorted(server.rglob("*.[ch]pp")):
         relative = source.relative_to(server)
         room, folder = place_of(relative)

@@ -85,7 +85,7 @@ public:
     PartMatcher(const Assembled& pieces, const JoinedMesh& joined)
         : pieces_(pieces), joined_(joined), mesh_(pieces.mesh.view()), index_(mesh_) {}
 
-    Cut run() {
+    PieceJoins run() {
         for (Index face = 0; face < mesh_.face_count(); ++face) {
             if (mesh_.neighbour[face] == none && joined_.parts[part_of(face)].whole >= 0) add(face);
         }
@@ -139,12 +139,12 @@ private:
     FaceMeshView mesh_;
     CornerIndex index_;
     std::unordered_map<Corners, std::vector<Index>, CornersHash> open_;
-    Cut cut_;
+    PieceJoins cut_;
 };
 
 } // namespace
 
-Cut find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined) {
+PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined) {
     return PartMatcher(pieces, joined).run();
 }
 

@@ -9,7 +9,7 @@
 
 namespace ciel::importer {
 
-struct Cut {
+struct PieceJoins {
     PointPairs points;        // running points to join
     std::uint64_t faces = 0;  // joined pairs of faces
     std::uint64_t single = 0; // cut faces without a counterpart; only OpenFOAM's reader reports them
@@ -17,7 +17,7 @@ struct Cut {
 };
 
 // Compares the boundary faces of parts with the same `whole`. `pieces`: `joined`, assembled before joining.
-[[nodiscard]] Cut find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
+[[nodiscard]] PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
 
 // Returns whether the points of all joined pairs are also the same in `parts`, which have the data of a later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts);

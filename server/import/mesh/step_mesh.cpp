@@ -164,7 +164,7 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
     name_zones(found, mesh);
 }
 
-Cut find_cuts(const JoinedMesh& joined, const DataSets& data_sets) {
+PieceJoins find_cuts(const JoinedMesh& joined, const DataSets& data_sets) {
     if (has_pieces(joined)) return find_cut_between_parts(assemble(joined.view()), joined);
     return {data_sets.same_points, data_sets.joined_faces, data_sets.single_faces, 0};
 }
@@ -196,7 +196,7 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
     describe_joining(joined, mesh);
     for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
 
-    const Cut cut = weld == Weld::seams ? find_cuts(joined, data_sets) : Cut{};
+    const PieceJoins cut = weld == Weld::seams ? find_cuts(joined, data_sets) : PieceJoins{};
     Welds welds = find_welds(joined, weld, cut, difference);
     if (has_pieces(joined)) mesh.joined_pieces = cut.points;
     if (weld == Weld::none && (!data_sets.same_points.empty() || has_pieces(joined)))

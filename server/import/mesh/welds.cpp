@@ -151,7 +151,7 @@ void weld_seams(const JoinedMesh& mesh, const SeamDifference& difference_across,
     }
 }
 
-void join_cut(const Cut& cut, DisjointSets& sets, Welds& welds) {
+void join_cut(const PieceJoins& cut, DisjointSets& sets, Welds& welds) {
     for (const auto& [a, b] : cut.points) sets.join(a, b);
     if (cut.faces > 0)
         welds.notes.push_back("The pieces of the mesh were joined along " + count_text(cut.faces, "faces."));
@@ -206,7 +206,7 @@ void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked
 
 } // namespace
 
-Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDifference& difference) {
+Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const SeamDifference& difference) {
     Welds welds;
     DisjointSets sets(mesh.point_count);
     join_cut(cut, sets, welds);

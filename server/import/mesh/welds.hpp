@@ -30,6 +30,7 @@ struct Welds {
 };
 
 // Joins the points of `cut` in every mode. Does not weld a seam for which `difference` is not empty.
-[[nodiscard]] Welds find_welds(const JoinedMesh& mesh, Weld mode, const Cut& cut, const SeamDifference& difference);
+[[nodiscard]] Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut,
+                               const SeamDifference& difference);
 
 } // namespace ciel::importer

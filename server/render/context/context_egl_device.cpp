@@ -43,7 +43,7 @@ std::vector<Device> list_devices(const Egl& egl) {
 
 } // namespace
 
-std::unique_ptr<Context> make_egl_device_context() {
+std::unique_ptr<GlContext> make_egl_device_context() {
     const Egl& egl = Egl::instance();
     std::string failures;
     for (const Device& device : list_devices(egl)) {

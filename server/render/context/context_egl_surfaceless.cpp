@@ -4,7 +4,7 @@
 
 namespace ciel::render {
 
-std::unique_ptr<Context> make_egl_surfaceless_context() {
+std::unique_ptr<GlContext> make_egl_surfaceless_context() {
     const Egl& egl = Egl::instance();
     if (!egl.has_client_extension("EGL_MESA_platform_surfaceless"))
         throw Error("EGL lacks EGL_MESA_platform_surfaceless");

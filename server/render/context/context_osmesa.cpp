@@ -1,6 +1,6 @@
 // OSMesa: Mesa's software renderer without EGL.
 #include "ciel/types.hpp"
-#include "render/context/context.hpp"
+#include "render/context/gl_context.hpp"
 #include "render/context/library.hpp"
 
 #include <GL/osmesa.h>
@@ -26,7 +26,7 @@ struct OsMesa {
     }
 };
 
-class OsMesaContext final : public Context {
+class OsMesaContext final : public GlContext {
 public:
     OsMesaContext(const OsMesa& library, OSMesaContext context) : library_(library), context_(context) {}
     ~OsMesaContext() override {
@@ -57,7 +57,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Context> make_osmesa_context() {
+std::unique_ptr<GlContext> make_osmesa_context() {
     const OsMesa& library = OsMesa::instance();
     const std::array<int, 13> attributes{OSMESA_FORMAT,
                                          OSMESA_RGBA,

@@ -12,7 +12,7 @@
 namespace ciel::render {
 namespace {
 
-class EglContext final : public Context {
+class EglContext final : public GlContext {
 public:
     EglContext(const Egl& egl, EGLDisplay display, EGLContext context, std::string description)
         : egl_(egl), display_(display), context_(context), description_(std::move(description)) {}
@@ -107,7 +107,7 @@ bool has_word(const char* words, std::string_view word) {
     return std::find(std::istream_iterator<std::string>(list), {}, word) != std::istream_iterator<std::string>();
 }
 
-std::unique_ptr<Context> make_egl_context(const Egl& egl, EGLDisplay display, std::string description) {
+std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description) {
     if (display == EGL_NO_DISPLAY) throw Error("no display (" + egl.last_error() + ")");
     EGLint major = 0;
     EGLint minor = 0;

@@ -1,7 +1,7 @@
 // The EGL library and surfaceless contexts, for both EGL back ends.
 #pragma once
 
-#include "render/context/context.hpp"
+#include "render/context/gl_context.hpp"
 #include "render/context/library.hpp"
 
 #include <EGL/egl.h>
@@ -35,6 +35,6 @@ private:
 
 // Creates an OpenGL 3.3 core context on the display. Throws Error when that fails.
 // The display is never terminated: displays are shared, and terminating one would end every context on it.
-[[nodiscard]] std::unique_ptr<Context> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
+[[nodiscard]] std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
 
 } // namespace ciel::render

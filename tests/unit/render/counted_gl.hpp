@@ -1,8 +1,8 @@
 // OpenGL entry points that count object creation, storage allocation, uploads and read-backs.
 #pragma once
 
-#include "render/context/context.hpp"
 #include "render/context/gl.hpp"
+#include "render/context/gl_context.hpp"
 
 #include <utility>
 
@@ -67,7 +67,7 @@ inline void renderbuffer(GLenum target, GLsizei samples, GLenum format, GLsizei 
 
 // Returns the driver's entry points, with counting functions in place of some. The counts are global: use one at a
 // time.
-inline Gl counted_gl(const Context& context) {
+inline Gl counted_gl(const GlContext& context) {
     using namespace counted;
     real = Gl::load(context.loader());
     Gl gl = real;

@@ -38,7 +38,7 @@ struct Scratch {
     SolvedCells solved;                  // copied to Pass::solved_ without spare capacity
 };
 
-Scratch& scratch_of_this_thread() {
+Scratch& gradient_scratch() {
     static thread_local Scratch scratch;
     return scratch;
 }
@@ -134,7 +134,7 @@ void Pass::want(Index b, const ActiveBlock& cut) {
     const Block& block = blocks_.cells(b);
     if (gradient_[b] == nullptr) gradient_[b] = std::make_unique_for_overwrite<Vec3f[]>(block.vertex_count);
     const std::span<std::uint8_t> state = states(block);
-    std::vector<Index>& found = scratch_of_this_thread().wanted;
+    std::vector<Index>& found = gradient_scratch().wanted;
     found.clear();
     const auto want_both = [&](const std::array<Index, 2>& ends) {
         for (const Index v : ends) {
@@ -155,7 +155,7 @@ void Pass::want(Index b, const ActiveBlock& cut) {
 
 void Pass::solve_one_by_one(Index b, std::span<const Index> vertices) {
     const Block& block = blocks_.cells(b);
-    Scratch& scratch = scratch_of_this_thread();
+    Scratch& scratch = gradient_scratch();
     for (const Index v : vertices) {
         const Index place = blocks_.around(b).border_place_of(v);
         if (place == none)
@@ -215,7 +215,7 @@ void Pass::list_asked(const Block& block, Scratch& scratch) const {
 
 void Pass::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
-    Scratch& scratch = scratch_of_this_thread();
+    Scratch& scratch = gradient_scratch();
     const BlockSampler sampler(mesh_, b, block, field_.of_block(b));
     list_asked(block, scratch);
     scratch.solved.begin(block.cell_count);
@@ -233,7 +233,7 @@ void Pass::sum_inside(Index b) {
 
 template <const StandardShape& shape>
 void Pass::add_standard(const BlockSampler& sampler, const Block& block, const StandardSection& section, Index place) {
-    Scratch& scratch = scratch_of_this_thread();
+    Scratch& scratch = gradient_scratch();
     const std::span<const std::uint8_t> state = states(block);
     constexpr Index in_group = StandardSection::cells_per_group;
     scratch.cells.clear();
@@ -287,7 +287,7 @@ void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scra
 template <class Local>
 void Pass::add_polyhedra(const BlockSampler& sampler, Index b, const PolyhedralSection<Local>& section) {
     if (section.count() == 0) return;
-    Scratch& scratch = scratch_of_this_thread();
+    Scratch& scratch = gradient_scratch();
     const Block& block = blocks_.cells(b);
     mark_polyhedra(b, section, scratch);
     const Index place = block.cell_count - section.count();
@@ -310,7 +310,7 @@ void Pass::add_polyhedra(const BlockSampler& sampler, Index b, const PolyhedralS
 void Pass::sum_at_border(Index b) {
     if (busy_[b] == 0) return;
     const Block& block = blocks_.cells(b);
-    Scratch& scratch = scratch_of_this_thread();
+    Scratch& scratch = gradient_scratch();
     const std::span<const std::uint8_t> state = states(block);
     blocks_.around(b).with([&](const auto& arrays) {
         for (Index place = 0; place < arrays.border_vertex.size(); ++place) {

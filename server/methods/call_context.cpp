@@ -1,24 +1,24 @@
-#include "methods/context.hpp"
+#include "methods/call_context.hpp"
 
 #include "logging/log.hpp"
 #include "sessions/open_dataset.hpp"
 
 namespace ciel::methods {
 
-void Context::begin() {
+void CallContext::begin() {
     request_id = connection.request.empty() ? logging::next_request_id() : connection.request;
     begun = std::chrono::steady_clock::now();
 }
 
-double Context::milliseconds() const {
+double CallContext::milliseconds() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
 }
 
-std::shared_ptr<store::LoadedDataset> Context::dataset(const std::string& name) const {
+std::shared_ptr<store::LoadedDataset> CallContext::dataset(const std::string& name) const {
     return sessions::open_dataset(server.catalog(), name);
 }
 
-void Context::check_wanted() const {
+void CallContext::check_wanted() const {
     if (connection.stop.stop_requested())
         throw Error("the connection ended before the answer; keep the connection open until the answer has arrived");
     if (stop.stop_requested())
@@ -34,12 +34,12 @@ void check_may_append(const engine::Server& server, const sessions::Connection& 
                                  "\"Authorization: Bearer TOKEN\"");
 }
 
-std::shared_ptr<engine::View> Context::view(std::int64_t id) const {
+std::shared_ptr<engine::View> CallContext::view(std::int64_t id) const {
     const bool possible = id > 0 && id <= UINT32_MAX;
     return server.sessions().view(possible ? static_cast<std::uint32_t>(id) : 0, connection.id);
 }
 
-std::shared_ptr<sessions::Connection> Context::streaming_connection() const {
+std::shared_ptr<sessions::Connection> CallContext::streaming_connection() const {
     return connection.is_streaming() ? server.services().connections.find(connection.id) : nullptr;
 }
 

@@ -8,8 +8,8 @@
 
 namespace ciel::sessions {
 
-// All members of Connections are thread-safe.
-class Connections {
+// All members of OpenConnections are thread-safe.
+class OpenConnections {
 public:
     void add(std::shared_ptr<Connection> connection) {
         const std::scoped_lock lock(mutex_);

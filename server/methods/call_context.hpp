@@ -14,7 +14,7 @@ namespace ciel::methods {
 // Throws NotAllowed unless the server accepts appended steps and the connection has the server's token.
 void check_may_append(const engine::Server& server, const sessions::Connection& connection);
 
-struct Context { // NOLINT(bugprone-exception-escape): moving a string does not throw
+struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does not throw
     engine::Server& server;
     sessions::Connection& connection;
     std::stop_token stop{};   // requested when the connection has ended or the server cancels the call

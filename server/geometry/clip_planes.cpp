@@ -1,4 +1,4 @@
-#include "geometry/cutter.hpp"
+#include "geometry/clip_planes.hpp"
 
 #include "ciel/clip_polygon.hpp"
 #include "geometry/clip.hpp"
@@ -18,16 +18,16 @@ std::size_t corners_of(const Drawable& drawable) {
     return drawable.lines() ? 2 : 1;
 }
 
-Cutter::Cutter(const Geometry& geometry) : planes_(geometry.clip) {
+ClipPlanes::ClipPlanes(const Geometry& geometry) : planes_(geometry.clip) {
     for (HalfSpace& plane : planes_) plane.offset += clip_slack(geometry);
 }
 
-bool Cutter::keeps(const Vec3f& point) const {
+bool ClipPlanes::keeps(const Vec3f& point) const {
     return std::all_of(planes_.begin(), planes_.end(),
                        [&](const HalfSpace& plane) { return distance(plane, wide(point)) >= 0; });
 }
 
-std::vector<Vec3d> Cutter::rest_of(std::vector<Vec3d> corners) const {
+std::vector<Vec3d> ClipPlanes::rest_of(std::vector<Vec3d> corners) const {
     std::vector<Vec3d> left;
     for (const HalfSpace& plane : planes_) {
         clip_polygon(

@@ -1,4 +1,4 @@
-#include "render/context/context.hpp"
+#include "render/context/gl_context.hpp"
 
 #include "ciel/types.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 struct Kind {
     Backend backend;
-    std::unique_ptr<Context> (*make)();
+    std::unique_ptr<GlContext> (*make)();
 };
 
 constexpr Kind kinds[] = {
@@ -16,7 +16,7 @@ constexpr Kind kinds[] = {
     {Backend::osmesa, make_osmesa_context},
 };
 
-thread_local Context* current = nullptr;
+thread_local GlContext* current = nullptr;
 
 } // namespace
 
@@ -43,13 +43,13 @@ ChosenContext make_context(Backend backend) {
                 "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
 }
 
-bool make_current(Context& context) {
+bool make_current(GlContext& context) {
     if (current != nullptr && current != &context) current->release();
     current = context.make_current() ? &context : nullptr;
     return current != nullptr;
 }
 
-void forget_current(const Context& context) {
+void forget_current(const GlContext& context) {
     if (current == &context) current = nullptr;
 }
 

@@ -10,12 +10,12 @@
 namespace ciel::render {
 
 // A context belongs to the thread that created it. It has no default framebuffer to draw to, only framebuffer objects.
-class Context {
+class GlContext {
 public:
-    Context() = default;
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-    virtual ~Context() = default;
+    GlContext() = default;
+    GlContext(const GlContext&) = delete;
+    GlContext& operator=(const GlContext&) = delete;
+    virtual ~GlContext() = default;
 
     // Returns false when the context is lost. A lost context can only be destroyed.
     [[nodiscard]] virtual bool make_current() = 0;
@@ -27,12 +27,12 @@ public:
 };
 
 // The make functions of the back ends throw Error with the reason when they cannot create a context.
-[[nodiscard]] std::unique_ptr<Context> make_egl_device_context();
-[[nodiscard]] std::unique_ptr<Context> make_egl_surfaceless_context();
-[[nodiscard]] std::unique_ptr<Context> make_osmesa_context();
+[[nodiscard]] std::unique_ptr<GlContext> make_egl_device_context();
+[[nodiscard]] std::unique_ptr<GlContext> make_egl_surfaceless_context();
+[[nodiscard]] std::unique_ptr<GlContext> make_osmesa_context();
 
 struct ChosenContext {
-    std::unique_ptr<Context> context;
+    std::unique_ptr<GlContext> context;
     Backend backend;
     std::string selection; // for logs: the choice, and why earlier back ends failed
 };
@@ -42,7 +42,7 @@ struct ChosenContext {
 
 // Makes `context` current on this thread and releases the previous one, even one of another library. Two libraries
 // that share Mesa's dispatch table must not both have a current context. Returns false when `context` is lost.
-[[nodiscard]] bool make_current(Context& context);
-void forget_current(const Context& context); // call before destroying `context`
+[[nodiscard]] bool make_current(GlContext& context);
+void forget_current(const GlContext& context); // call before destroying `context`
 
 } // namespace ciel::render

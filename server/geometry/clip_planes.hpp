@@ -5,9 +5,9 @@
 
 namespace ciel::geometry {
 
-class Cutter {
+class ClipPlanes {
 public:
-    explicit Cutter(const Geometry& geometry);
+    explicit ClipPlanes(const Geometry& geometry);
 
     [[nodiscard]] bool cuts() const { return !planes_.empty(); }
     [[nodiscard]] bool keeps(const Vec3f& point) const;
