@@ -92,7 +92,9 @@ std::span<const Route> routes() { return table; }
 
 Resolved resolve(const Context& context, const Request& request) {
     auto target = parse_target(request.target);
-    if (!target) return refused(sentence(400, "The request's path is malformed."));
+    if (!target)
+        return refused(
+            sentence(400, "The path of the request is malformed; check its percent signs and control characters."));
     if (!host_allowed(context.access, request.host))
         return refused(sentence(403, "The host name " + request.host +
                                          " is not allowed on this server; allow it with --allowed-host."));

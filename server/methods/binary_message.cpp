@@ -31,7 +31,8 @@ std::optional<std::string> receive_binary(engine::Server& server, const sessions
         add(server, connection, piece);
         return {};
     } catch (const limits::NotAllowed&) {
-        return "this connection may not send binary messages; send JSON-RPC as text";
+        return "binary messages carry the pieces of append.piece, which need `ciel serve --allow-append` and the "
+               "server's token; send other calls as text";
     } catch (const std::exception& error) {
         return error.what();
     }

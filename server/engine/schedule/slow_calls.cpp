@@ -40,7 +40,8 @@ void SlowCalls::post_next(std::uint64_t connection, Job job) {
 
 void SlowCalls::check_open() const {
     if (draining_)
-        throw Error("the server is about to stop and draws no further pictures; try again after its restart");
+        throw Error(
+            "the server is about to stop and makes no further pictures and exports; try again after its restart");
 }
 
 void SlowCalls::add(std::uint64_t connection, Job job) {

@@ -53,7 +53,7 @@ ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer
     if (times_.empty()) times_ = {0.0};
     if (list_arrays) arrays_ = list_arrays();
     if (!std::is_sorted(times_.begin(), times_.end()))
-        throw Error(file_ + ": its time steps are not in ascending order");
+        throw Error(file_ + ": its time steps are not in ascending order; sort them in the file");
 }
 
 vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadProgress& progress) {
@@ -71,7 +71,9 @@ vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadPr
     throw_vtk_errors(file_);
 
     vtkDataObject* output = reader_->GetOutputDataObject(0);
-    if (output == nullptr) throw Error(file_ + ": VTK's reader returned no data");
+    if (output == nullptr)
+        throw Error(file_ +
+                    ": VTK's reader returned no data; the file may be damaged, or of a kind that VTK does not know");
     return kept(*output);
 }
 

@@ -112,7 +112,7 @@ std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, 
     EGLint major = 0;
     EGLint minor = 0;
     if (egl.Initialize(display, &major, &minor) != EGL_TRUE)
-        throw Error("the display cannot be initialised (" + egl.last_error() + ")");
+        throw Error("the display cannot be initialized (" + egl.last_error() + ")");
     if (!has_word(egl.QueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
         throw Error("the display lacks EGL_KHR_surfaceless_context");
     if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) throw Error("the display has no desktop OpenGL");

@@ -20,8 +20,8 @@ void Sheet::size(GLint format, int width, int height) {
     gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
     width_ = 0; // invalid until the framebuffer is complete
     if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw a volume in a picture of " + std::to_string(width) + " x " +
-                    std::to_string(height) + " pixels; ask for a smaller picture");
+        throw Error("the GL driver cannot draw volumes and transparent lines in a picture of " + std::to_string(width) +
+                    " x " + std::to_string(height) + " pixels; ask for a smaller picture");
     format_ = format;
     width_ = width;
     height_ = height;

@@ -111,7 +111,8 @@ private:
 std::string read_gzip(const fs::path& path, std::size_t most) {
     constexpr std::size_t chunk = 1U << 20;
     GzipFile file(path);
-    if (!file.is_open()) throw Error(path.string() + ": cannot be read");
+    if (!file.is_open())
+        throw Error(path.string() + ": cannot be opened; check that it exists and that you may read it");
     std::string bytes;
     while (bytes.size() < most) {
         const std::size_t begin = bytes.size();
@@ -212,7 +213,7 @@ std::string read_foam_file(const fs::path& file, std::size_t most) {
     require_regular(file);
     if (file.extension() == ".gz") return read_gzip(file, most);
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw Error(file.string() + ": cannot be read");
+    if (!stream) throw Error(file.string() + ": cannot be opened; check that it exists and that you may read it");
     std::string bytes(std::min<std::uintmax_t>(fs::file_size(file), most), '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(stream.gcount()));

@@ -54,7 +54,8 @@ private:
 
     void count_cells(const std::vector<std::int64_t>& cells) {
         for (const std::int64_t cell : cells) {
-            if (!is_below(cell, most_labels)) fail("names cell " + std::to_string(cell));
+            if (!is_below(cell, most_labels))
+                fail("names cell " + std::to_string(cell) + ", which is negative or too large");
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
         // A closed cell has at least four faces, and two cells share a face: a mesh has more faces than cells.
