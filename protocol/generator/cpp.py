@@ -165,16 +165,28 @@ def emit_table(contract: Contract) -> str:
     )
 
 
+# A compiler need not take a string literal of more than 65,536 characters ([implimits] of the C++ standard).
+LONGEST_LITERAL = 60_000
+
+
+def document_parts(text: str) -> list[str]:
+    """Splits the document into parts that fit into string literals."""
+    return [text[begin : begin + LONGEST_LITERAL] for begin in range(0, len(text), LONGEST_LITERAL)]
+
+
 def emit_document(contract: Contract) -> str:
     major, minor = contract.protocol
     view_open = next(method for method in contract.methods if method.name == "view.open")
     streams = next(param for param in view_open.params if param.name == "stream").schema["enum"]
+    parts = document_parts(contract.text)
+    literals = ", ".join(f'R"openrpc({part})openrpc"' for part in parts)
     words = ", ".join(f'"{stream}"' for stream in streams)
     return HEAD + (
         "#include <array>\n#include <string_view>\n\nnamespace ciel::protocol {\n\n"
         f"inline constexpr int major_version = {major}, minor_version = {minor};\n"
         f"inline constexpr std::array<std::string_view, {len(streams)}> streams{{{words}}}; // of a view\n"
-        f'inline constexpr std::string_view document = R"openrpc({contract.text})openrpc";\n\n'
+        "// The text of openrpc.json, in parts.\n"
+        f"inline constexpr std::array<std::string_view, {len(parts)}> document_parts{{{literals}}};\n\n"
         "} // namespace ciel::protocol\n"
     )
 

@@ -11,8 +11,8 @@ namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
-// Largest slack for rounding, as a share of the range. Values of a range so narrow that floats would need more slack are
-// doubles, which have smaller rounding errors.
+// Largest slack for rounding, as a share of the range. Values of a range so narrow that floats would need more slack
+// are doubles, which have smaller rounding errors.
 constexpr double largest_slack = 1e-3;
 
 // log(1 + |v| / w) at the ends of a range that is logarithmic on both sides of zero (protocol/colors.md).

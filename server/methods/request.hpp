@@ -6,7 +6,7 @@
 
 namespace ciel::methods {
 
-struct CallContext; // context.hpp
+struct CallContext; // methods/call_context.hpp
 
 // Returns whether the request's method runs in the queue of slow calls (x-slow in the contract).
 [[nodiscard]] bool is_slow(const nlohmann::json& request);

@@ -255,7 +255,11 @@ const std::vector<std::pair<std::string, Check>>& checks() {
 } // namespace
 
 const json& contract() {
-    static const json document = json::parse(protocol::document);
+    static const json document = [] {
+        std::string text;
+        for (const std::string_view part : protocol::document_parts) text += part;
+        return json::parse(text);
+    }();
     return document;
 }
 

@@ -87,9 +87,9 @@ describe("the arrangement of layers and legends", { skip }, () => {
         }),
       );
     const legends = await boxesOf(".legend");
-    const captions = (await boxesOf(".texts text")).filter(
-      ({ left, top }) => !legends.some((one) => left >= one.left - 1 && top >= one.top - 1),
-    );
+    const isCaption = ({ what }: Box): boolean =>
+      what === "A title of several words" || what === dataset || what.startsWith("Time: ");
+    const captions = (await boxesOf(".texts text")).filter(isCaption);
     return [...captions, ...legends, ...(await boxesOf(".triad, .box-axes text"))];
   }
 

@@ -121,7 +121,10 @@ describe("writing", { skip }, () => {
         .locator(".texts text")
         .evaluateAll((all) => all.map((element) => element.getBoundingClientRect().toJSON() as DOMRect));
       const inside = (text: DOMRect, box: DOMRect): boolean =>
-        text.left >= box.left - 2 && text.right <= box.right + 2 && text.top >= box.top - 2;
+        text.left >= box.left - 2 &&
+        text.right <= box.right + 2 &&
+        text.top >= box.top - 2 &&
+        text.bottom <= box.bottom + 2;
       for (const text of texts)
         assert.ok(
           boxes.some((box) => inside(text, box)),

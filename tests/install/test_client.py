@@ -15,4 +15,4 @@ def test_the_client_installs_without_a_network_and_brings_its_types(tmp_path):
         program, "-c", "import ciel_client, pathlib; print(pathlib.Path(ciel_client.__file__).with_name('py.typed').exists(),"
         " ciel_client.Client('http://127.0.0.1:1').picture_render.__doc__)", cwd=tmp_path
     )  # fmt: skip
-    assert said.startswith("True A lossless still picture"), said
+    assert said.startswith("True Draws one lossless picture"), said

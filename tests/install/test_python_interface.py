@@ -88,19 +88,24 @@ def test_sweeps_give_the_parts_of_each_surface(python):
 import threading
 levels = [4, 9]
 def parts_of(**options):
-    cells, threads = [[], []], set()
+    cells, inside, most, lock = [[], []], 0, 0, threading.Lock()
     def keep(i, surface):
-        threads.add(threading.get_ident())
+        nonlocal inside, most
+        with lock:
+            inside += 1
+            most = max(most, inside)
         assert surface.chunks.shape == (1, 3) and surface.normals.shape == (0, 3)
         assert np.allclose(cm.interpolate(surface, mesh, values), levels[i])
         cells[i].extend(surface.polygon_cell.tolist())
+        with lock:
+            inside -= 1
     cm.sweep(mesh, values, levels, keep, **options)
-    return [sorted(each) for each in cells], threads
+    return [sorted(each) for each in cells], most
 wanted = [sorted(cm.contour(mesh, values, level).polygon_cell.tolist()) for level in levels]
 assert parts_of()[0] == wanted
 for threads in (1, 2):
-    cells, seen = parts_of(threads=threads, algorithm="propagation")
-    assert cells == wanted and len(seen) <= threads
+    cells, most = parts_of(threads=threads, algorithm="propagation")
+    assert cells == wanted and most <= threads
 def refuse(i, surface):
     raise LookupError("enough")
 for threads in (1, 3):

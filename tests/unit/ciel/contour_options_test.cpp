@@ -1,9 +1,11 @@
 // Options of contour.hpp that leave the surface as it is, and its functions beside surfaces: sweep and clip.
 #include "ciel/contour.hpp"
+#include "ciel/parallel.hpp"
 #include "support/thread_count.hpp"
 #include "unit/ciel/meshes.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -175,6 +177,33 @@ TEST_F(Cubes, InterpolatesValuesOfCellsAsFieldsDo) {
     ASSERT_EQ(found.size(), 2 * surface.points.size());
     for (std::size_t i = 0; i < surface.points.size(); ++i) EXPECT_NEAR(found[2 * i], 0.1, 1e-9);
     EXPECT_THROW((void)interpolate(surface, mesh, radius, true), Error);
+}
+
+// A callback that waits in a loop of its own must not be called again on the same thread.
+TEST_F(Cubes, SweepCallbacksMayStartLoops) {
+    const std::vector<double> levels{4, 6, 8, 10};
+    static thread_local int inside = 0;
+    std::atomic<int> again{0};
+    const OnCut on_cut = [&](std::size_t, Index, const BlockPolygons& cut) {
+        again += inside > 0 ? 1 : 0;
+        ++inside;
+        const std::vector<Vec3f> before(cut.positions.begin(), cut.positions.end());
+        parallel_for(64, 1,
+                     [](std::size_t, std::size_t) { std::this_thread::sleep_for(std::chrono::microseconds(20)); });
+        again += std::equal(before.begin(), before.end(), cut.positions.begin(), cut.positions.end()) ? 0 : 1;
+        --inside;
+    };
+    const ThreadCount threads(4);
+    for (int repeat = 0; repeat < 10; ++repeat) EXPECT_TRUE(sweep(mesh, radius, levels, on_cut));
+    EXPECT_EQ(again, 0);
+}
+
+TEST_F(Cubes, RefusesToInterpolateWhatDoesNotFit) {
+    Surface surface = contour(mesh, radius, 8);
+    EXPECT_THROW(
+        (void)interpolate(surface, mesh, ArrayView(radius.data(), NumberType::float64, radius.size(), 0, 8, 8)), Error);
+    surface.points.front().a = mesh.point_count();
+    EXPECT_THROW((void)interpolate(surface, mesh, radius), Error);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ const LEGEND: Size = { width: 110, height: 260 };
  * smaller than in saved pictures, since a page is read from close up.
  */
 const USUAL_TEXT = 12;
-const SMALLEST_TEXT = 9;
+export const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
 /** Size of text over the canvas in CSS pixels. It also depends on the width, because text would fill a narrow picture. */

@@ -19,6 +19,9 @@ function decode(hex: string): Colors {
 const maps = new Map(table.maps.map(({ name, colors }) => [name, decode(colors)]));
 const first = table.maps[0]?.name ?? "viridis";
 
+/** Returns the name, or that of the first map for a name that only a newer server has. */
+export const knownMap = (name: string): string => (maps.has(name) ? name : first);
+
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);
 export const DEFAULT_MAP = DEFAULTS.Coloring.map;
 /** Default color of missing values, as #rrggbb. */

@@ -2,7 +2,7 @@
 // stream use the same rules. tests/support/color_cases.json tests server and page.
 import type { ColorPoint, Range } from "../generated/protocol";
 import type { ScaleInBytes } from "../wasm/overlay";
-import { colorMap } from "./color_maps";
+import { colorMap, knownMap } from "./color_maps";
 
 export type Rgb8 = readonly [number, number, number];
 
@@ -30,9 +30,10 @@ export const hexOf = (color: readonly number[]): string =>
 
 const bytesIfAny = (hex: string | null): Rgb8 | null => (hex === null ? null : bytesOf(hex));
 
-/** The same scale for the layout of a legend. */
-export const inBytes = ({ points, nan, below, above, ...rest }: ColorScale): ScaleInBytes => ({
+/** The same scale for the layout of a legend, which knows the page's own color maps only. */
+export const inBytes = ({ map, points, nan, below, above, ...rest }: ColorScale): ScaleInBytes => ({
   ...rest,
+  map: knownMap(map),
   points: points.map(({ at, color }) => ({ at, color: bytesOf(color) })),
   nan: bytesOf(nan),
   below: bytesIfAny(below),

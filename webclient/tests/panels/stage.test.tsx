@@ -112,9 +112,31 @@ describe("legends", () => {
     expect(calls.at(-1)).toEqual(["page.legendsStand", []]);
   });
 
-  test("stand beside the title and the captions", () => {
+  test("stand beside the title and the captions, which are read aloud", () => {
     const annotations = { title: "Wing", dataset: true, time: true };
     const { root } = legends({}, { annotations, time: 0.5 });
-    expect(root.querySelector(".texts")?.getAttribute("aria-label")).toBe("Wing, box, Time: 0.5");
+    const drawn = [...root.querySelectorAll(".texts text")].map((text) => text.textContent);
+    expect(drawn).toEqual(expect.arrayContaining(["Wing", "box", "Time: 0.5"]));
+    const read = [...root.querySelectorAll(".for-readers > *")].map((text) => text.textContent);
+    expect(read).toEqual(["Wing", "box", "Time: 0.5"]);
+  });
+
+  test("keep the range of the step before until that of the new step arrives", () => {
+    const shown = legends();
+    const field = shown.find("Highest value of the p colors");
+    shown.answer("histogram", null);
+    shown.change(() => void (shown.model.scene.value = { ...shown.model.scene.value, dataset: "box", time: 1 }));
+    expect(shown.find("Highest value of the p colors")).toBe(field);
+    expect(shown.root.querySelectorAll(".legend")).toHaveLength(1);
+  });
+
+  test("do not tell where they stand before their range is known", () => {
+    const waiting = legends();
+    const before = waiting.calls.length;
+    waiting.answer("histogram", null);
+    const layers: Scene["layers"] = { iso: { type: "iso", array: "T", values: [3], color: { array: "T" } } };
+    waiting.change(() => void (waiting.model.scene.value = { dataset: "box", layers }));
+    expect(waiting.root.querySelector(".legend")).toBeNull();
+    expect(waiting.calls.slice(before).map(([name]) => name)).not.toContain("page.legendsStand");
   });
 });

@@ -93,8 +93,9 @@ void add_cuts(py::module_& module) {
         py::kw_only(), py::arg("of_cells") = false, py::arg("algorithm") = "signatures",
         py::arg("decider") = "isolate-high", py::arg("threads") = 0,
         "Cuts the mesh at all levels, (L,), in one pass: callback(i, surface) gets the part of the iso-surface at\n"
-        "levels[i] in one block, without normals. Calls come from several threads, one at a time, blocks in any\n"
-        "order. Parts of different blocks share no points. values: (V,), or (C,) with of_cells. threads: most\n"
+        "levels[i] in one block, without normals. Calls come from several threads, blocks in any order; another call\n"
+        "may begin before one has ended: use a lock, or threads=1. Parts of different blocks share no points. values: "
+        "(V,), or (C,) with of_cells. threads: most\n"
         "threads that the call uses; 0: all.");
     module.def("threshold", &threshold_in, py::arg("mesh"), py::arg("values"), py::arg("range"),
                py::arg("of_cells") = false,

@@ -38,6 +38,7 @@ std::pair<PySurface, std::optional<py::array_t<double>>> clip_at(const PySurface
                                                                  const std::vector<Plane>& planes,
                                                                  const std::optional<py::array>& values, double slack) {
     const ArrayView numbers = view_of(values, "values");
+    if (values && numbers.empty()) throw Error("values to clip with must be one per point of the mesh, not none");
     std::vector<HalfSpace> half_spaces;
     for (const auto& [origin, normal] : planes) half_spaces.push_back(half_space_of(origin, normal));
     ClippedSurface out;

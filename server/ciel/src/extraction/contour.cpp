@@ -142,7 +142,9 @@ bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_c
         on_cut(value, block, NamedCut(mesh, cut).get());
     };
     bool done = false;
-    with_threads(options.threads, [&] {
+    // With a limit, a loop that a callback starts stays on its thread. Without one, the thread could take another block
+    // while it waits, call the callback again, and overwrite the cut of the first call.
+    with_threads(options.threads > 0 ? options.threads : thread_count(), [&] {
         SweepScratch scratch;
         done = sweep(mesh.topology(), mesh.stored(), field, levels, named, scratch, stop,
                      {options.algorithm, options.decider});
@@ -172,15 +174,20 @@ std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const 
     if (surface.points.size() < surface.positions.size())
         fail("a clipped surface has points on no edge of the mesh; interpolate before clipping, or clip with the "
              "values");
+    if (values.columns() == 0) fail("values to interpolate must have at least one column");
     if (of_cells) return interpolate(surface, mesh, {at_points(mesh, values), values.columns()});
     if (values.rows() != mesh.point_count())
         fail("values to interpolate must be one row per point of the mesh (" + std::to_string(mesh.point_count()) +
              "), not " + std::to_string(values.rows()));
     std::vector<double> out;
     out.reserve(surface.points.size() * values.columns());
-    for (const EdgePoint& point : surface.points)
+    for (const EdgePoint& point : surface.points) {
+        if (std::max(point.a, point.b) >= values.rows())
+            fail("the surface has the point " + std::to_string(std::max(point.a, point.b)) + ", but the mesh only " +
+                 std::to_string(values.rows()) + " points; give the mesh that the surface was made of");
         for (std::size_t c = 0; c < values.columns(); ++c)
             out.push_back(lerp(values.real(point.a, c), values.real(point.b, c), point.t));
+    }
     return out;
 }
 

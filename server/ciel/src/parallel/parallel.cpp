@@ -141,6 +141,7 @@ void run_on_threads(std::size_t count, std::size_t grain, LoopBody body) {
             try {
                 body(i * grain, std::min(count, (i + 1) * grain));
             } catch (...) {
+                next = ranges; // the other threads only finish what they have begun, as with TBB
                 const std::lock_guard lock(error_mutex);
                 if (!first_error) first_error = std::current_exception();
             }

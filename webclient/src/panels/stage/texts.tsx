@@ -1,12 +1,13 @@
 // Title, captions and legends over the canvas, with the fields and buttons of the legends. Frames contain no text
 // (Annotations in protocol/openrpc.json). The layout is that of saved pictures (../../model/layout.ts).
 import type { JSX } from "preact";
-import { useEffect, useMemo } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
-import { textPixels } from "../../model/canvas_size";
+import { SMALLEST_TEXT, textPixels } from "../../model/canvas_size";
 import { hasWidth, inBytes, type ColorScale } from "../../model/color_scale";
 import { DEFAULTS, type Range } from "../../generated/protocol";
 import type { Size } from "../../model/camera";
+import type { Histogram } from "../../model/state";
 import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
 import { rangeOf, scaleOf } from "../../model/color_range";
 import { equal } from "../../model/merge_patch";
@@ -32,7 +33,7 @@ const ROOM: Size = { width: 12, height: 20 };
 /** Sizes in CSS pixels of a legend's buttons and of the words beside them. */
 const BUTTON = 26;
 const WORDS = 62;
-/** Width of a stage, in CSS pixels, up to which controls take no room: they show below the legend that is in use. */
+/** Width of a stage, in CSS pixels, up to which controls take no room: they show beside the legend that is in use. */
 const NARROW = 560;
 
 interface Entry extends LegendOf {
@@ -43,35 +44,49 @@ interface Entry extends LegendOf {
   lines: string[];
 }
 
-/** The legends of the scene whose range is known. */
-function useEntries(): Entry[] {
+interface Entries {
+  /** The legends of the scene whose range is known. */
+  entries: Entry[];
+  /** Whether these are all legends of the scene. */
+  complete: boolean;
+}
+
+/** A legend keeps the range of the step before until that of a new step arrives. */
+function useEntries(): Entries {
+  const before = useRef(new Map<string, Histogram>());
   const commands = useCommands();
   const layers = useLayers();
   const time = useShownTime();
   const hidden = useModel((model) => model.scene.value?.annotations?.legend === false);
   const empty = useModel((model) => model.empty.value);
   const description = useModel((model) => model.description.value);
-  if (description === null || hidden) return [];
-  return legendsOf(layers, description, empty).flatMap((legend) => {
+  if (description === null || hidden) return { entries: [], complete: description !== null };
+  const legends = legendsOf(layers, description, empty);
+  const entries = legends.flatMap((legend) => {
     const { coloring } = legend;
-    const data = commands.histogram(description.name, coloring.array, time);
+    const key = JSON.stringify([description.name, coloring.array]);
+    const arrived = commands.histogram(description.name, coloring.array, time);
+    if (arrived !== null) before.current.set(key, arrived);
+    const data = arrived ?? before.current.get(key);
     const known = data?.range ?? coloring.range ?? null;
     if (known === null) return [];
     const range = rangeOf(coloring, known);
     const scale = scaleOf(coloring, known);
     const title = legendTitle(coloring.array, unitsOf(description, coloring.array), exponentOf(scale));
     const cells = arrayOf(description, coloring.array)?.association === "point" ? data?.cells : undefined;
+    const constant = !hasWidth(scale) && !coloring.range;
+    const about = [title];
+    if (constant) about.push(`${labelOn(scale, range[0])} everywhere`);
+    if (cells !== undefined) about.push(extremesText(cells));
     return {
       ...legend,
       range,
       scale,
-      about: cells === undefined ? title : `${title}. ${extremesText(cells)}`,
-      lines: [
-        ...(cells === undefined ? [] : [cellsText(cells)]),
-        ...(hasWidth(scale) || coloring.range ? [] : ["the same everywhere"]),
-      ],
+      about: about.join(". "),
+      lines: [...(cells === undefined ? [] : [cellsText(cells)]), ...(constant ? ["the same everywhere"] : [])],
     };
   });
+  return { entries, complete: entries.length === legends.length };
 }
 
 /** Where the range comes from: data of this step, data of all steps, or chosen by the user ("held"). */
@@ -83,12 +98,14 @@ function rangeWords({ coloring }: Entry, everywhere: Range | null): string {
 
 const isAskew = ([low, high]: Range): boolean => low < 0 && high > 0 && low !== -high;
 
-/** Room for the buttons of a legend and the words beside them, in CSS pixels. */
-function controlsOf({ coloring, range }: Entry, hasSteps: boolean, stage: Size, zoom: number): Size {
+/** Size of the buttons of a legend and the words beside them, in CSS pixels. */
+function controlsOf({ coloring, range }: Entry, hasSteps: boolean, zoom: number): Size {
   const tellsRange = hasSteps || coloring.range !== undefined;
   const buttons = (tellsRange ? 1 : 0) + (isAskew(range) ? 1 : 0);
-  if (buttons === 0 || stage.width <= NARROW) return { width: 0, height: 0 };
-  return { width: zoom * (buttons * BUTTON + (tellsRange ? WORDS : 0)), height: zoom * BUTTON };
+  return {
+    width: zoom * (buttons * BUTTON + (tellsRange ? WORDS : 0)),
+    height: buttons === 0 ? 0 : zoom * BUTTON,
+  };
 }
 
 function RangeButtons({ entry }: { entry: Entry }): JSX.Element {
@@ -185,9 +202,11 @@ interface LegendProps {
   boxOf: (part: string) => Box | undefined;
   text: number;
   zoom: number;
+  /** Whether the controls show only while the legend is in use. */
+  floats: boolean;
 }
 
-function Legend({ entry, boxOf, text, zoom }: LegendProps): JSX.Element | null {
+function Legend({ entry, boxOf, text, zoom, floats }: LegendProps): JSX.Element | null {
   const [all, low, high, controls] = [boxOf(""), boxOf(" low"), boxOf(" high"), boxOf(" controls")];
   if (all === undefined) return null;
   const { coloring, name, about } = entry;
@@ -197,16 +216,18 @@ function Legend({ entry, boxOf, text, zoom }: LegendProps): JSX.Element | null {
       style={on(all, undefined, { fontSize: `${text}px` })}
       title={about}
       aria-label={`Colors of ${coloring.array}${name === "" ? "" : `, ${name}`}`}
-      tabIndex={controls === undefined ? 0 : undefined}
+      tabIndex={floats ? 0 : undefined}
     >
       {high && <EndField entry={entry} end={1} style={on(high, all)} />}
       {low && <EndField entry={entry} end={0} style={on(low, all)} />}
-      <div
-        class={controls === undefined ? "legend-controls hidden" : "legend-controls"}
-        style={controls === undefined ? { "--zoom": zoom } : on(controls, all, { "--zoom": zoom })}
-      >
-        <RangeButtons entry={entry} />
-      </div>
+      {(floats || controls) && (
+        <div
+          class={floats ? "legend-controls floating" : "legend-controls"}
+          style={controls === undefined ? { "--zoom": zoom } : on(controls, all, { "--zoom": zoom })}
+        >
+          <RangeButtons entry={entry} />
+        </div>
+      )}
     </figure>
   );
 }
@@ -228,10 +249,11 @@ export function Texts(): JSX.Element {
   const description = useModel((model) => model.description.value);
   const missing = useModel((model) => model.missing.value);
   const size = useModel((model) => model.canvasSize.value);
-  const entries = useEntries();
+  const { entries, complete } = useEntries();
   const { title, dataset, time, scale: zoom } = { ...DEFAULTS.Annotations, ...annotations };
   const hasSteps = (description?.times.length ?? 0) > 1;
-  const text = textPixels(size) * zoom;
+  const text = Math.max(SMALLEST_TEXT, textPixels(size) * zoom);
+  const isNarrow = size.width <= NARROW;
   const legends = entries.map((entry): LegendText => {
     const { coloring, of, name, scale, lines } = entry;
     return {
@@ -242,7 +264,7 @@ export function Texts(): JSX.Element {
       missing: of.layers.some((layer) => missing.includes(layer)),
       bothEnds: coloring.range !== undefined,
       lines,
-      controls: controlsOf(entry, hasSteps, size, zoom),
+      controls: isNarrow ? { width: 0, height: 0 } : controlsOf(entry, hasSteps, zoom),
     };
   });
   const captions = [
@@ -254,13 +276,18 @@ export function Texts(): JSX.Element {
   const { overlay, taken } = useMemo(() => layTexts(wanted), [key]);
   useEffect(() => {
     commands.page.covered(taken);
-    commands.page.legendsStand(cornersOf(overlay, size));
+    if (complete) commands.page.legendsStand(cornersOf(overlay, size));
     return () => commands.page.covered([]);
-  }, [commands, key]);
-  const words = [title, ...captions].filter((word) => word !== "");
+  }, [commands, key, complete]);
   return (
     <>
-      <svg class="texts" role={words.length > 0 ? "img" : undefined} aria-label={words.join(", ") || undefined}>
+      <div class="for-readers">
+        {title !== "" && <h2>{title}</h2>}
+        {captions.map((caption) => (
+          <p key={caption}>{caption}</p>
+        ))}
+      </div>
+      <svg class="texts" aria-hidden="true">
         <Drawing overlay={overlay} name="texts" />
       </svg>
       <div class="legends">
@@ -271,6 +298,7 @@ export function Texts(): JSX.Element {
             boxOf={(part) => overlay.handles.find(({ id }) => id === `legend ${i}${part}`)?.box}
             text={text}
             zoom={zoom}
+            floats={isNarrow && controlsOf(entry, hasSteps, zoom).height > 0}
           />
         ))}
       </div>
