@@ -88,7 +88,7 @@ describe("the arrangement of layers and legends", { skip }, () => {
       );
     const legends = await boxesOf(".legend");
     const isCaption = ({ what }: Box): boolean =>
-      what === "A title of several words" || what === dataset || what.startsWith("Time: ");
+      what === "A title of several words" || what === nameOf(data[0] ?? "") || what.startsWith("Time: ");
     const captions = (await boxesOf(".texts text")).filter(isCaption);
     return [...captions, ...legends, ...(await boxesOf(".triad, .box-axes text"))];
   }

@@ -72,7 +72,7 @@ const READS = new Set(["layers.middleOf", "newGesture", "histogram", "page.pictu
 const realCommands = (model: Model): Commands => new Commands(model, NONE, NONE, NONE);
 
 /**
- * A fake of all commands. Each call is recorded with the command's path; `answers` has the results. Throws for a name
+ * A fake of all commands. Each call is recorded with the command's path; `answers` has the results; those it lacks are added. Throws for a name
  * that `real` does not have.
  */
 function recorder(real: object, calls: Call[], answers: Answers, path: readonly string[] = []): unknown {
@@ -99,9 +99,9 @@ function checkNames(commands: Commands, answers: Answers): void {
 }
 
 export function recordedCommands(model: Model, calls: Call[], answers: Answers = {}): Commands {
-  const all = { ...ANSWERS, ...answers };
-  const commands = recorder(realCommands(model), calls, all) as Commands;
-  checkNames(commands, all);
+  Object.assign(answers, { ...ANSWERS, ...answers });
+  const commands = recorder(realCommands(model), calls, answers) as Commands;
+  checkNames(commands, answers);
   return commands;
 }
 
@@ -125,6 +125,8 @@ export interface Stand {
   /** Presses the pointer on an element, moves it to each of the places, and releases it. */
   drag: (name: string, ...places: Place[]) => void;
   change: (change: () => void) => void;
+  /** Lets a command have another result from now on. */
+  answer: (name: string, result: unknown) => void;
 }
 
 const nameOf = (element: Element): string =>
@@ -176,7 +178,8 @@ export function stand(panel: JSX.Element, scene: Scene, state: Partial<PageState
   const model = makeModel({ scene, description: described, connection: { kind: "open" }, ...state });
   const root = document.createElement("div");
   document.body.replaceChildren(root);
-  const commands = recordedCommands(model, calls, answers);
+  const changing = { ...answers };
+  const commands = recordedCommands(model, calls, changing);
   void act(() => render(<PageContext.Provider value={{ model, commands }}>{panel}</PageContext.Provider>, root));
   const find = finderIn(root);
   const key = (name: string, pressed: string): void => {
@@ -202,5 +205,6 @@ export function stand(panel: JSX.Element, scene: Scene, state: Partial<PageState
     },
     drag: (name, ...places) => dragged(find(name), places),
     change: (change) => void act(change),
+    answer: (name, result) => void Object.assign(changing, { [name]: result }),
   };
 }
