@@ -51,24 +51,24 @@ describe("the card of a probe", () => {
   });
 });
 
-describe("legends", () => {
-  const histogram: Histogram = { range: [-2, 8], counts: [1, 2, 3], invalid: 0 };
-  const legends = (color: Partial<Coloring> = {}, scene: Partial<Scene> = {}): Stand =>
-    stand(
-      <Texts />,
-      {
-        dataset: "box",
-        time: 0,
-        layers: { iso: { type: "iso", array: "T", values: [3], color: { array: "p", ...color } } },
-        ...scene,
-      },
-      {},
-      { histogram },
-    );
-  const of = { layers: ["iso"], contours: [] };
-  /** Calls without those that tell where the texts stand. */
-  const acts = ({ calls }: Stand): Stand["calls"] => calls.filter(([name]) => !name.startsWith("page."));
+const histogram: Histogram = { range: [-2, 8], counts: [1, 2, 3], invalid: 0 };
+const legends = (color: Partial<Coloring> = {}, scene: Partial<Scene> = {}): Stand =>
+  stand(
+    <Texts />,
+    {
+      dataset: "box",
+      time: 0,
+      layers: { iso: { type: "iso", array: "T", values: [3], color: { array: "p", ...color } } },
+      ...scene,
+    },
+    {},
+    { histogram },
+  );
+const of = { layers: ["iso"], contours: [] };
+/** Calls without those that tell where the texts stand. */
+const acts = ({ calls }: Stand): Stand["calls"] => calls.filter(([name]) => !name.startsWith("page."));
 
+describe("legends", () => {
   test("take a number that is typed at an end", () => {
     const shown = legends();
     shown.type("Highest value of the p colors", "5");
@@ -102,7 +102,9 @@ describe("legends", () => {
     shown.click("Range symmetric about zero for p");
     expect(acts(shown)).toEqual([["colors.set", of, { range: [-8, 8] }]]);
   });
+});
 
+describe("places of the texts", () => {
   test("tell where they stand, also when they are gone", () => {
     const { calls, change, model, root } = legends();
     expect(calls.map(([name]) => name)).toEqual(["page.covered", "page.legendsStand"]);
