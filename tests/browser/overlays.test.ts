@@ -54,7 +54,7 @@ describe("what lies over the picture", { skip }, () => {
     const patch = (change: object): Promise<unknown> => call("scene.patch", { session, patch: change });
     const was = await lines(client);
     await patch({ camera: null, annotations: { axes: true, title: "From a script" } });
-    await client.page.getByText("From a script").waitFor();
+    await client.page.locator(".texts text", { hasText: "From a script" }).waitFor();
     await client.settled();
     await client.page.waitForTimeout(500); // time for the page to ask for the camera
     const without = { lines: await lines(client), picture: await client.picture() };
