@@ -31,7 +31,7 @@ struct SocketRow {
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Reads `table`, the text of /proc/net/tcp. Returns "LOCAL REMOTE" for each established socket that a process of `user`
-// holds. Empty for user 65534 (nobody): in a user namespace, all users outside it have that number.
+// holds. Returns none for user 65534 (nobody), because all users outside a user namespace have that number in it.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.

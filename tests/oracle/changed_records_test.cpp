@@ -251,7 +251,7 @@ void EveryUse::check(const BlockPolygons& cut) const {
     for (const Index cell : cut.polygon_cell) ASSERT_LT(cut.cell_begin + cell, topology_.counts().cells);
 }
 
-// Changes words in a thread of its own until it is destroyed.
+// Starts a thread that changes words until the object is destroyed.
 class Changing {
 public:
     Changing(std::span<std::uint16_t> words, unsigned seed)

@@ -1,7 +1,8 @@
-// Options of contour.hpp that leave the surface as it is, and its functions beside surfaces: sweep and clip.
+// Tests the options of contour.hpp that do not change the surface, and its functions sweep and clip.
 #include "ciel/contour.hpp"
 #include "ciel/parallel.hpp"
 #include "support/thread_count.hpp"
+#include "unit/ciel/equal_surfaces.hpp"
 #include "unit/ciel/meshes.hpp"
 
 #include <algorithm>
@@ -59,14 +60,6 @@ protected:
     std::vector<double> radius;
 };
 
-void expect_same(const Surface& a, const Surface& b) {
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.polygon_offset, b.polygon_offset);
-    EXPECT_EQ(a.polygon_vertex, b.polygon_vertex);
-    EXPECT_EQ(a.polygon_cell, b.polygon_cell);
-}
-
 // Each polygon as its cell and the mesh edges of its corners, in no order.
 using Polygons = std::multiset<std::pair<Index, std::set<std::pair<Index, Index>>>>;
 void add(std::span<const EdgePoint> points, std::span<const Index> loop, Index cell, Polygons& to) {
@@ -90,9 +83,9 @@ TEST_F(Cubes, AnyNumberOfThreadsGivesTheSameSurface) {
         for (const unsigned threads : {1U, 2U, 5U}) {
             const std::vector<Surface> found =
                 contour(mesh, radius, levels, {.algorithm = algorithm, .threads = threads});
-            for (std::size_t i = 0; i < levels.size(); ++i) expect_same(found[i], wanted[i]);
-            expect_same(slice(mesh, {12, 12, 12}, {1, 2, 3}, {.algorithm = algorithm, .threads = threads}),
-                        wanted_slice);
+            for (std::size_t i = 0; i < levels.size(); ++i) expect_equal(found[i], wanted[i]);
+            expect_equal(slice(mesh, {12, 12, 12}, {1, 2, 3}, {.algorithm = algorithm, .threads = threads}),
+                         wanted_slice);
         }
 }
 
@@ -179,7 +172,7 @@ TEST_F(Cubes, InterpolatesValuesOfCellsAsFieldsDo) {
     EXPECT_THROW((void)interpolate(surface, mesh, radius, true), Error);
 }
 
-// A callback that waits in a loop of its own must not be called again on the same thread.
+// While a callback waits for a loop that it started, its thread must not begin another call of the callback.
 TEST_F(Cubes, SweepCallbacksMayStartLoops) {
     const std::vector<double> levels{4, 6, 8, 10};
     static thread_local int inside = 0;

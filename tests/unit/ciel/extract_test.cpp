@@ -1,3 +1,4 @@
+#include "unit/ciel/equal_surfaces.hpp"
 #include "unit/ciel/meshes.hpp"
 
 #include "ciel/extract.hpp"
@@ -24,17 +25,6 @@ std::vector<float> random_field(std::size_t size, unsigned seed, int levels) {
         v = levels > 0 ? static_cast<float>(random() % static_cast<unsigned>(levels))
                        : std::uniform_real_distribution<float>(0, 4)(random);
     return out;
-}
-
-void expect_equal(const Surface& a, const Surface& b) {
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.normals, b.normals);
-    EXPECT_EQ(a.polygon_offset, b.polygon_offset);
-    EXPECT_EQ(a.polygon_vertex, b.polygon_vertex);
-    EXPECT_EQ(a.polygon_cell, b.polygon_cell);
-    ASSERT_EQ(a.points.size(), b.points.size());
-    for (std::size_t i = 0; i < a.points.size(); ++i)
-        ASSERT_TRUE(a.points[i].a == b.points[i].a && a.points[i].b == b.points[i].b && a.points[i].t == b.points[i].t);
 }
 
 // Pairs of vertices that share a boundary face. Segments between such pairs may lie on the boundary.

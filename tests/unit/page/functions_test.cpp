@@ -120,7 +120,7 @@ struct Color {
     double red, green, blue;
 };
 
-// Title, one caption, and a legend with color points, all colors and a line of its own.
+// Arguments of lay_texts: a title, a caption, and a legend that has color points, all colors and a line.
 std::vector<double> texts_of(bool missing, double control_height) {
     Writer arguments;
     const auto put = [&](const Color& color) { arguments.numbers(std::array{color.red, color.green, color.blue}); };

@@ -17,16 +17,6 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
   return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
 }
 
-/** Opacity of the plate behind a text, as in the server's pictures. */
-const PAPER_OPACITY = 0.72;
-
-/** Returns the color of the plate behind a text: the background color at `share` of the height (0: top, 1: bottom). */
-export function paperAt(background: string | undefined, share: number): string {
-  const { top, bottom } = backgroundColors(background);
-  const channels = top.map((from, i) => Math.round(255 * (from + share * ((bottom[i] ?? from) - from))));
-  return `rgb(${channels.join(" ")} / ${PAPER_OPACITY})`;
-}
-
 /** Luma above which text is drawn dark, below which it is drawn light. */
 const MIDDLE_GRAY = 0.46;
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];

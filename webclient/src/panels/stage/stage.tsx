@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { DEFAULTS } from "../../generated/protocol";
 import { openingIn } from "../../model/model";
-import { isBright, paperAt } from "../../model/background";
+import { isBright } from "../../model/background";
 import { Ahead } from "./ahead";
 import { Annotations } from "./annotations";
 import { useCommands, useModel } from "../context";
@@ -36,13 +36,7 @@ export function Stage(): JSX.Element {
     return () => observer.disconnect();
   }, [commands]);
   return (
-    <main
-      class={`stage ${under} ${live ? "" : "stale"} ${opening ? "opening" : ""}`}
-      aria-busy={opening}
-      style={
-        background === null ? {} : { "--paper-top": paperAt(background, 0), "--paper-bottom": paperAt(background, 1) }
-      }
-    >
+    <main class={`stage ${under} ${live ? "" : "stale"} ${opening ? "opening" : ""}`} aria-busy={opening}>
       <div
         class="canvases"
         ref={root}
