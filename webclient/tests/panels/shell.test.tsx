@@ -139,6 +139,18 @@ describe("notices", () => {
     expect(calls).toEqual([["openDataset", "ball"], ["reopen"]]);
   });
 
+  test("of a scene that cannot be shown tell that another try lasts, and offer the next when it has failed", async () => {
+    let fail = (): void => undefined;
+    const reopen = new Promise<void>((resolve) => (fail = resolve));
+    const { change, click, find } = stand(<FatalNotice />, scene, { fatal: "The file is gone.", datasets }, { reopen });
+    click("Try again");
+    expect((find("Trying again…") as HTMLButtonElement).disabled).toBe(true);
+    fail();
+    await settled();
+    change(() => undefined);
+    expect((find("Try again") as HTMLButtonElement).disabled).toBe(false);
+  });
+
   test("of a long call cancel the call", () => {
     const { calls, click, root } = stand(<Busy />, scene, {
       longCall: { words: "Drawing the picture", name: "1", progress: null },

@@ -101,15 +101,21 @@ export function FatalNotice(): JSX.Element | null {
   const fatal = useModel((model) => model.fatal.value);
   const connected = useModel((model) => model.connection.value.kind === "open");
   const keptName = useModel((model) => model.scene.value?.dataset);
+  const [trying, setTrying] = useState(false);
   if (fatal === null || !connected) return null;
+  const tryAgain = async (): Promise<void> => {
+    setTrying(true);
+    await commands.reopen();
+    setTrying(false);
+  };
   return (
     <div class="notice" role="alert">
       <strong>Nothing can be shown</strong>
       <p>{fatal}</p>
       <Choices />
       {keptName !== undefined && <p class="hint">{`Your scene of ${keptName} is kept until another is chosen.`}</p>}
-      <button type="button" class="button" onClick={() => void commands.reopen()}>
-        Try again
+      <button type="button" class="button" disabled={trying} onClick={() => void tryAgain()}>
+        {trying ? "Trying again…" : "Try again"}
       </button>
     </div>
   );
