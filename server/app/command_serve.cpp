@@ -115,6 +115,24 @@ void print_address(const gateway::Listening& listening, bool token_is_given) {
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;
 }
 
+// Returns a sentence without a folder's path before the names of its files: clients must not learn paths of the server.
+std::string without_folder(std::string sentence, const fs::path& folder) {
+    const std::string path = (folder / "").string();
+    for (auto at = sentence.find(path); at != std::string::npos; at = sentence.find(path, at))
+        sentence.erase(at, path.size());
+    return sentence;
+}
+
+// Adds the inputs that could not be imported to the server's catalog. The log has the importer's whole sentence.
+void add_failed(engine::Server& server, const std::vector<importing::Servable>& servable) {
+    for (const auto& each : servable) {
+        if (each.problem.empty()) continue;
+        spdlog::error("not imported: {}", each.problem);
+        const std::string sentence = without_folder(each.problem, each.input.parent_path());
+        server.catalog().add_failed(each.path, without_folder(sentence, each.path.parent_path()));
+    }
+}
+
 void log_renderer(engine::Server& server) {
     const auto readiness = server.readiness();
     if (readiness.ready)
@@ -148,8 +166,7 @@ int serve(ServeOptions& options) {
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     engine::Server server(std::move(server_options));
-    for (const auto& each : servable)
-        if (!each.problem.empty()) server.catalog().add_failed(each.path, each.problem);
+    add_failed(server, servable);
     options.gateway.version = CIEL_VERSION;
     EngineService service(server);
     return gateway::serve(service, options.gateway, [&](const gateway::Listening& listening) {

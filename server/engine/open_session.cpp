@@ -14,6 +14,7 @@ OpenSession::OpenSession(std::string id, const Services& services, std::shared_p
 std::shared_ptr<const geometry::Geometry> OpenSession::geometry(const sessions::SceneVersion& version,
                                                                 const std::stop_token& stop, bool moving,
                                                                 const geometry::LayersMade& layers_made) {
+    services_.make_room();
     const std::scoped_lock lock(geometry_mutex_);
     const std::uint64_t own = services_.limits.session_memory_bytes;
     const std::uint64_t left = surfaces_.bytes() + services_.memory.room();
@@ -41,6 +42,11 @@ void OpenSession::forget_surfaces() {
 void OpenSession::release_geometry() {
     const std::scoped_lock lock(geometry_mutex_);
     forget_surfaces();
+}
+
+void OpenSession::release_idle_geometry(Clock::time_point unused_since) {
+    const std::unique_lock lock(geometry_mutex_, std::try_to_lock);
+    if (lock && surface_bytes_ > 0 && is_idle_since(unused_since)) forget_surfaces();
 }
 
 } // namespace ciel::engine

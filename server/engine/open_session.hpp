@@ -27,6 +27,9 @@ public:
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});
     void release_geometry(); // frees the geometry of a session without viewers
+    // Frees the geometry if the session has neither subscriber nor viewer, and has not been used since `unused_since`.
+    // Does not wait: the geometry stays while another thread uses it.
+    void release_idle_geometry(Clock::time_point unused_since);
     [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // query state and surfaces
 
 private:

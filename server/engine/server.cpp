@@ -60,10 +60,16 @@ struct Server::State {
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] { release_unused(Clock::now()); }),
-          workers(options.render_workers, options.backend, options.still_samples),
-          picture_workers(1, options.backend, options.still_samples),
-          services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics},
-          sessions(services), uploads(options.limits), slow_calls(options.limits) {
+          workers(options.render_workers, options.backend, memory, options.still_samples),
+          picture_workers(1, options.backend, memory, options.still_samples), services{{options.limits, catalog,
+                                                                                        connections, memory},
+                                                                                       options.extraction,
+                                                                                       workers,
+                                                                                       metrics,
+                                                                                       [this] {
+                                                                                           sessions.make_room();
+                                                                                       }},
+          sessions(services), uploads(options.limits, memory), slow_calls(options.limits) {
         limits::keep_memory_in_reserve();
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
@@ -85,7 +91,9 @@ struct Server::State {
     void tidy(Clock::time_point now) {
         sessions.expire(now);
         uploads.expire(now);
-        release_unused(now - std::chrono::seconds(options.limits.dataset_idle_seconds));
+        const auto unused_since = now - std::chrono::seconds(options.limits.dataset_idle_seconds);
+        sessions.release_geometry(unused_since);
+        release_unused(unused_since);
         const auto all = sessions.all();
         if (std::ranges::all_of(all, [](const auto& session) { return session->viewer_count() == 0; })) workers.rest();
         picture_workers.rest();

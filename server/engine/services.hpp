@@ -6,12 +6,16 @@
 #include "engine/schedule/frame_workers.hpp"
 #include "sessions/services.hpp"
 
+#include <functional>
+
 namespace ciel::engine {
 
 struct Services : sessions::Services {
     Extraction extraction;
     FrameWorkers& workers;
     Metrics& metrics;
+    // Frees geometry of unused sessions if little memory is left (Sessions::make_room). Call it without a lock.
+    std::function<void()> make_room;
 };
 
 } // namespace ciel::engine

@@ -3,6 +3,7 @@
 #include "limits/errors.hpp"
 #include "logging/log.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -177,6 +178,22 @@ void Sessions::expire(Clock::time_point now) {
         tell_closed(*entry.second, "idle");
         return true;
     });
+}
+
+void Sessions::release_geometry(Clock::time_point unused_since) {
+    for (const auto& session : all()) session->release_idle_geometry(unused_since);
+}
+
+void Sessions::make_room() {
+    const std::uint64_t wanted = services_.memory.most() / 4;
+    if (services_.memory.room() >= wanted) return;
+    std::vector<std::pair<Clock::time_point, std::shared_ptr<OpenSession>>> longest_unused_first;
+    for (auto& session : all()) longest_unused_first.emplace_back(session->last_used(), std::move(session));
+    std::ranges::sort(longest_unused_first, {}, [](const auto& entry) { return entry.first; });
+    for (const auto& [used, session] : longest_unused_first) {
+        session->release_idle_geometry(Clock::time_point::max());
+        if (services_.memory.room() >= wanted) return;
+    }
 }
 
 void Sessions::stop_opening() {

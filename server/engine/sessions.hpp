@@ -40,7 +40,12 @@ public:
     void connection_has_room(std::uint64_t connection); // delayed frames can be sent now
     void dataset_changed(const std::string& dataset);   // views of the dataset are offered their scene again
     void expire(Clock::time_point now);                 // closes sessions that have been idle for too long
-    void stop_opening();                                // refuses new sessions and views from now on
+    // Frees the geometry of sessions that have no connection and have not been used since `unused_since`.
+    void release_geometry(Clock::time_point unused_since);
+    // If less than a quarter of the server's memory is free, frees the geometry of sessions that have no connection,
+    // the longest unused first, until it is. Must be called without a lock of a session.
+    void make_room();
+    void stop_opening(); // refuses new sessions and views from now on
     void close_all();
 
     [[nodiscard]] std::vector<std::shared_ptr<OpenSession>> all() const;

@@ -24,6 +24,7 @@ struct Uploads::Upload {
     std::vector<store::WantedArray> wanted;
     Clock::time_point heard; // guarded by Uploads::mutex_
     std::uint64_t bytes = 0;
+    std::uint64_t commit_bytes = 0; // memory for storing the largest array
 
     std::mutex mutex; // guards `arrays` and `file`
     std::vector<Array> arrays;
@@ -106,7 +107,7 @@ std::uint64_t upload_bytes(const store::PlannedArray& array) {
     return array.values() * (array.doubles ? sizeof(double) : sizeof(float));
 }
 
-Uploads::Uploads(const limits::Limits& limits) : limits_(limits) {}
+Uploads::Uploads(const limits::Limits& limits, limits::Memory& memory) : limits_(limits), memory_(memory) {}
 Uploads::~Uploads() = default;
 
 BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store::LoadedDataset>& loaded, double time,
@@ -120,7 +121,9 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     for (const store::PlannedArray& array : begun.plan.arrays) {
         upload->arrays.push_back({array.info.name, array.doubles, upload->bytes, upload_bytes(array), 0});
         upload->bytes += upload_bytes(array);
+        upload->commit_bytes = std::max(upload->commit_bytes, 2 * upload_bytes(array)); // as sent, and in stored order
     }
+    upload->commit_bytes += begun.plan.stored_bytes; // more than the point values that are made of a cell array
     if (upload->bytes > limits_.upload_bytes)
         throw limits::LimitReached("the step has " + std::to_string(megabytes(upload->bytes)) +
                                    " MB; an upload may have at most " + std::to_string(limits_.upload_bytes >> 20) +
@@ -193,6 +196,8 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
         if (array.received < array.bytes)
             throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
                         std::to_string(array.bytes) + " bytes; send the rest, then commit");
+    limits::Memory::Charge held(memory_, limits::Held::uploads);
+    held.change(upload->commit_bytes);
     store::Values values; // of one array at a time
     const auto values_of = [&](std::size_t i) {
         before_array(i, upload->arrays.size());

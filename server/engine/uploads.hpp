@@ -2,6 +2,7 @@
 #pragma once
 
 #include "limits/limits.hpp"
+#include "limits/memory.hpp"
 #include "store/append.hpp"
 #include "store/loaded.hpp"
 #include "wire/upload_piece.hpp"
@@ -35,7 +36,9 @@ class Uploads {
 public:
     using Clock = std::chrono::steady_clock;
 
-    explicit Uploads(const limits::Limits& limits);
+    // `memory` counts the values that a commit stores. Does not own `limits` and `memory`; they must outlive the
+    // Uploads.
+    Uploads(const limits::Limits& limits, limits::Memory& memory);
     ~Uploads();
 
     // Begins an upload of a step at `time`. Checks names, sizes, time, the limits and the free disk space before the
@@ -46,8 +49,8 @@ public:
     // again. Returns the number of received bytes of the array. Throws NotFound, LimitReached, Error; the upload is
     // then unchanged.
     std::uint64_t add(const wire::UploadPiece& piece);
-    // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, Error; the upload
-    // is then unchanged. Calls `before_array` on this thread before each array is written.
+    // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, LimitReached,
+    // Error; the upload is then unchanged. Calls `before_array` on this thread before each array is written.
     using BeforeArray = std::function<void(std::size_t written, std::size_t of)>;
     CommittedUpload commit(const wire::UploadId& id, const BeforeArray& before_array);
     void cancel(const wire::UploadId& id); // throws NotFound
@@ -61,6 +64,7 @@ private:
     [[nodiscard]] std::shared_ptr<Upload> find(const wire::UploadId& id); // restarts the upload's idle time
 
     const limits::Limits& limits_;
+    limits::Memory& memory_;
     mutable std::mutex mutex_;
     std::mutex committing_; // held by commit(): one commit at a time
     std::map<wire::UploadId, std::shared_ptr<Upload>> open_;

@@ -16,9 +16,13 @@ bool listed(const std::vector<std::string>& names, std::string_view name) {
     return std::any_of(names.begin(), names.end(), [&](const auto& other) { return same_ignoring_case(other, name); });
 }
 
+// Returns a host without its port. Returns text that is not HOST or HOST:PORT unchanged, such as "localhost:80@other".
 std::string_view without_port(std::string_view host) {
     const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // skips the colons of [IPv6]
-    return host.substr(0, host.find(':', end_of_address));
+    const auto colon = host.find(':', end_of_address);
+    const bool has_port =
+        colon != std::string_view::npos && host.find_first_not_of("0123456789", colon + 1) == std::string_view::npos;
+    return has_port ? host.substr(0, colon) : host;
 }
 
 // Returns whether a host name is an address in 127.0.0.0/8. DNS rebinding cannot produce such a Host header: the

@@ -93,7 +93,7 @@ private:
         context_.service.give_up();
         context_.connections.drain_all(); // second call: connections end without waiting for answers
         co_await until(begin + half * 3 / 2, is_over);
-        context_.connections.drain_all(); // third call: connections end without waiting for the client
+        context_.connections.drain_all();              // third call: connections end without waiting for the client
         co_await until(begin + half * 9 / 5, is_over); // leaves a tenth of drain_seconds for the exit
         drained_ = is_over();
     }

@@ -87,12 +87,12 @@ std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs
     for (const fs::path& path : data) {
         const fs::path input = without_slash(path);
         if (input.extension() == extension || is_folder_of_datasets(input)) {
-            result.push_back({input, {}});
+            result.push_back({input, {}, {}});
             continue;
         }
         const fs::path target = target_of(input, folder);
         const bool is_there = is_imported(input, target);
-        result.push_back({target, is_there ? "" : import_one(input, target, limits, listener, cancel)});
+        result.push_back({target, input, is_there ? "" : import_one(input, target, limits, listener, cancel)});
         if (is_there && store::input_of_copy(target).empty()) complete_sign(input, target);
     }
     return result;

@@ -7,7 +7,8 @@ namespace ciel::importing {
 
 struct Servable {
     std::filesystem::path path;
-    std::string problem; // the importer's sentence if the import failed; then `path` does not exist
+    std::filesystem::path input; // that was to be imported to `path`; empty for a dataset or folder of the user
+    std::string problem;         // the importer's sentence if the import failed; then `path` does not exist
 };
 
 // Returns datasets, and folders other than OpenFOAM cases, unchanged. Imports everything else to folder/KEY/NAME.ciel,

@@ -14,9 +14,12 @@ enum class Held {
     scenes,   // documents of sessions and their histories
     surfaces, // query state and surfaces of scenes
     answers,  // files, pictures and batch texts of running calls
-    unsent    // frames and answers not yet accepted by a socket
+    unsent,   // frames and answers not yet accepted by a socket
+    requests, // parsed requests of waiting and running calls
+    drawing,  // buffers of the renderers, estimated
+    uploads   // values of the uploads that are being stored
 };
-inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"};
+inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent", "requests", "drawing", "uploads"};
 
 // Thread-safe. Must outlive its charges.
 class Memory {

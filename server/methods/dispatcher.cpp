@@ -6,6 +6,7 @@
 #include "methods/error_answer.hpp"
 #include "methods/raw_ids.hpp"
 #include "methods/request.hpp"
+#include "scene/document_size.hpp"
 #include "scene/read_json.hpp"
 #include "wire/frame_header.hpp"
 
@@ -68,11 +69,15 @@ struct Read { // NOLINT(bugprone-exception-escape): moving a string does not thr
 // Handles the requests of one text in order: quick ones on the current thread, slow ones in the queue of slow calls.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
+    // Throws LimitReached when there is no memory for the requests.
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
         : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
           is_batch_(read.requests.is_array()),
           requests_(is_batch_ ? std::move(read.requests) : json::array({std::move(read.requests)})),
-          ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), limits::Held::answers) {}
+          ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), limits::Held::answers),
+          asked_(server.memory(), limits::Held::requests) {
+        asked_.change(scene::heap_bytes(requests_));
+    }
 
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
@@ -125,12 +130,16 @@ private:
 
     // Adds an answer to text_. Converts it to text at once, so that a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
-        if (!one) return;
+        if (!one) return context_.making.note(0);
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
         answered_.push_back({(*one)["id"], id});
         try {
-            append(text_of(*one, id));
+            const std::string text = text_of(*one, id);
+            one.reset();
+            context_.making.note(0); // append() counts the text
+            append(text);
         } catch (...) { // the answer exceeds the limit of the batch or the server's memory
+            context_.making.note(0);
             append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);
         }
     }
@@ -188,7 +197,7 @@ private:
     const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
     std::vector<Answered> answered_; // ids of the answers in text_
     std::string text_;
-    limits::Memory::Charge held_; // counts text_
+    limits::Memory::Charge held_, asked_; // count text_ and requests_
     std::size_t next_ = 0;
     bool has_had_a_turn_ = false, given_up_ = false;
 };
@@ -246,7 +255,14 @@ void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> conn
         CallContext context{server, *connection};
         return answer(text_of(refuse_text(context, std::move(*error))));
     }
-    std::make_shared<Requests>(server, std::move(connection), std::move(read), std::move(answer))->go_on();
+    std::shared_ptr<Requests> requests;
+    try {
+        requests = std::make_shared<Requests>(server, connection, std::move(read), answer);
+    } catch (const limits::LimitReached& error) {
+        CallContext context{server, *connection};
+        return answer(text_of(refuse_text(context, limit_error(error.what()))));
+    }
+    requests->go_on();
 }
 
 std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text) {

@@ -17,9 +17,8 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
     SceneSource source(context, params.session, params.scene);
     Progress progress(context, params.progress, params.session);
     const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
-    limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
-    charge.change(pixel_bytes);
+    context.making.change(pixel_bytes);
     // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
     const auto geometry =
         source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
@@ -39,7 +38,7 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
     progress.begin("writing");
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
-    charge.change(pixel_bytes + copies_of_a_picture * png.size());
+    context.making.change(pixel_bytes + copies_of_a_picture * png.size());
     context.server.counters().count_picture(png.size());
     return {"image/png",    params.width,       params.height, static_cast<std::int64_t>(source.version().revision),
             geometry->time, std::move(remarks), base64(png)};

@@ -76,8 +76,7 @@ struct File {
     Vec3d origin{};
 };
 
-File file_of(const CallContext& context, SceneSource& source, limits::Memory::Charge& charge,
-             const protocol::SurfaceExportParams& params) {
+File file_of(CallContext& context, SceneSource& source, const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     Progress progress(context, params.progress, params.session);
     const auto geometry =
@@ -86,8 +85,8 @@ File file_of(const CallContext& context, SceneSource& source, limits::Memory::Ch
     progress.begin("writing");
     const wire::JoinedSurface surface =
         joined(context, *geometry, *source.version().checked.dataset(), params.layer, format, params.triangles);
-    charge.change(copies_of_a_file *
-                  wire::body_bytes(format, {surface.surface(), geometry->origin, surface.values(), params.triangles}));
+    context.making.change(copies_of_a_file * wire::body_bytes(format, {surface.surface(), geometry->origin,
+                                                                       surface.values(), params.triangles}));
     const Vec3d origin =
         params.origin || wire::has_floats(format) ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
     std::ostringstream out;
@@ -122,8 +121,7 @@ protocol::SurfaceExportResult surface_export(CallContext& context, const protoco
         throw InvalidParams("/layer", "layer " + params.layer +
                                           " has no polygons; iso-surfaces, slices and surfaces can be exported");
 
-    limits::Memory::Charge charge(context.server.memory(), limits::Held::answers);
-    const File file = file_of(context, source, charge, params);
+    const File file = file_of(context, source, params);
     context.check_wanted();
     return {mime_of(wire::surface_format("." + params.format)),
             params.layer + "." + params.format,

@@ -38,6 +38,7 @@ std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) 
 struct Renderer::State {
     Backend wanted;
     std::function<Spare()> spare;
+    std::function<void(std::uint64_t)> on_kept;
     std::string selection, renderer_name, version;
     Gl gl;
     std::unique_ptr<GlContext> context; // null after stop(); the next draw creates a context
@@ -45,7 +46,10 @@ struct Renderer::State {
     std::int64_t drawn_pixels = 0; // number of pixels of the last frame
     std::uint64_t kept = 0;        // estimated bytes of the largest picture of this context
 
-    State(Backend backend, std::function<Spare()> ask) : wanted(backend), spare(std::move(ask)) { start(); }
+    State(Backend backend, std::function<Spare()> ask, std::function<void(std::uint64_t)> tell)
+        : wanted(backend), spare(std::move(ask)), on_kept(std::move(tell)) {
+        start();
+    }
 
     // Creates a context and its painter. Later calls use the back end of the first call: a server must not silently
     // fall back to software.
@@ -67,7 +71,11 @@ struct Renderer::State {
         painter.reset();
         context.reset();
         drawn_pixels = 0;
-        kept = 0;
+        keep(0);
+    }
+    void keep(std::uint64_t bytes) {
+        kept = bytes;
+        if (on_kept) on_kept(bytes);
     }
     [[nodiscard]] bool is_lost() {
         return !painter || !make_current(*context) ||
@@ -85,8 +93,13 @@ struct Renderer::State {
     void check_memory(const Frame& frame) const {
         const std::uint64_t needed = picture_memory(frame);
         if (!spare || !is_software() || (painter && needed <= kept)) return; // no limit, a GPU, or enough memory kept
-        const std::uint64_t more = needed - std::min(needed, kept) + reserve;
+        const std::uint64_t counted = needed - std::min(needed, kept), more = counted + reserve;
         const Spare left = spare();
+        if (counted > left.allowed)
+            throw Error("a picture of " + size_of(frame) + " needs about " + megabytes(counted) + " of memory, but " +
+                        megabytes(left.allowed) +
+                        " are left of what the server may use; ask for a smaller picture, show fewer layers, or try "
+                        "again when other clients have finished");
         const std::uint64_t addresses = more + (painter ? 0 : addresses_of_a_context());
         if (more <= left.memory && addresses <= left.address_space) return;
         const bool lacks_memory = more > left.memory;
@@ -126,8 +139,8 @@ struct Renderer::State {
     }
 };
 
-Renderer::Renderer(Backend backend, std::function<Spare()> spare)
-    : state_(std::make_unique<State>(backend, std::move(spare))) {}
+Renderer::Renderer(Backend backend, std::function<Spare()> spare, std::function<void(std::uint64_t)> on_kept)
+    : state_(std::make_unique<State>(backend, std::move(spare), std::move(on_kept))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
@@ -138,7 +151,7 @@ const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     state_->check_memory(frame);
     if (!state_->painter) state_->start();
     state_->drawn_pixels = pixels_of(frame);
-    state_->kept = std::max(state_->kept, picture_memory(frame));
+    if (const std::uint64_t needed = picture_memory(frame); needed > state_->kept) state_->keep(needed);
     const Image& image = state_->draw(frame, after);
     if (!state_->is_lost()) return image;
     state_->stop(); // lost while drawing: the image is invalid

@@ -16,6 +16,7 @@ namespace ciel::render {
 struct Spare {
     std::uint64_t memory = UINT64_MAX;        // free on the machine or in the container
     std::uint64_t address_space = UINT64_MAX; // left below the process's limit (RLIMIT_AS)
+    std::uint64_t allowed = UINT64_MAX;       // left below a limit on what the program counts itself
 };
 
 // Owns one GL context. Must be created and used on one thread. The constructor throws Error naming the back ends that
@@ -25,8 +26,10 @@ class Renderer {
 public:
     // `spare` returns the memory left to the process. It is called before a context is created, and with a software GL
     // also before a picture that needs more memory than the context keeps. A picture or context that does not fit is
-    // refused. Empty: nothing is refused.
-    explicit Renderer(Backend backend, std::function<Spare()> spare = {});
+    // refused. Empty: nothing is refused. `on_kept` is called with kept_memory() whenever that changes, and before the
+    // memory is allocated.
+    explicit Renderer(Backend backend, std::function<Spare()> spare = {},
+                      std::function<void(std::uint64_t)> on_kept = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 

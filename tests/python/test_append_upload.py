@@ -9,6 +9,7 @@ import socket
 import struct
 import subprocess
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -73,11 +74,11 @@ def test_a_pushed_step_is_seen_by_info_and_by_the_page(server, box):
 
 
 def test_a_socket_pushes_binary_pieces(server, box):
-    """Each array needs more than one piece: 512 KiB are 131,072 values."""
+    """The first array needs more than one piece: 512 KiB are 131,072 values."""
     async def attempt():
         async with Stream(f"ws://127.0.0.1:{server.port}/ws", TOKEN) as stream:
             vectors = np.ones((points(box), 64), "f4")
-            assert vectors.nbytes > 0
+            assert vectors.nbytes > 512 << 10
             await stream.append("box", 50, {"wide": vectors, "r": [2.0] * points(box)})
             with pytest.raises(RpcError, match="not later"):
                 await stream.append("box", 50, {"r": [2.0] * points(box)})
@@ -193,7 +194,17 @@ def test_a_full_disk_is_named_before_the_first_piece_and_in_the_commit(tmp_path)
         subprocess.run(["umount", disk], check=True)
 
 
-def test_an_upload_that_is_silent_is_given_up(server):
+def test_an_upload_that_is_silent_is_given_up(box):
+    with Server(box, "--limit-upload-idle-seconds", "1", *OPTIONS) as running:
+        calls = Client(running.base, TOKEN)
+        upload = calls.call("append.begin", dataset="box", time=50, arrays=[{"name": "r"}])
+        assert upload["idle_seconds"] == 1
+        time.sleep(1.5)
+        with pytest.raises(RpcError, match="without a piece for 1 s is cancelled"):
+            calls.call("append.piece", upload=upload["upload"], array=0, offset=0, data="")
+
+
+def test_an_upload_that_is_cancelled_is_gone(server):
     calls = Client(server.base, TOKEN)
     upload = calls.call("append.begin", dataset="box", time=50, arrays=[{"name": "r"}])
     assert upload["idle_seconds"] == 60 and upload["piece_bytes"] == 512 << 10

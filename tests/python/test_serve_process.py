@@ -265,7 +265,8 @@ def test_one_bad_file_does_not_take_the_others_with_it(box, tmp_path):
     with Server(box, tmp_path / "bad.vtu", "--data-dir", tmp_path / "imported", log=tmp_path / "log") as running:
         listed = {entry["name"]: entry["problem"] for entry in running.call("dataset.list")}
         assert listed["box"] == "" and "bad.vtu" in listed["bad"]
-        assert "dataset bad" in (tmp_path / "log").read_text()
+        assert str(tmp_path) not in listed["bad"], "clients do not learn paths of the server"
+        assert "dataset bad" in (log := (tmp_path / "log").read_text()) and str(tmp_path / "bad.vtu") in log
     status, text = failure(str(tmp_path / "bad.vtu"), "--data-dir", str(tmp_path / "imported"))
     assert status == 1 and "bad.vtu" in text.splitlines()[-1]
 

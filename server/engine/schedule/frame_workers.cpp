@@ -10,15 +10,17 @@ constexpr std::chrono::seconds patience{1}; // a job of post_later() that waits 
 // rest() frees the memory of a renderer that keeps more bytes than this.
 constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20;
 
-render::Spare spare() {
+render::Spare spare(const limits::Memory& memory) {
     const limits::SpareMemory left = limits::spare_memory();
-    return {left.memory, left.address_space};
+    return {left.memory, left.address_space, memory.room()};
 }
 
 } // namespace
 
 render::Renderer& Worker::renderer() {
-    if (!renderer_) renderer_.emplace(backend_, spare);
+    if (!renderer_)
+        renderer_.emplace(
+            backend_, [this] { return spare(memory_); }, [this](std::uint64_t bytes) { drawing_.note(bytes); });
     return *renderer_;
 }
 
@@ -26,8 +28,8 @@ void Worker::rest() {
     if (renderer_ && renderer_->kept_memory() > worth_giving_back) renderer_->give_back_memory();
 }
 
-FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend, int still_samples)
-    : backend_(backend), still_samples_(still_samples) {
+FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend, limits::Memory& memory, int still_samples)
+    : backend_(backend), memory_(memory), still_samples_(still_samples) {
     for (unsigned i = 0; i < std::max(threads, 1U); ++i)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
@@ -124,7 +126,7 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
 }
 
 void FrameWorkers::work(const std::stop_token& stop) {
-    Worker worker(*this, backend_, still_samples_);
+    Worker worker(*this, backend_, memory_, still_samples_);
     std::unique_lock lock(mutex_);
     std::uint64_t rests = rests_;
     while (Job job = next(lock, stop, worker, rests)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frames/picture.hpp"
+#include "limits/memory.hpp"
 #include "render/renderer.hpp"
 
 #include <chrono>
@@ -26,8 +27,9 @@ class FrameWorkers;
 // The resources of a worker thread that its jobs may use.
 class Worker {
 public:
-    Worker(const FrameWorkers& all, render::Backend backend, int still_samples)
-        : all_(all), backend_(backend), still_samples_(still_samples) {}
+    Worker(const FrameWorkers& all, render::Backend backend, limits::Memory& memory, int still_samples)
+        : all_(all), backend_(backend), still_samples_(still_samples), memory_(memory),
+          drawing_(memory, limits::Held::drawing) {}
     // Returns the thread's renderer. It is made at the first call, so that jobs without pictures need no GL. Throws
     // Error when that fails; the next call tries again.
     [[nodiscard]] render::Renderer& renderer();
@@ -39,6 +41,8 @@ private:
     const FrameWorkers& all_;
     render::Backend backend_;
     int still_samples_;
+    limits::Memory& memory_;
+    limits::Memory::Charge drawing_; // counts the memory that the renderer keeps
     std::optional<render::Renderer> renderer_;
 };
 
@@ -47,7 +51,9 @@ class FrameWorkers {
 public:
     using Job = std::function<void(Worker&)>; // must not throw
 
-    FrameWorkers(unsigned threads, render::Backend backend, int still_samples = frames::default_still_samples);
+    // `memory` counts the buffers of the renderers. Does not own it; it must outlive the FrameWorkers.
+    FrameWorkers(unsigned threads, render::Backend backend, limits::Memory& memory,
+                 int still_samples = frames::default_still_samples);
     ~FrameWorkers(); // waits for running jobs, drops waiting ones
 
     // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits. A
@@ -86,6 +92,7 @@ private:
                            std::uint64_t& rests);
 
     render::Backend backend_;
+    limits::Memory& memory_;
     int still_samples_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;

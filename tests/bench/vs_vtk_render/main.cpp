@@ -42,7 +42,9 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an excep
         return 1;
     }
     const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
-    ciel::engine::FrameWorkers drawing(1, ciel::render::Backend::automatic);
+    ciel::limits::Memory memory(
+        UINT64_MAX, [] { return std::uint64_t{0}; }, [] {});
+    ciel::engine::FrameWorkers drawing(1, ciel::render::Backend::automatic, memory);
     const std::string gl = drawing.run([](ciel::engine::Worker& worker) { return worker.renderer().gl_renderer(); });
     std::printf("%s, %s, %u cells, %u threads, VTK %s, CIEL's GL %s\n", dataset.c_str(), data.array.c_str(),
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), gl.c_str());

@@ -9,6 +9,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
+limits::Memory unlimited() {
+    return {UINT64_MAX, [] { return std::uint64_t{0}; }, [] {}};
+}
+
 struct Order {
     std::mutex mutex;
     std::string letters;
@@ -39,7 +43,8 @@ public:
     FrameWorkers::Job last() {
         return [this](Worker&) { done_.count_down(); };
     }
-    FrameWorkers workers{1, render::Backend::automatic};
+    limits::Memory memory = unlimited();
+    FrameWorkers workers{1, render::Backend::automatic, memory};
 };
 
 TEST(frame_workers, interactive_jobs_go_before_stills_that_are_due) {
@@ -75,13 +80,15 @@ TEST(frame_workers, of_many_stills_that_wait_too_long_one_goes_before_the_intera
 }
 
 TEST(frame_workers, run_returns_the_result_or_the_exception) {
-    FrameWorkers workers(2, render::Backend::automatic);
+    limits::Memory memory = unlimited();
+    FrameWorkers workers(2, render::Backend::automatic, memory);
     EXPECT_EQ(workers.run([](Worker&) { return 7; }), 7);
     EXPECT_THROW(workers.run([](Worker&) -> int { throw Error("no"); }), Error);
 }
 
 TEST(frame_workers, drain_finishes_what_runs_and_refuses_the_rest) {
-    FrameWorkers workers(1, render::Backend::automatic);
+    limits::Memory memory = unlimited();
+    FrameWorkers workers(1, render::Backend::automatic, memory);
     std::atomic<int> finished = 0;
     std::latch started(1);
     workers.post([&](Worker&) {

@@ -2,6 +2,7 @@
 #include "service.hpp"
 
 #include "engine/uploads.hpp"
+#include "limits/errors.hpp"
 #include "methods/base64.hpp"
 #include "store/writer.hpp"
 
@@ -226,6 +227,24 @@ TEST_F(Append, a_binary_message_that_is_no_piece_ends_the_connection) {
                                with(28, 5), with(31, 255), Bytes(good.begin(), good.end() - 1)})
         EXPECT_NE(client_.send_bytes(bytes), std::nullopt);
     EXPECT_EQ(client_.send_bytes(good), std::nullopt);
+}
+
+TEST_F(Append, a_commit_without_memory_for_its_values_is_refused_and_can_be_repeated) {
+    std::uint64_t others = 0;
+    limits::Memory memory(
+        100'000, [&] { return others; }, [] {});
+    const limits::Limits limits;
+    engine::Uploads uploads(limits, memory);
+    const auto begun = uploads.begin("box", server_.services().catalog.open("box"), 3, {{"p", {}, false}});
+    const Bytes bytes(engine::upload_bytes(begun.plan.arrays[0]));
+    uploads.add({begun.id, 0, 0, bytes});
+    others = 100'000 - bytes.size();
+    const auto commit = [&] { return uploads.commit(begun.id, [](std::size_t, std::size_t) {}); };
+    EXPECT_THROW(commit(), limits::LimitReached);
+    EXPECT_EQ(uploads.count(), 1U);
+    others = 0;
+    EXPECT_EQ(commit().step, 3U);
+    EXPECT_EQ(memory.bytes(limits::Held::uploads), 0U);
 }
 
 TEST_F(Append, two_uploads_at_once_do_not_mix_and_the_later_time_wins) {

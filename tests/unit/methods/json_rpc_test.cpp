@@ -169,6 +169,15 @@ TEST_F(JsonRpc, a_member_that_stands_twice_is_named) {
               "\"a\" occurs twice in the same object; remove one of the two members");
 }
 
+// A parser that searched the list at the end of each object took time n^2: 16 s for this text.
+TEST_F(JsonRpc, a_long_list_of_objects_is_read) {
+    std::string objects = "{}";
+    while (objects.size() < 1'000'000) objects += ",{}";
+    const json answer = json::parse(
+        client.send(R"({"jsonrpc": "2.0", "id": 1, "method": "server.info", "params": {"a": [)" + objects + "]}}"));
+    EXPECT_EQ(answer["error"]["code"], -32602);
+}
+
 struct Params {
     const char *name, *method, *params, *path, *reason;
 };

@@ -1,6 +1,9 @@
 // Memory that clients can make the server hold, and its accounting in bytes.
 #include "service.hpp"
 
+#include "methods/call_context.hpp"
+#include "protocol/methods.hpp"
+
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <set>
@@ -158,7 +161,8 @@ TEST_F(Held, the_total_is_kept_and_said) {
         ASSERT_TRUE(draw(measuring).second.contains("result"));
         ASSERT_GT(bytes(measured, "scenes"), 0U);
         ASSERT_GT(bytes(measured, "surfaces"), 10 * bytes(measured, "scenes"));
-        limits.memory_bytes = bytes(measured, "datasets") + 5 * bytes(measured, "surfaces") / 2;
+        limits.memory_bytes =
+            bytes(measured, "datasets") + bytes(measured, "drawing") + 5 * bytes(measured, "surfaces") / 2;
     }
     engine::Server server(options(limits));
     Client client(server, true);
@@ -168,10 +172,66 @@ TEST_F(Held, the_total_is_kept_and_said) {
     ASSERT_TRUE(third.second.contains("error"));
     EXPECT_EQ(third.second["error"]["code"], limit);
     EXPECT_THAT(third.second["error"]["data"]["reason"].get<std::string>(), HasSubstr("the server may hold"));
-    EXPECT_LE(bytes(server, "scenes") + bytes(server, "surfaces") + bytes(server, "datasets"), limits.memory_bytes);
+    EXPECT_LE(bytes(server, "scenes") + bytes(server, "surfaces") + bytes(server, "datasets") +
+                  bytes(server, "drawing"),
+              limits.memory_bytes);
     EXPECT_THAT(server.metrics(), HasSubstr("ciel_memory_limit_bytes " + std::to_string(limits.memory_bytes) + "\n"));
     client.call("session.close", {{"session", first.first}});
     EXPECT_TRUE(draw(client).second.contains("result")) << "what is closed makes room";
+
+    engine::Server by_post(options(limits));
+    Client script(by_post, false);
+    for (int i = 0; i < 6; ++i)
+        EXPECT_TRUE(draw(script).second.contains("result")) << "sessions without a connection make room: " << i;
+    EXPECT_GT(bytes(by_post, "scenes"), 5 * bytes(server, "scenes") / 4) << "the sessions themselves stay";
+}
+
+TEST_F(Held, the_buffers_of_a_picture_are_counted_and_refused) {
+    const json picture = {{"scene", scene_with_iso()}, {"width", 512}, {"height", 512}};
+    limits::Limits limits;
+    {
+        engine::Server measured(options());
+        Client measuring(measured, false);
+        EXPECT_EQ(bytes(measured, "drawing"), 0U);
+        measuring.call("picture.render", picture);
+        EXPECT_GT(bytes(measured, "drawing"), std::size_t{512} * 512 * 8);
+        limits.memory_bytes = bytes(measured, "datasets") + bytes(measured, "drawing") / 2;
+    }
+    engine::Server server(options(limits));
+    Client client(server, false);
+    const json answer = client.request("picture.render", picture);
+    ASSERT_TRUE(answer.contains("error"));
+    EXPECT_THAT(answer["error"]["data"]["reason"].get<std::string>(), HasSubstr("left of what the server may use"));
+}
+
+TEST_F(Held, parsed_requests_are_counted_before_they_wait) {
+    std::string lists = "[]";
+    while (lists.size() < 300'000) lists += ",[]";
+    const std::string text = R"({"jsonrpc": "2.0", "id": 1, "method": "picture.render", "params": {"scene": [)" +
+                             lists + R"(], "width": 16, "height": 16}})";
+    limits::Limits limits;
+    limits.memory_bytes = 1 << 20;
+    engine::Server server(options(limits));
+    Client client(server, false);
+    const json answer = json::parse(client.send(text));
+    EXPECT_EQ(answer["error"]["code"], limit);
+    EXPECT_THAT(answer["error"]["data"]["reason"].get<std::string>(), HasSubstr("the server may hold"));
+    EXPECT_EQ(bytes(server, "requests"), 0U);
+
+    engine::Server roomy(options());
+    Client other(roomy, false);
+    EXPECT_EQ(json::parse(other.send(text))["error"]["code"], invalid_params);
+}
+
+TEST_F(Held, the_result_of_a_call_is_counted_until_its_text_is) {
+    engine::Server server(options());
+    sessions::Connection connection;
+    methods::CallContext context{server, connection};
+    protocol::PictureRenderParams params;
+    params.scene = scene_with_iso();
+    params.width = params.height = 64;
+    const auto picture = methods::picture_render(context, params);
+    EXPECT_GE(bytes(server, "answers"), 2 * picture.data.size()) << "the result, and the text made of it";
 }
 
 // A connection that takes up to `most` bytes of frames and delivers nothing until it is read.

@@ -14,6 +14,29 @@ namespace {
 
 struct Unwanted {};
 
+using OutOfMemory = testing::TestWithParam<Backend>;
+
+TEST_P(OutOfMemory, WhileItDrawsIsSaidAndTheNextPictureIsRight) {
+    Renderer renderer(GetParam());
+    Frame frame = front_view();
+    const Image before = renderer.draw(frame);
+    const std::uint64_t kept = renderer.kept_memory();
+    frame.check_wanted = [] { throw std::bad_alloc(); };
+    try {
+        (void)renderer.draw(frame);
+        FAIL() << "the picture was drawn";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("ran out of memory while it drew a picture of"), std::string::npos);
+    }
+    EXPECT_EQ(renderer.kept_memory(), 0U) << "the context is gone, because it may lack buffers";
+    frame.check_wanted = nullptr;
+    EXPECT_EQ(renderer.draw(frame).rgb, before.rgb);
+    EXPECT_EQ(renderer.kept_memory(), kept);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, OutOfMemory, testing::ValuesIn(available_backends()), name_of_test);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(OutOfMemory);
+
 class GivenUpTest : public testing::TestWithParam<Backend> {
 protected:
     GivenUpTest() : chosen(make_context(GetParam())) {

@@ -12,8 +12,8 @@ export interface Steps {
 }
 
 const [, MOST_STEPS] = LIMITS["session.open"].undo;
-/** Limit of the characters of all patches as JSON. The message that contains them has at most 1 MiB. */
-const MOST_CHARACTERS = 400_000;
+/** Most bytes of a scene with its steps as JSON. The message that contains them may have 1 MiB. */
+const MOST_BYTES = 1_000_000;
 /** Gesture name for the changes of other clients. Their gestures are unknown, so consecutive ones count as one step. */
 const OF_OTHERS = "others";
 
@@ -64,8 +64,8 @@ export class SceneHistory {
   around(scene: Scene): Steps {
     const begun = scene as unknown as JsonObject;
     if (this.scene === null) return { undo: [], redo: [] };
-    if (equal(begun, this.scene)) return fitting(this.steps);
-    return fitting({ undo: [diff(begun, this.scene), ...this.steps.undo], redo: [] });
+    if (equal(begun, this.scene)) return fitting(this.steps, begun);
+    return fitting({ undo: [diff(begun, this.scene), ...this.steps.undo], redo: [] }, begun);
   }
 
   forget(): void {
@@ -88,13 +88,15 @@ export class SceneHistory {
   }
 }
 
-/** Returns as many of the nearest steps as fit into one message. */
-function fitting({ undo, redo }: Steps): Steps {
-  let left = MOST_CHARACTERS;
+const bytesOf = (value: JsonObject): number => new TextEncoder().encode(JSON.stringify(value)).length;
+
+/** Returns as many of the nearest steps as fit into one message with the scene. */
+function fitting({ undo, redo }: Steps, scene: JsonObject): Steps {
+  let left = MOST_BYTES - bytesOf(scene);
   const near = (patches: JsonObject[]): JsonObject[] => {
     const fit: JsonObject[] = [];
     for (const patch of patches.slice(0, MOST_STEPS)) {
-      left -= JSON.stringify(patch).length;
+      left -= bytesOf(patch);
       if (left < 0) break;
       fit.push(patch);
     }
