@@ -11,6 +11,10 @@ from program import CIEL
 from serve_process import PATIENCE, Server, client, until
 
 
+# Kilobytes. The server keeps freed memory of less than 64 MiB (limits/machine_memory.hpp); the rest is for noise.
+LEAST_GIVEN_BACK = 80_000
+
+
 def write_box(path: pathlib.Path, n: int) -> None:
     """Writes a legacy VTK file: a cube of n * n * n cells with `r`, the distance from its center."""
     axis = np.linspace(-1, 1, n + 1)
@@ -23,11 +27,11 @@ def write_box(path: pathlib.Path, n: int) -> None:
 @pytest.fixture(scope="module")
 def boxes(tmp_path_factory):
     folder = tmp_path_factory.mktemp("data")
-    for name, n in (("small", 4), ("large", 96)):
+    for name, n in (("small", 4), ("medium", 96), ("large", 128)):
         write_box(folder / f"{name}.vtk", n)
         subprocess.run([CIEL, "import", folder / f"{name}.vtk", "-o", folder / f"{name}.ciel"],
                        check=True, capture_output=True, timeout=4 * PATIENCE)
-    return folder / "small.ciel", folder / "large.ciel"
+    return folder
 
 
 def show(running: Server, dataset: str, layers: dict) -> int:
@@ -46,21 +50,22 @@ def show(running: Server, dataset: str, layers: dict) -> int:
 
 def test_a_dataset_that_is_gone_leaves_little_behind(boxes):
     layers = {"iso": {"type": "iso", "array": "r", "values": [0.2, 0.5, 0.8, 1.1, 1.4]}, "walls": {"type": "surface"}}
-    with Server(*boxes, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "1"}) as running:
+    small, large = boxes / "small.ciel", boxes / "large.ciel"
+    with Server(small, large, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "1"}) as running:
         show(running, "small", layers)
         before = running.private_kilobytes()
-        assert show(running, "large", layers) > before + 45_000
-        until(lambda: running.private_kilobytes() < before + 30_000)
-        until(lambda: str(boxes[1]) not in running.maps())
+        assert show(running, "large", layers) > before + 130_000
+        until(lambda: running.private_kilobytes() < before + LEAST_GIVEN_BACK)
+        until(lambda: str(large) not in running.maps())
         show(running, "large", layers)  # the released dataset can be opened again
 
 
 def test_a_view_that_is_gone_leaves_little_behind(boxes):
     values = [0.1 + 0.01 * i for i in range(60)]
-    with Server(*boxes, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "3600"}) as running:
-        show(running, "large", {"iso": {"type": "iso", "array": "r", "values": values[:1]}})
+    with Server(boxes / "medium.ciel", environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "3600"}) as running:
+        show(running, "medium", {"iso": {"type": "iso", "array": "r", "values": values[:1]}})
         before = running.private_kilobytes()
         for _ in range(2):
-            used = show(running, "large", {"iso": {"type": "iso", "array": "r", "values": values}})
+            used = show(running, "medium", {"iso": {"type": "iso", "array": "r", "values": values}})
             assert used > before + 120_000
-            until(lambda: running.private_kilobytes() < before + 80_000)
+            until(lambda: running.private_kilobytes() < before + LEAST_GIVEN_BACK)
