@@ -69,16 +69,23 @@ struct Read { // NOLINT(bugprone-exception-escape): moving a string does not thr
 // Handles the requests of one text in order: quick ones on the current thread, slow ones in the queue of slow calls.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
-    // Throws LimitReached when there is no memory for the requests.
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
         : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
           is_batch_(read.requests.is_array()),
           requests_(is_batch_ ? std::move(read.requests) : json::array({std::move(read.requests)})),
           ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), limits::Held::answers),
-          asked_(server.memory(), limits::Held::requests) {
-        asked_.change(scene::heap_bytes(requests_));
+          asked_(server.memory(), limits::Held::requests) {}
+
+    void begin() {
+        try {
+            asked_.change(scene::heap_bytes(requests_));
+        } catch (const limits::LimitReached& error) {
+            return answer_(text_of(refuse_text(context_, limit_error(error.what()))));
+        }
+        go_on();
     }
 
+private:
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
             if (!is_wanted())
@@ -91,7 +98,6 @@ public:
         finish();
     }
 
-private:
     [[nodiscard]] bool is_wanted() const { return !given_up_ && !context_.stop.stop_requested(); }
 
     bool waits_for_its_turn() {
@@ -255,14 +261,7 @@ void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> conn
         CallContext context{server, *connection};
         return answer(text_of(refuse_text(context, std::move(*error))));
     }
-    std::shared_ptr<Requests> requests;
-    try {
-        requests = std::make_shared<Requests>(server, connection, std::move(read), answer);
-    } catch (const limits::LimitReached& error) {
-        CallContext context{server, *connection};
-        return answer(text_of(refuse_text(context, limit_error(error.what()))));
-    }
-    requests->go_on();
+    std::make_shared<Requests>(server, std::move(connection), std::move(read), std::move(answer))->begin();
 }
 
 std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text) {
