@@ -117,6 +117,7 @@ void print_address(const gateway::Listening& listening, bool token_is_given) {
 
 // Returns a sentence without a folder's path before the names of its files: clients must not learn paths of the server.
 std::string without_folder(std::string sentence, const fs::path& folder) {
+    if (!folder.has_relative_path()) return sentence; // a bare name, or the root folder
     const std::string path = (folder / "").string();
     for (auto at = sentence.find(path); at != std::string::npos; at = sentence.find(path, at))
         sentence.erase(at, path.size());
