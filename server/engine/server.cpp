@@ -61,15 +61,10 @@ struct Server::State {
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] { release_unused(Clock::now()); }),
           workers(options.render_workers, options.backend, memory, options.still_samples),
-          picture_workers(1, options.backend, memory, options.still_samples), services{{options.limits, catalog,
-                                                                                        connections, memory},
-                                                                                       options.extraction,
-                                                                                       workers,
-                                                                                       metrics,
-                                                                                       [this] {
-                                                                                           sessions.make_room();
-                                                                                       }},
+          picture_workers(1, options.backend, memory, options.still_samples),
+          services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics, {}},
           sessions(services), uploads(options.limits, memory), slow_calls(options.limits) {
+        services.make_room = [this] { sessions.make_room(); };
         limits::keep_memory_in_reserve();
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {
