@@ -131,10 +131,12 @@ describe("hands", { skip }, () => {
     assert.equal(await handles.count(), 2);
     const two = await client.picture();
     assert.ok(difference(before, two) > 0.005, "a second surface is seen");
+    const second = Number(await handles.nth(1).getAttribute("aria-valuenow"));
     await handles.nth(1).focus();
     await client.page.keyboard.press("PageDown");
     await client.settled();
     assert.equal(Number(await handles.nth(0).getAttribute("aria-valuenow")), value);
+    assert.ok(Number(await handles.nth(1).getAttribute("aria-valuenow")) < second);
     assert.ok(difference(two, await client.picture()) > 0.001);
     await client.keep("two-values");
     await client.button("Remove value 2").click();

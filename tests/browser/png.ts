@@ -78,6 +78,15 @@ export const distance = (a: Color, b: Color): number =>
 export const difference = (a: Picture, b: Picture): number =>
   share(a, (color, x, y) => distance(color, b.at(x, y)) > 12);
 
+const brightness = ([r, g, b]: Color): number => (r + g + b) / 3;
+
+/** Share of pixels that are darker in b by more than 12 of 255. */
+export const darker = (a: Picture, b: Picture): number =>
+  share(a, (color, x, y) => brightness(color) - brightness(b.at(x, y)) > 12);
+
+/** Share of pixels that have not the color of the picture's first pixel, which must lie on the background. */
+export const covered = (picture: Picture): number => share(picture, (color) => distance(color, picture.at(0, 0)) > 12);
+
 /** Mean over all pixels of the largest channel difference, from 0 to 255. */
 export function meanDistance(a: Picture, b: Picture): number {
   let sum = 0;
