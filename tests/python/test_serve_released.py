@@ -12,7 +12,8 @@ from serve_process import PATIENCE, Server, client, until
 
 
 # Kilobytes. The server keeps freed memory of less than 64 MiB (limits/machine_memory.hpp); the rest is for noise.
-LEAST_GIVEN_BACK = 80_000
+MOST_KEPT = 90_000
+LEAST_USED = 140_000  # a part of the memory may be given back before the picture is there
 
 
 def write_box(path: pathlib.Path, n: int) -> None:
@@ -27,7 +28,7 @@ def write_box(path: pathlib.Path, n: int) -> None:
 @pytest.fixture(scope="module")
 def boxes(tmp_path_factory):
     folder = tmp_path_factory.mktemp("data")
-    for name, n in (("small", 4), ("medium", 96), ("large", 128)):
+    for name, n in (("small", 4), ("medium", 128), ("large", 144)):
         write_box(folder / f"{name}.vtk", n)
         subprocess.run([CIEL, "import", folder / f"{name}.vtk", "-o", folder / f"{name}.ciel"],
                        check=True, capture_output=True, timeout=4 * PATIENCE)
@@ -54,8 +55,8 @@ def test_a_dataset_that_is_gone_leaves_little_behind(boxes):
     with Server(small, large, environment={"CIEL_LIMIT_DATASET_IDLE_SECONDS": "1"}) as running:
         show(running, "small", layers)
         before = running.private_kilobytes()
-        assert show(running, "large", layers) > before + 130_000
-        until(lambda: running.private_kilobytes() < before + LEAST_GIVEN_BACK)
+        assert show(running, "large", layers) > before + LEAST_USED
+        until(lambda: running.private_kilobytes() < before + MOST_KEPT)
         until(lambda: str(large) not in running.maps())
         show(running, "large", layers)  # the released dataset can be opened again
 
@@ -67,5 +68,5 @@ def test_a_view_that_is_gone_leaves_little_behind(boxes):
         before = running.private_kilobytes()
         for _ in range(2):
             used = show(running, "medium", {"iso": {"type": "iso", "array": "r", "values": values}})
-            assert used > before + 120_000
-            until(lambda: running.private_kilobytes() < before + LEAST_GIVEN_BACK)
+            assert used > before + LEAST_USED
+            until(lambda: running.private_kilobytes() < before + MOST_KEPT)
