@@ -32,8 +32,10 @@ class Copy:
 
     def __init__(self, root: pathlib.Path, folder: pathlib.Path):
         self.folder = folder
-        names = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, check=True).stdout.split(b"\0")
-        for name in filter(None, (name.decode() for name in names)):
+        listed = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, check=True).stdout.split(b"\0")
+        names = {name.decode() for name in listed if name}
+        self.remove_all_but(names)
+        for name in names:
             source, target = root / name, folder / name
             if not source.exists() or (target.exists() and target.read_bytes() == source.read_bytes()):
                 continue  # keeps the file's time, so that ninja does not build it again
@@ -53,6 +55,15 @@ class Copy:
             "PYTHONPATH": "protocol/python",
             "PYTHONDONTWRITEBYTECODE": "1",
         }
+
+    def remove_all_but(self, names: set[str]) -> None:
+        """Removes sources that an earlier run copied and that are gone since. Keeps what is built."""
+        for folder, folders, files in os.walk(self.folder):
+            here = pathlib.Path(folder).relative_to(self.folder)
+            folders[:] = [name for name in folders if str(here / name) not in ("build", "webclient/dist", "webclient/src/generated")]
+            for file in files:
+                if str(here / file) not in names:
+                    (self.folder / here / file).unlink()
 
     def shell(self, command: str) -> subprocess.CompletedProcess:
         return subprocess.run(["bash", "-c", command], cwd=self.folder, env=self.environment, text=True, errors="replace",
