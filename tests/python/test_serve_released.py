@@ -12,8 +12,8 @@ from serve_process import PATIENCE, Server, client, until
 
 
 # Kilobytes. The server keeps freed memory of less than 64 MiB (limits/machine_memory.hpp); the rest is for noise.
-MOST_KEPT = 90_000
-LEAST_USED = 140_000  # a part of the memory may be given back before the picture is there
+MOST_KEPT = 80_000
+LEAST_USED = 130_000  # a part of the memory may be given back before the picture is there
 
 
 def write_box(path: pathlib.Path, n: int) -> None:
