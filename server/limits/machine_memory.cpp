@@ -49,7 +49,7 @@ std::uint64_t private_resident_memory() {
 std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory().limit); }
 
 void give_back_free_memory() {
-    constexpr std::uint64_t worth_it = std::uint64_t{64} << 20;
+    constexpr std::uint64_t worth_it = std::uint64_t{32} << 20;
     // malloc counts returned memory as free. So memory that was in use at the last call and freed since raises only the
     // count of free bytes. Memory that was returned at the last call, then used and freed, raises only the resident
     // size.

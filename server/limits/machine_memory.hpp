@@ -16,7 +16,7 @@ struct SpareMemory {
 };
 [[nodiscard]] SpareMemory spare_memory();
 
-// Returns freed heap memory to the system if 64 MiB or more seem to have been freed since the last return; malloc would
+// Returns freed heap memory to the system if 32 MiB or more seem to have been freed since the last return; malloc would
 // keep it. A return takes some milliseconds. Thread-safe.
 void give_back_free_memory();
 

@@ -3,17 +3,21 @@
 #include "render/frame/frame_properties.hpp"
 #include "render/surfaces/depth_peeling.hpp"
 
+#include <algorithm>
+
 namespace ciel::render {
 namespace {
 
-// Memory of a picture in bytes per pixel, except `scene`, which is in bytes.
+// Memory of a picture in bytes per pixel.
 constexpr std::uint64_t color_and_depth = 8;
-constexpr std::uint64_t image = 6;        // RGB image and its encoded copy
-constexpr std::uint64_t layers = 36;      // depth peeling: color, two layer depths, sum, three opaque depths
-constexpr std::uint64_t lines = 16;       // depth peeling: records of transparent lines for two layers
-constexpr std::uint64_t occlusion = 48;   // depth, normals, raw and averaged light (ambient_occlusion.hpp)
-constexpr std::uint64_t volumes = 72;     // pictures of 4 floats, ray parts, reach, coverage (volume_painter.hpp)
-constexpr std::uint64_t scene = 24 << 20; // the software GL's copy of the triangles being drawn
+constexpr std::uint64_t image = 6;      // RGB image and its encoded copy
+constexpr std::uint64_t layers = 36;    // depth peeling: color, two layer depths, sum, three opaque depths
+constexpr std::uint64_t lines = 16;     // depth peeling: records of transparent lines for two layers
+constexpr std::uint64_t occlusion = 48; // depth, normals, raw and averaged light (ambient_occlusion.hpp)
+constexpr std::uint64_t volumes = 72;   // pictures of 4 floats, ray parts, reach, coverage (volume_painter.hpp)
+
+// llvmpipe keeps the programs, and the triangles of the last pictures until it needs their memory for others.
+constexpr std::uint64_t programs = 24 << 20, most_triangles = 52 << 20, triangles_per_mesh = 2;
 
 std::uint64_t bytes_of(const Primitives& mesh) {
     return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
@@ -38,9 +42,12 @@ std::uint64_t picture_memory(const Frame& frame) {
     }
     if (frame.occlusion.radius > 0) of_pixel += occlusion;
     if (!frame.volumes.empty()) of_pixel += volumes;
-    std::uint64_t bytes = pixels * of_pixel + scene;
-    // Transparent meshes are also copied and sorted on the CPU.
-    for (const Primitives& mesh : frame.primitives) bytes += (is_transparent(mesh) ? 3 : 1) * bytes_of(mesh);
+    std::uint64_t bytes = pixels * of_pixel + programs, meshes = 0;
+    for (const Primitives& mesh : frame.primitives) {
+        meshes += bytes_of(mesh);
+        if (is_transparent(mesh)) bytes += 2 * bytes_of(mesh); // also copied and sorted on the CPU
+    }
+    bytes += meshes + std::min(triangles_per_mesh * meshes, most_triangles);
     for (const Volume& volume : frame.volumes) bytes += bytes_of(volume);
     return bytes + bytes / 8;
 }
