@@ -19,7 +19,7 @@ PROTOCOL = pathlib.Path(__file__).resolve().parent
 
 
 def write(path: pathlib.Path, text: str) -> None:
-    """Writes a file, unless it has this text already: an unchanged file causes no rebuild."""
+    """Writes a file. Leaves a file that already has this text untouched, so that it causes no rebuild."""
     if path.exists() and path.read_text(encoding="utf-8") == text:
         return
     path.parent.mkdir(parents=True, exist_ok=True)

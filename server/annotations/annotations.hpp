@@ -10,27 +10,31 @@
 
 namespace ciel::annotations {
 
-struct Legend { // one color bar
+// The color bar of one color scale, with its title and numbers.
+struct Legend {
     std::string name, units;
     color::ColorScale scale;
-    std::string layers{};             // second line, distinguishes legends of the same name; usually empty
-    bool missing = false;             // some colored places have no value: the legend also shows their color
-    std::vector<std::string> lines{}; // more lines below `layers`
-    bool both_ends = false; // a number at both ends even if the scale has no width; else one number stands for both
-    // Pixels kept free at the lower end for controls of the page.
+    std::string layers{}; // second line of text; distinguishes legends with the same name; usually empty
+    bool missing = false; // some colored points have no value, so the legend also shows the color of missing values
+    std::vector<std::string> lines{}; // further lines of text, below `layers`
+    // For a scale without width (both ends are equal): true writes the number at both ends, false writes it once.
+    bool both_ends = false;
+    // Size in pixels of an area at the lower end of the legend. It stays free for controls of the page. Height 0: no
+    // area.
     double control_width = 0, control_height = 0;
 };
 
-// Text is arbitrary UTF-8. Characters missing in the font come from another font of the machine, else a box is drawn.
-// Text that does not fit or would overlap something is shortened or left out, so pictures of any size can be drawn.
+// All texts are UTF-8. A character that the font lacks is drawn with another font of the machine. If no font has the
+// character, a box is drawn. Text that does not fit into the picture, or would overlap something, is shortened or left
+// out. Therefore pictures of any size can be drawn.
 struct Annotations {
     std::string title;                 // centered at the top
     std::vector<std::string> captions; // lines at the upper left
     std::vector<Legend> legends;       // at the right, one below the other
     bool triad = false;                // arrows along x, y and z at the lower left
-    bool axes = false;                 // ticks and numbers along the edges of the frame's bounds
-    std::string length_units;          // units of the numbers on the axes
-    double scale = 1;                  // factor on all sizes, in addition to size_of_picture()
+    bool axes = false;        // ticks and numbers along edges of the bounding box (Viewpoint::bounds_min, bounds_max)
+    std::string length_units; // units of the numbers on the axes
+    double scale = 1;         // all sizes are multiplied by `scale` and by size_of_picture()
 
     [[nodiscard]] bool empty() const { return title.empty() && captions.empty() && legends.empty() && !triad && !axes; }
 };
@@ -41,11 +45,10 @@ struct AnnotatedPicture : Viewpoint {
     Annotations annotations;
 };
 
-// Returns the scale factor of text: 1 for 1280 x 720 pixels. It is proportional to the height, or to the width in
-// narrow pictures.
+// Returns the scale factor of text: min(height, 0.75 * width) / 720. The factor is 1 for 1280 x 720 pixels.
 [[nodiscard]] double size_of_picture(int width, int height);
 
-// Returns the Annotations::scale at which text has `pixels` pixels in a picture of this size.
+// Returns the Annotations::scale at which the font size is `pixels` pixels in a picture of this size.
 [[nodiscard]] double scale_for_text(int width, int height, double pixels);
 
 } // namespace ciel::annotations

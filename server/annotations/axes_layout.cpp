@@ -10,9 +10,10 @@
 namespace ciel::annotations {
 namespace {
 
-// Lengths in ems. least_edge: shortest edge that gets an axis.
+// Lengths in ems; 1 em is the font size. gap: distance from a tick to its number. apart: smallest distance between two
+// numbers. least_edge: edges that are shorter get no axis.
 constexpr double tick_length = 0.5, gap = 0.35, apart = 0.5, least_edge = 3;
-// Least distance of ticks in ems: on a horizontal edge, on a vertical edge.
+// Smallest distance between two ticks, in ems: along a horizontal edge, and along a vertical edge.
 constexpr double across_spacing = 3.6, up_spacing = 2.4;
 constexpr int most_ticks = 10;
 constexpr std::array names{"x", "y", "z"};
@@ -57,7 +58,7 @@ private:
         return (value - low) / (edge_.high[edge_.axis] - low);
     }
 
-    // Places text around a point. Text that would leave the picture is moved into it.
+    // Returns the text with its center at `middle`. If the text would extend beyond the picture, it is moved inside.
     [[nodiscard]] Placed around(Place middle, const std::string& text) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
@@ -74,20 +75,21 @@ private:
         return placed;
     }
 
-    // Half of the text's extent along a direction.
+    // Returns half the extent of the text along a direction, in pixels. `direction`: unit vector.
     [[nodiscard]] double half_along(const Place& direction, const std::string& text) {
         return std::abs(direction.x) * layout_.width_of(text, layout_.text()) / 2.0 +
                std::abs(direction.y) * layout_.text().metrics.digit / 2.0;
     }
 
-    // Places text beside a point of the edge, so that it begins `distance` pixels outside.
+    // Returns the text beside the point `foot` of the edge. The text begins `distance` pixels outside the box.
     [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
         const double away = distance + half_along(edge_.outward, text);
         return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
     }
 
-    // Places the numbers of at most `most` ticks. Returns whether they keep clear of each other. A number is left out,
-    // whatever `most` is, if it would overlap another annotation, such as another axis's number at a common corner.
+    // Finds positions for the numbers of at most `most` ticks. Returns false if two of these numbers are too close to
+    // each other. Leaves out each number that would overlap another annotation, for example the number of another axis
+    // at a common corner.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -104,7 +106,8 @@ private:
         return are_clear;
     }
 
-    // Returns a number's box, widened: adjacent numbers, as at a common corner of two axes, would read as one number.
+    // Returns the box of a number, wider by half of `apart` on each side. Without this distance, two adjacent numbers
+    // would look like one number, for example at a common corner of two axes.
     [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * layout_.em() / 2;
         return {std::max(0.0, box.left - room), box.top, std::min<double>(layout_.width(), box.right + room),
@@ -128,7 +131,7 @@ private:
             const Place foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
-        // Drops numbers that overlap the tick of an adjacent number, as happens in a steep view.
+        // Removes numbers that overlap the tick of an adjacent number. This can happen in steep views.
         std::erase_if(numbers_, [&](const Numbered& one) { return !layout_.is_free(one.label.box); });
         for (const Numbered& one : numbers_) write(one.label);
     }
@@ -140,8 +143,8 @@ private:
         return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
     }
 
-    // Places for the name of the axis, best first: outside the numbers, as near to the middle of the edge as possible;
-    // then beyond the ends of the edge.
+    // Returns positions for the name of the axis, best first. The first positions are outside the numbers, from the
+    // middle of the edge to its ends. The last two positions are beyond the ends of the edge.
     [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)
@@ -184,7 +187,8 @@ void lay_axes(Layout& layout, const AnnotatedPicture& picture) {
     std::vector<AxisLayout> axes;
     axes.reserve(edges.size());
     for (const BoxEdge& edge : edges) axes.emplace_back(layout, picture, edge);
-    for (AxisLayout& axis : axes) axis.draw_line(); // all lines first, so that no number covers another axis's line
+    // Draws all lines first, so that no number covers the line of another axis.
+    for (AxisLayout& axis : axes) axis.draw_line();
     for (AxisLayout& axis : axes) axis.write();
 }
 

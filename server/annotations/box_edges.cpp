@@ -25,10 +25,11 @@ glm::dvec3 corner(const Viewpoint& viewpoint, int axis, bool upper, int second, 
 struct Candidate {
     BoxEdge edge;
     double length = 0; // pixels
-    double rank = 0;   // per axis, the candidate with the largest rank wins
+    double rank = 0;   // for each axis, the candidate with the largest rank is chosen
 };
 
-// Returns the unit normal of a silhouette edge in the picture that points away from the center of the box.
+// Returns a unit vector in the picture that is normal to a silhouette edge and points away from the center of the box.
+// `along`: unit vector along the edge. `middle`: middle of the edge.
 Place outward_of(Place along, Place middle, Place center) {
     const Place across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);
@@ -82,7 +83,7 @@ std::optional<std::pair<double, double>> Projection::part_seen(const glm::dvec3&
     for (int plane = 0; plane < 6; ++plane) {
         const int axis = plane / 2;
         const double sign = plane % 2 == 0 ? 1 : -1;
-        const double in_p = p.w + sign * p[axis]; // negative: p is outside
+        const double in_p = p.w + sign * p[axis]; // negative if p is outside the plane
         const double in_q = q.w + sign * q[axis];
         if (in_p < 0 && in_q < 0) return {};
         if (in_p < 0) from = std::max(from, in_p / (in_p - in_q));

@@ -28,7 +28,7 @@ glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
     up = glm::length(up) > 0 ? glm::normalize(up) : glm::dvec3(0, 0, 1);
     if (glm::length(glm::cross(ahead, up)) < 1e-6)
         up = std::abs(ahead.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    // The eye is not passed to glm::lookAt: for an eye very far from the origin, eye + ahead would round to the eye.
+    // `eye` is not passed to glm::lookAt. If the eye is very far from the origin, eye + ahead would be rounded to eye.
     return glm::translate(glm::lookAt(glm::dvec3(0), ahead, up), -eye);
 }
 
@@ -75,7 +75,8 @@ ViewTransform view_transform(const Viewpoint& seen) {
                                           depths.farthest + back + margin);
         return transform;
     }
-    const double farthest = std::max(depths.farthest + margin, margin); // any range is valid if all is behind the eye
+    // If the whole box is behind the eye, any positive range is valid.
+    const double farthest = std::max(depths.farthest + margin, margin);
     // A nearer near plane would leave too few of the 24 bits of depth for the rest of the scene.
     const double nearest = std::max(depths.nearest - margin, farthest * 1e-4);
     transform.projection = glm::perspective(glm::radians(seen.camera.fov_degrees), aspect, nearest, farthest);

@@ -1,4 +1,5 @@
-// Computes matrices from camera and bounds, in double: far from the origin, floats have too few digits for a picture.
+// Computes the matrices of a view from the camera and the bounds. Uses double, because floats have too few digits far
+// from the origin.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,35 +12,35 @@ struct Camera {
     Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
     double fov_degrees = 30;
     bool parallel = false;
-    double parallel_height = 1; // world units from the lower to the upper edge of the picture
+    double parallel_height = 1; // of a parallel view: world units from the lower to the upper edge of the picture
 };
 
 // Returns whether all vectors are finite, the field of view lies between 0 and 180 degrees, and the height of a
 // parallel view is positive.
 [[nodiscard]] bool is_usable(const Camera& camera);
 
-// The space that a picture shows, and the camera.
+// The size of a picture, its camera, and the bounding box of the scene.
 struct Viewpoint {
     int width = 0, height = 0; // pixels
-    Vec3d origin{};            // offsets are world coordinates less this point
+    Vec3d origin{};            // offsets are world coordinates minus this point
     Camera camera;
-    Vec3d bounds_min{}, bounds_max{}; // for the depth range, in world coordinates
+    Vec3d bounds_min{}, bounds_max{}; // bounding box of the scene in world coordinates; sets the depth range
 };
 
 struct ViewTransform {
-    // Maps offsets from the view's origin to the eye's axes; the eye looks along -z. The eye of a parallel view is
-    // placed in front of all bounds; its distance does not change the picture.
+    // Maps offsets (Viewpoint::origin) to eye space, in which the eye looks along -z. In a parallel view, the eye is
+    // moved back until it is in front of the whole bounding box. This does not change the picture.
     glm::dmat4 view;
-    glm::dmat4 projection; // to clip space, z from -1 to 1 between the nearest and farthest point of the bounds
-    double scale = 1;      // 1 / the bounds' diagonal
+    glm::dmat4 projection; // maps eye space to clip space; the near and far planes depend on the bounds
+    double scale = 1;      // 1 / diagonal of the bounds; 1 if the diagonal is 0 or not finite
 };
 
-// Returns the matrices of a viewpoint. Throws Error when a number of the camera is not finite or out of range. A camera
-// at its target, or with `up` along its line of sight, is valid.
+// Returns the matrices of a viewpoint. Throws Error unless is_usable(seen.camera). A camera whose position equals its
+// target is valid. A camera whose `up` is parallel to the view direction is valid, too.
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
-// Returns a camera that shows the whole box with a small margin, from a fixed direction. parallel_height is set as
-// well.
+// Returns a camera that shows the whole box with a small margin, from a fixed direction. Also sets parallel_height, so
+// that a parallel view with this camera shows the whole box, too. `aspect`: width / height of the picture.
 [[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
                                     double fov_degrees = Camera{}.fov_degrees);
 

@@ -6,7 +6,7 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr double widest_caption = 0.45; // of the picture's width
+constexpr double widest_caption = 0.45; // largest width of a caption, as a fraction of the picture's width
 
 int whole(double pixels) { return static_cast<int>(std::lround(pixels)); }
 

@@ -8,7 +8,7 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int most_labels = 10; // most labels at steps or decades; more would overlap
+constexpr int most_labels = 10; // largest number of labels at steps or powers of ten; more labels would overlap
 constexpr int most_marked_decades = 8;
 
 struct Marks {
@@ -25,8 +25,8 @@ struct Marks {
     }
 };
 
-// Returns k so that every k-th bound of the steps gets a mark: the smallest divisor of stride_of_labels that gives at
-// most `most` marks, else stride_of_labels.
+// Returns the stride of the marks: every stride-th bound of the steps gets a mark. It is the smallest divisor of
+// stride_of_labels that gives at most `most` marks. If there is no such divisor, it is stride_of_labels.
 int stride_of_marks(int steps, int stride_of_labels, int most) {
     for (int stride = 1; stride < stride_of_labels; ++stride)
         if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
@@ -38,12 +38,14 @@ void add_steps(Marks& marks, int most) {
     const int stride = (scale.steps + most_labels - 1) / most_labels;
     for (int k = 0; k <= scale.steps; k += stride_of_marks(scale.steps, stride, most)) {
         const int to_the_end = scale.steps - k;
-        if (to_the_end > 0 && to_the_end * most < scale.steps) continue; // too close to the last mark
+        // This mark would be too close to the end of the scale.
+        if (to_the_end > 0 && to_the_end * most < scale.steps) continue;
         marks.add(color::value_at(scale, static_cast<double>(k) / scale.steps), k % stride == 0);
     }
 }
 
-// Adds marks at 1 to 9 times each power of ten. The multiples in `with` have labels, at every `stride`-th power.
+// Adds marks at 1 to 9 times each power of ten from low to high. If the range has more than most_marked_decades
+// decades, adds marks only at the powers. The multiples in `with` get labels, at every `stride`-th power of ten.
 void add_decades(Marks& marks, double low, double high, const std::vector<int>& with, int stride) {
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
@@ -62,8 +64,8 @@ int labels_of(const std::vector<ColorTick>& ticks) {
         std::count_if(ticks.begin(), ticks.end(), [](const ColorTick& t) { return !t.label.empty(); }));
 }
 
-// Adds the marks of a logarithmic scale with both signs: zero, and on both sides the powers of ten beyond the nearly
-// linear part.
+// Adds the marks of a logarithmic scale that has negative and positive values: zero, and on each side the powers of ten
+// and their multiples outside the nearly linear part around zero.
 void add_both_signs(Marks& marks) {
     const double reach = marks.scale.range[1];
     Marks above{marks.scale, {}};
@@ -94,7 +96,7 @@ int exponent_of(const color::ColorScale& scale) {
 }
 
 std::string label_on(const color::ColorScale& scale, double value) {
-    // On a logarithmic bar over a factor of ten or more, more than 3 digits cannot be read off.
+    // If a logarithmic bar spans a factor of 10 or more, at most 3 digits can be read from it.
     if (scale.log) return number_label(value, scale.range[1] >= 10 * scale.range[0] ? 3 : 6);
     return number_label(value, color::has_width(scale) ? scale.range[1] - scale.range[0] : 0, exponent_of(scale));
 }

@@ -1,4 +1,4 @@
-// Marks and labels of a legend. The page runs this code, too (server/page).
+// Marks and labels of a legend. The web page runs the same code (server/page).
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -11,17 +11,17 @@ struct ColorTick {
     std::string label; // UTF-8; empty: a mark without label
 };
 
-// Returns the power of ten that is factored out of a scale's numbers and written in its title; 0 on a logarithmic
-// scale.
+// Returns n if the numbers of the scale are written as multiples of 10^n, and 10^n is written in the title. Returns 0
+// on a logarithmic scale.
 [[nodiscard]] int exponent_of(const color::ColorScale& scale);
-// Returns the label of a value beside the scale, as number_label of ticks.hpp writes it.
+// Returns the text of a value beside the scale, in the format of number_label() (ticks.hpp).
 [[nodiscard]] std::string label_on(const color::ColorScale& scale, double value);
-// Returns ticks in ascending order inside the range; one tick for a range without width.
-// Linear scale: nice_scale of ticks.hpp with at most `most` ticks.
-// Logarithmic scale: labels at powers of ten, or at 1, 2 and 5 times them if there are fewer than 3 labels, and marks
-// at the other multiples. If there are still fewer than 3 labels: as on a linear scale.
-// Scale with steps: marks at the bounds of the steps, at most about `most_marks`. With many steps, every n-th bound has
-// a label.
+// Returns ticks in ascending order inside the scale's range. Returns a single tick if the range has no width.
+// Linear scale: the ticks of nice_scale() (ticks.hpp), at most `most`.
+// Logarithmic scale: labels at powers of ten, and marks at the other multiples. If there are fewer than 3 labels, the
+// multiples 2 and 5 get labels, too. If there are still fewer than 3 labels, the ticks are as on a linear scale.
+// Scale with steps: marks at the bounds of the steps, at most about `most_marks`. If there are many steps, only every
+// n-th bound has a label.
 [[nodiscard]] std::vector<ColorTick> color_ticks(const color::ColorScale& scale, int most = 6,
                                                  int most_marks = color::most_color_steps + 1);
 

@@ -11,9 +11,10 @@ constexpr double usual_text = 13, usual_heading = 18;
 constexpr int smallest_text = 9, largest_text = 200;
 constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
-// Light text on a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) over a white picture; dark text likewise.
+// Opacity of a plate. Light text on a dark plate then has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over a
+// white picture. The same holds for dark text on a light plate over a black picture.
 constexpr float plate_opacity = 0.72F;
-constexpr double plate_edge = 0.3;   // ems: width of the fading edge of a plate
+constexpr double plate_edge = 0.3;   // width in ems of the edge in which a plate fades out
 constexpr float middle_gray = 0.46F; // luma on which light and dark text have equal contrast
 
 TextSize size_of(double pixels, TextMeasure& measure) {
@@ -25,7 +26,7 @@ double unit_of(const AnnotatedPicture& picture) {
     return size_of_picture(picture.width, picture.height) * picture.annotations.scale;
 }
 
-bool is_bright(const AnnotatedPicture& picture) { // decided by the luma of the background's middle
+bool is_bright(const AnnotatedPicture& picture) { // uses the luma in the middle of the background's gradient
     constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
     float luma = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -37,7 +38,8 @@ Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1],
 
 } // namespace
 
-// The width limits the size of text, because legends sized by height would fill a narrow picture.
+// The width also limits the size of text. In a narrow picture, legends that are sized by the height would fill the
+// width.
 double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
 
 double scale_for_text(int width, int height, double pixels) {
@@ -88,7 +90,7 @@ Ink Layout::paper_at(double y) const {
     return ink;
 }
 
-// The plate has the background's colors, so that it is invisible over the plain background.
+// The plate has the colors of the background, so that it is invisible over the background.
 void Layout::back(const Box& box) {
     overlay.plates.push_back({box, plate_edge * em(), paper_at(box.top), paper_at(box.bottom)});
 }

@@ -1,4 +1,4 @@
-// State of the layout of one picture's annotations: text sizes, taken places, and the resulting overlay.
+// State of the layout of one picture's annotations: text sizes, occupied areas, and the resulting overlay.
 #pragma once
 
 #include "annotations/annotations.hpp"
@@ -15,7 +15,8 @@ struct TextSize {
 
 class Layout {
 public:
-    // Text has 13 pixels in a picture of 720 rows and scales with the picture, but has at least 9. Borrows `measure`.
+    // The font size is 13 pixels in a picture of 1280 x 720 pixels. It scales with the picture, but is at least 9
+    // pixels. Does not own `measure`, which must outlive the Layout.
     Layout(const AnnotatedPicture& picture, TextMeasure& measure);
 
     [[nodiscard]] int width() const { return width_; }
@@ -23,27 +24,30 @@ public:
     [[nodiscard]] double em() const { return text_.pixels; }
     [[nodiscard]] double stroke_width() const { return em() / 10; }
     [[nodiscard]] const TextSize& text() const { return text_; }
-    [[nodiscard]] bool has_smallest_text() const; // if false, text scales with the picture
+    // true: the font size is at its lower limit and no longer scales with the picture.
+    [[nodiscard]] bool has_smallest_text() const;
     [[nodiscard]] const TextSize& heading() const { return heading_; }
     [[nodiscard]] const Ink& ink() const { return ink_; }
-    // The area that is free for annotations at the sides: the picture within its margins, below the title.
+    // The area for annotations: the picture without its margins and without the title.
     Box room;
 
     [[nodiscard]] int width_of(const std::string& text, const TextSize& size);
-    // Returns the text, or as much of its start as fits into most_width pixels with an ellipsis; empty if nothing fits.
+    // Returns the text if it is at most most_width pixels wide. Otherwise returns the longest start of the text that
+    // fits together with an ellipsis, or an empty text if nothing fits.
     [[nodiscard]] std::string shortened(const std::string& text, const TextSize& size, double most_width);
     // Returns the box around text whose base line starts at pixel (x, y).
     [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
     void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
-    // Draws a translucent plate behind the box, which keeps text readable.
+    // Draws a translucent plate behind the box, so that text in the box is readable.
     void back(const Box& box);
-    void write_backed(const std::string& text, const TextSize& size, int x, int y); // in ink(), on a plate
+    // Writes in the color ink(), on a plate.
+    void write_backed(const std::string& text, const TextSize& size, int x, int y);
 
     // Returns whether the box is inside the picture and overlaps no taken box or line.
     [[nodiscard]] bool is_free(const Box& box) const;
     void take(const Box& box) { taken_.push_back(box); }
     [[nodiscard]] const std::vector<Box>& taken() const { return taken_; }
-    // Draws the parts of a line outside all taken boxes, and takes them.
+    // Draws the parts of the line that are outside all taken boxes, and marks these parts as taken.
     void draw_line(const Place& from, const Place& to);
 
     Overlay overlay;
@@ -56,17 +60,19 @@ private:
     int width_, height_;
     TextSize text_, heading_;
     Ink ink_{};
-    std::array<Ink, 2> paper_{}; // the background at the top and the bottom of the picture
+    std::array<Ink, 2> paper_{}; // colors of plates at the top and at the bottom of the picture
     std::vector<Box> taken_;
-    std::vector<std::pair<Place, Place>> lines_; // drawn lines, which are taken places too
+    std::vector<std::pair<Place, Place>> lines_; // drawn lines; is_free() treats them like taken boxes
 };
 
-// Each of these functions draws one part of picture.annotations where there is room, never over parts drawn before.
-// Call them in this order. Captions that do not fit are left out. Legends that do not fit are left out, the last ones
-// first, and a note says how many; no legend begins in the left third of the picture. Legend i has the handles
-// "legend i", around all of it, "legend i low" and "legend i high", around the numbers at its ends unless one number
-// stands for both, and "legend i controls" if it keeps place for them. The triad is drawn whole or not
-// at all. Of the axes, single numbers, names and parts of lines may be left out.
+// Each of these functions lays out one part of picture.annotations where there is room, and never over earlier parts.
+// Call the functions in this order.
+// Captions that do not fit are left out. If not all legends fit, the last legends are left out, and a note with their
+// number is written if there is room. No legend begins in the left third of the picture. The triad is drawn whole or
+// not at all. Single numbers of axes, names of axes and parts of lines may be left out.
+// Legend i has these handles: "legend i" around the whole legend; "legend i low" and "legend i high" around the numbers
+// at the ends, unless there is only one number; "legend i controls" around the area for controls of the page, if there
+// is one.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);

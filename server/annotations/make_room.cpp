@@ -12,12 +12,14 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr int usual_height = 720; // rows at which cameras are tested, except for pictures with the smallest text
+// Height in pixels of the picture in which cameras are tested, unless text has its smallest size.
+constexpr int usual_height = 720;
 constexpr double step = 1.03, furthest = 2;
 constexpr double aside = 1.0 / 32; // one step to the side, as a fraction of the picture's width
 constexpr int most_aside = 10;
-constexpr int samples = 24;                             // intervals per edge of the bounds
-constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems to keep free around the edges, without and with axes
+constexpr int samples = 24; // number of intervals into which each edge of the bounds is divided
+// Ems to keep free around the edges of the bounds, without axes and with axes.
+constexpr double beside_edges = 0.5, beside_axes = 4.5;
 
 glm::dvec3 corner(const AnnotatedPicture& picture, unsigned bits) {
     glm::dvec3 at;
@@ -56,7 +58,8 @@ void step_back(Camera& camera, double by = step) {
     camera.parallel_height *= by;
 }
 
-// Moves the camera so that the scene moves left and down, by fractions of the picture's width.
+// Returns the camera, moved so that the scene moves to the left and down in the picture. to_left, down: fractions of
+// the picture's width.
 Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double down) {
     const glm::dmat4 view = view_transform(picture).view;
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
@@ -77,8 +80,9 @@ Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double dow
     return camera;
 }
 
-// Moves the scene to the left of the legends or below them, for narrow pictures, in which legends reach past the
-// middle. Returns nothing if no such camera is clear.
+// Returns a camera with which the scene is to the left of the legends or below them, and no annotation covers the
+// scene. Returns nothing if there is no such camera. Needed for narrow pictures, in which legends extend past the
+// middle.
 std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                   const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;
@@ -101,7 +105,7 @@ std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<gl
 Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text) {
     if (picture.annotations.empty()) return picture.camera;
     AnnotatedPicture judged = picture;
-    if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture, so test at one size
+    if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture, so a test at one size is enough
         judged.width = std::max(
             1, static_cast<int>(std::lround(static_cast<double>(picture.width) / picture.height * usual_height)));
         judged.height = usual_height;

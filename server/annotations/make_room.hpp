@@ -6,11 +6,12 @@
 
 namespace ciel::annotations {
 
-// Returns the picture's camera, moved back from its target until no edge of the bounds lies under a legend, a caption
-// or the triad, and the numbers of the axes fit. If the camera would move too far away, as in a narrow picture, camera
-// and target also move right or up. If that fails, the camera is returned unchanged.
-// The result is the same for all sizes of one aspect ratio, except sizes so small that text has its smallest size.
-// Throws Error when there is no font.
+// Returns the picture's camera, moved back from its target until no edge of the bounds is under a legend, a caption or
+// the triad, and the numbers of the axes have room. If twice the distance is not enough, as in a narrow picture, the
+// camera and its target are also moved right or up. If this fails, too, the camera is returned unchanged.
+// The result is the same for all sizes with one aspect ratio, except for sizes so small that text has its smallest
+// size.
+// Throws Error if there is no font.
 [[nodiscard]] Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
 
 } // namespace ciel::annotations

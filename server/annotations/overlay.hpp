@@ -1,5 +1,5 @@
-// A flat drawing over a picture, in pixels from the upper left corner: output of the layout, input of the overlay
-// painter. Drawing order: plates, fills, strokes, triangles, labels.
+// A two-dimensional drawing over a picture. The layout makes it, and the overlay painter draws it. Coordinates are in
+// pixels from the upper left corner. Drawing order: plates, fills, strokes, triangles, labels.
 #pragma once
 
 #include <array>
@@ -29,15 +29,17 @@ struct Box {
     }
 };
 
-// Returns the part of the line from a to b inside the box, as fractions from a to b; nothing if they only touch.
+// Returns the part of the line from a to b that is inside the box, as fractions: 0 is at a, 1 is at b. Returns nothing
+// if the line only touches the box or is outside.
 [[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
-struct Plate { // keeps text readable on any picture; fades out around the box
+// A background that keeps text readable on any picture. It fades out around the box.
+struct Plate {
     Box box;
-    double edge = 0; // width of the fading, in pixels
+    double edge = 0; // width in pixels of the border in which the plate fades out
     Ink top{}, bottom{};
 };
-struct Fill { // vertical gradient
+struct Fill { // a box with a vertical gradient
     Box box;
     Ink top{}, bottom{};
 };
@@ -58,7 +60,8 @@ struct Label {
     Box box; // around the text, with the font's full ascent and descent
 };
 
-// A place of the drawing where the page puts a field or buttons. `id`: what stands there, such as "legend 0 low".
+// An area of the drawing over which the page puts a text field or buttons. `id`: the name of the area, for example
+// "legend 0 low".
 struct Handle {
     std::string id;
     Box box;
@@ -71,7 +74,7 @@ struct Overlay {
     std::vector<Triangle> triangles;
     std::vector<Label> labels;
     std::vector<Handle> handles;
-    Ink halo{}; // outline of letters and strokes, visible on any background
+    Ink halo{}; // color of the outline around letters and strokes, which makes them visible on any background
 };
 
 } // namespace ciel::annotations

@@ -10,7 +10,8 @@ struct FontMetrics { // pixels, all positive
     int digit = 0; // height of a digit above the base line
 };
 
-// A TextMeasure is for one thread only. Sizes are pixels per em. Every call may throw Error when there is no font.
+// Use a TextMeasure on one thread only. `pixels`: font size in pixels per em. Every function may throw Error if there
+// is no font.
 class TextMeasure {
 public:
     virtual ~TextMeasure() = default;

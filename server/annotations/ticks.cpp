@@ -10,15 +10,19 @@ namespace {
 
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr int most_decimals = 15;
-constexpr double smallest_span = 1e-300; // ticks of a smaller range would lose digits
-// Numbers from 0.001 to 9,999,999 are written out: coordinates of a map grid have seven digits before the point.
+constexpr double smallest_span = 1e-300; // a smaller range gets only one tick, because more ticks would lose digits
+// Numbers from 0.001 to 9,999,999 are written without a power of ten, because coordinates of map grids have seven
+// digits before the decimal point.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-constexpr int digits_of_ends = 6; // of a scale's ends, which are floats: 1e-4 as a float is a little less
+// The ends of a scale are rounded to this number of digits before the exponent is chosen. The ends may be floats, and
+// 1e-4 as a float is slightly less than 1e-4.
+constexpr int digits_of_ends = 6;
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// Returns the exponent of a value after rounding to `digits` digits: 1 for 9.9996 with three digits, which is 10.0.
+// Returns the decimal exponent of a value that is rounded to `digits` digits. Example: 9.9996 rounded to three digits
+// is 10.0, so the exponent is 1.
 int rounded_magnitude(double value, int digits) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
@@ -27,8 +31,8 @@ int rounded_magnitude(double value, int digits) {
 
 bool is_plain(int exponent) { return exponent >= smallest_plain && exponent <= largest_plain; }
 
-// Returns the power of ten that is factored out of a number above 0 written with `digits` digits; 0 if the number is
-// written out.
+// Returns the exponent of the power of ten that is factored out if the positive number `size` is written with `digits`
+// digits. Returns 0 if the number is written without a power of ten.
 int taken_out(double size, int digits) {
     const int exponent = is_plain(magnitude(size)) ? 0 : rounded_magnitude(size, digits);
     return is_plain(exponent) ? 0 : exponent;
@@ -43,7 +47,7 @@ std::string superscript(const std::string& digits) {
 std::string power_of_ten(int exponent) { return "10" + superscript(std::to_string(exponent)); }
 
 std::string with_decimals(double value, int decimals) {
-    std::array<char, 400> text{}; // 309 digits before the point at most
+    std::array<char, 400> text{}; // at most 309 digits before the decimal point
     std::snprintf(text.data(), text.size(), "%.*f", std::clamp(decimals, 0, most_decimals), value);
     std::string out(text.data());
     const bool is_zero = out.find_first_not_of("-0.") == std::string::npos;
@@ -64,12 +68,14 @@ struct Step {
 };
 
 struct Multiples {
-    double first = 0, last = 0; // numbers of the first and last multiple; may exceed the range of integers
+    // The first and the last multiple, divided by the step. They are doubles, because they may exceed the range of
+    // integers.
+    double first = 0, last = 0;
     [[nodiscard]] double count() const { return last - first + 1; }
 };
 
 Multiples multiples(double low, double high, double step) {
-    const double slack = 1e-9 * (high - low) / step; // includes multiples at the ends despite rounding
+    const double slack = 1e-9 * (high - low) / step; // tolerance that includes multiples at the ends despite rounding
     return {std::ceil(low / step - slack), std::floor(high / step + slack)};
 }
 

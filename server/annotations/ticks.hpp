@@ -1,4 +1,4 @@
-// Ticks of a scale and the format of its numbers. The page runs this code, too (server/page).
+// Ticks of a scale, and the format of its numbers. The web page runs the same code (server/page).
 #pragma once
 
 #include <string>
@@ -8,31 +8,33 @@ namespace ciel::annotations {
 
 struct Tick {
     double value = 0;
-    std::string label; // UTF-8; the number is value / 10^exponent of the scale
+    std::string label; // UTF-8; shows value / 10^Scale::exponent
 };
 
 struct Scale {
     std::vector<Tick> ticks; // ascending
-    int exponent = 0;        // factored out of the labels; written once beside the scale
+    // Exponent of the power of ten that is factored out of the labels and written once beside the scale.
+    int exponent = 0;
 };
 
-// Returns ticks at multiples of 1, 2 or 5 times a power of ten between low and high, as many as possible but at most
-// `most`. Returns one tick for a range without width, none when an end is not finite or low > high.
+// Returns ticks at multiples of 1, 2 or 5 times a power of ten between low and high: as many as possible, but at most
+// `most`. Returns a single tick for a range without width. Returns no tick if an end is not finite, low > high, or most
+// < 1.
 [[nodiscard]] Scale nice_scale(double low, double high, int most);
-// Returns the power of ten that is factored out of a scale's numbers; 0 when they are short enough without.
+// Returns the exponent of the power of ten that is factored out of a scale's numbers; 0 if they are short without it.
 [[nodiscard]] int common_exponent(double low, double high);
-// Returns value / 10^exponent as text, with digits down to about a thousandth of `span`, no trailing zeros, and U+2212
-// as minus sign.
+// Returns value / 10^exponent as text, without trailing zeros and with U+2212 as minus sign. The last digit is about a
+// thousandth of `span`.
 [[nodiscard]] std::string number_label(double value, double span, int exponent);
-// Returns a single number as text, with at most `digits` digits and its own power of ten: for a time or a logarithmic
-// tick.
+// Returns a single number as text, for example a time or a tick of a logarithmic scale. The text has at most `digits`
+// digits, and its own power of ten if the number is very large or very small.
 [[nodiscard]] std::string number_label(double value, int digits = 6);
-// Returns the number of digits with which number_label tells the ends of a range apart: 6, or one more than tells them
-// apart, at most 17.
+// Returns how many digits number_label() needs to write the ends of a range as different texts. The result is 6 if 6
+// digits are enough or the ends are equal. Otherwise it is one more than necessary, but at most 17.
 [[nodiscard]] int digits_of_range(double low, double high);
 // Returns " ×10⁵" for 5, and an empty text for 0.
 [[nodiscard]] std::string times_power_of_ten(int exponent);
-// Returns units with superscripts: "m²/s²" for "m^2/s^2", as importers write it.
+// Returns units with superscripts, for example "m²/s²" for "m^2/s^2". Importers write units in the second form.
 [[nodiscard]] std::string pretty_units(const std::string& units);
 
 } // namespace ciel::annotations

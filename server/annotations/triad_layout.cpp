@@ -8,14 +8,15 @@
 namespace ciel::annotations {
 namespace {
 
-constexpr double arm = 2.2, reach = 3.4; // ems from the center: to the arrow tips, to the outside of the letters
+// Distances from the center in ems: of the arrow tips, and of the outer sides of the letters.
+constexpr double arm = 2.2, reach = 3.4;
 constexpr std::array<Ink, 3> inks{
     {{0.878F, 0.376F, 0.353F, 1}, {0.310F, 0.682F, 0.384F, 1}, {0.357F, 0.561F, 0.910F, 1}}};
 constexpr std::array names{"x", "y", "z"};
 
 struct Arm {
     std::size_t axis = 0;
-    double x = 0, y = 0, nearness = 0; // unit vector of the axis in the picture; nearness: towards the eye
+    double x = 0, y = 0, nearness = 0; // unit vector of the axis: components to the right, down, and towards the eye
 };
 
 std::array<Arm, 3> arms_of(const AnnotatedPicture& picture) {
@@ -33,7 +34,7 @@ void draw_arm(Layout& layout, const Arm& one, Place center) {
     const double length = std::hypot(one.x, one.y);
     const Ink& ink = inks[one.axis];
     const Place tip{center.x + arm * em * one.x, center.y + arm * em * one.y};
-    const double head = std::min(0.55 * em, 0.7 * arm * em * length); // an arm seen from its end has no head
+    const double head = std::min(0.55 * em, 0.7 * arm * em * length); // an arrow along the view direction has no head
     if (head > 0.5) {
         const Place along{one.x / length, one.y / length};
         const Place root{tip.x - head * along.x, tip.y - head * along.y};

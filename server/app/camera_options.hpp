@@ -22,9 +22,10 @@ struct CameraOptions {
     void add_to(CLI::App& command);
     // Replaces the document's camera by --camera, if given. Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
-    // Applies --field-of-view and --parallel to the camera of the scene, if there is one. Its position stays the same.
+    // If the scene has a camera, applies --field-of-view and --parallel to this camera. The position of the camera does
+    // not change.
     void project(scene::Scene& scene) const;
-    // If the scene has no camera, adds one that shows all of `box`.
+    // If the scene has no camera, adds a camera that shows all of `box`.
     void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
                     const geometry::BoundingBox& box) const;
 };

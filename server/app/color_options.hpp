@@ -1,4 +1,4 @@
-// Color options of `ciel render`, written to a coloring of the scene document.
+// Color options of `ciel render`. They set the coloring of layers in the scene document.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,11 +18,11 @@ struct ColorOptions {
 
     void add_to(CLI::App& command);
     [[nodiscard]] bool any() const;
-    // Overrides members of a layer's coloring by the given options. Throws UsageError on a malformed option.
+    // Replaces the members of a layer's coloring for which options are given. Throws UsageError on a malformed option.
     void apply_to(nlohmann::json& color) const;
 };
 
-// Throws UsageError with the list of color maps if `name` is not one of them.
+// Throws UsageError if `name` is not a color map. The error lists the color maps.
 void check_map(const std::string& option, const std::string& name);
 
 } // namespace ciel::app

@@ -1,4 +1,4 @@
-// ciel append: adds time steps to a dataset, which may be served meanwhile.
+// ciel append: adds time steps to a dataset. A server may serve the dataset at the same time.
 #include "app/commands.hpp"
 #include "store/append.hpp"
 #include "store/format/npy.hpp"
@@ -37,14 +37,15 @@ struct File {
 void check_size(const File& file, const store::PlannedArray& planned) {
     const auto components = static_cast<std::size_t>(planned.info.components);
     if (file.values.shape[0] == planned.tuples && file.components() == components) return;
-    throw Error(file.path + ": holds " + std::to_string(file.values.shape[0]) + " x " +
-                std::to_string(file.components()) + " values where '" + planned.info.name + "' needs " +
+    throw Error(file.path + ": has " + std::to_string(file.values.shape[0]) + " x " +
+                std::to_string(file.components()) + " values; '" + planned.info.name + "' must have " +
                 std::to_string(planned.tuples) + " x " + std::to_string(components) +
                 ", in the order of the imported file");
 }
 
-// Returns text that lists the arrays that are new, interpolated, not written or rounded. The user can find a misspelt
-// name in it, which creates a new array, and a forgotten array, which has no values at the step.
+// Returns text that lists the arrays that are new, interpolated, not written or rounded. In this text the user can
+// notice a misspelt name, because it creates a new array. The user can also notice a forgotten array, because it is not
+// written.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

@@ -1,4 +1,4 @@
-// ciel bench: measures the paper's four tables and the cost of pictures for a dataset on this machine.
+// ciel bench: measures the four tables of the paper, and the cost of pictures, for a dataset on this machine.
 #include "app/commands.hpp"
 #include "bench/case.hpp"
 #include "ciel/process_threads.hpp"
@@ -105,7 +105,7 @@ int run_command(const BenchCommand& command) {
                 {"version", CIEL_VERSION},
                 {"cells", data.mesh.cell_count()},
                 {"tables", json::array()}};
-    write_report(command.output, report); // fails early if the file cannot be written
+    write_report(command.output, report); // throws before the first measurement if the file cannot be written
     for (const auto& [name, make] : all_tables) {
         if (!is_wanted(command, name)) continue;
         const bench::Table table = make(data);

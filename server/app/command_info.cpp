@@ -1,4 +1,4 @@
-// ciel info: prints a dataset's contents. Reads every chunk, so every checksum is verified.
+// ciel info: prints the contents of a dataset. Reads every chunk and thereby verifies every checksum.
 #include "annotations/ticks.hpp"
 #include "app/commands.hpp"
 #include "ciel/field.hpp"
@@ -26,7 +26,8 @@ struct Checksums {
     std::uint64_t verified = 0, absent = 0, lazy = 0;
 };
 
-// Reads all files and throws Error at the first damaged one. Counts the chunks of values.
+// Reads all files. Throws Error at the first damaged file. Returns how many chunks of values are verified, how many
+// have no checksum, and how many are not yet extracted from the source.
 Checksums verify_all(const Dataset& dataset) {
     dataset.verify();
     Checksums sums;
@@ -47,8 +48,8 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// Returns the number of ambiguous faces at the first step with this array. Returns null unless the array is a point
-// scalar, since vectors and cell arrays are not contoured.
+// Returns the number of ambiguous faces at the first step for which the values of this array are stored. Returns null
+// if there is no such step. Also returns null for vectors and cell arrays, because they have no iso-surfaces.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {

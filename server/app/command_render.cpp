@@ -60,7 +60,7 @@ geometry::ViewSize parse_size(const std::string& text) {
 
 nlohmann::json read_scene_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(path + " cannot be read");
+    if (!file) throw Error(path + " cannot be read; name a readable scene file with --scene");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     try {
         return scene::read_json(text);
@@ -105,7 +105,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
-    shown.document.erase("camera"); // this camera fits a web page; stand_back() makes one that fits the picture
+    shown.document.erase("camera"); // this camera fits a web page; stand_back() adds a camera that fits the picture
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
 }
@@ -115,8 +115,8 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
         throw UsageError("--scene already sets layers, colors and background; leave out --iso, --slice, --plane, "
                          "--volume, --background, and the options of layers and colors");
     nlohmann::json document = read_scene_file(render.scene_file);
-    if (!document.is_object()) return document;                        // parse_scene() refuses it
-    document = scene::merge_patch(nlohmann::json::object(), document); // drops null members: null means absent
+    if (!document.is_object()) return document;                        // parse_scene() throws Error
+    document = scene::merge_patch(nlohmann::json::object(), document); // drops null members
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
         throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +
@@ -127,7 +127,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
 
 struct Wanted { // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document;
-    std::optional<geometry::BoundingBox> box; // what the default camera shows; none: probe::shown_bounds
+    std::optional<geometry::BoundingBox> box; // shown by the default camera; without it: probe::shown_bounds()
 };
 
 Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
@@ -145,7 +145,8 @@ Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
     return wanted;
 }
 
-// Turns on exactly the annotations that --annotations names, if given. Applies --title and --text-scale to any scene.
+// If --annotations is given, turns on exactly the annotations that it names. Applies --title and --text-scale to any
+// scene.
 void annotate(const RenderCommand& render, nlohmann::json& document) {
     nlohmann::json annotations = nlohmann::json::object();
     for (const std::string& wanted : render.annotations) {

@@ -46,7 +46,8 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// Imports all inputs that are not datasets. A failed import does not affect the others. Throws Error if all failed.
+// Imports all inputs that are not datasets. A failed import does not stop the other imports. Throws Error if there are
+// inputs but none can be served.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
@@ -59,8 +60,8 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// Warns of a folder without datasets. The server watches the folder for datasets, but imports other files only if the
-// user names them.
+// Warns if the folder has no datasets. The server watches the folder for datasets, but imports other files only if the
+// user names the files on the command line.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -76,7 +77,8 @@ void warn_of_files_to_import(const fs::path& folder) {
                      folder.string(), first.string());
 }
 
-// Returns the web client's folder in the build tree or the installation; empty if there is none.
+// Returns the web client's folder in the build tree or the installation. Returns an empty path if the web client is not
+// found.
 fs::path find_webclient() {
     std::error_code failure;
     const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
@@ -89,7 +91,9 @@ fs::path find_webclient() {
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
-    if (!std::getline(stream, token)) throw Error("the token file " + file.string() + " cannot be read or is empty");
+    if (!std::getline(stream, token))
+        throw Error("the token file " + file.string() +
+                    " cannot be read or is empty; name a readable file whose first line is the token");
     while (!token.empty() && std::isspace(static_cast<unsigned char>(token.back())) != 0) token.pop_back();
     std::error_code ignored;
     const auto others = fs::perms::group_read | fs::perms::others_read;
@@ -98,7 +102,8 @@ std::string token_in(const fs::path& file) {
     return token;
 }
 
-// Reads the token from --token-file or CIEL_TOKEN, which keep it out of the process list and the shell's history.
+// Reads the token from --token-file or CIEL_TOKEN. Unlike --token, the file and the variable keep the token out of the
+// process list and the history of the shell.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
@@ -108,8 +113,9 @@ void complete_token(ServeOptions& options) {
     }
 }
 
-// Prints the server's address. Scripts wait for this line, the only one on stdout. It shows the token only if the
-// server made the token at this start: stdout of a service goes to a log, which must not contain a lasting token.
+// Prints the server's address. This line is the only line on stdout, and scripts wait for it. The line contains the
+// token only if the server made the token at this start. The stdout of a service goes to a log, and a log must not
+// contain a token that stays valid.
 void print_address(const gateway::Listening& listening, bool token_is_given) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;

@@ -1,5 +1,5 @@
-// The subcommands of `ciel`, one command_NAME.cpp each; main.cpp lists them. add_NAME adds a subcommand to the parser,
-// and sets `run` when the user has chosen that subcommand.
+// Declares the subcommands of `ciel`. Each subcommand has a source file command_NAME.cpp, and main.cpp lists all
+// subcommands. add_NAME adds a subcommand to the parser. Parsing sets `run` if the user has chosen this subcommand.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,8 +12,8 @@ class App;
 
 namespace ciel::app {
 
-// The chosen subcommand, which main calls after parsing. Returns the process's exit code: 0 done, 1 failed, 2 wrong
-// usage, 3 done with data left out.
+// Function of the chosen subcommand; main calls it after parsing. Returns the exit code of the process: 0 means done,
+// 1 failed, 2 wrong usage, 3 done with data left out.
 using Run = std::function<int()>;
 
 // Thrown for invalid options, before a command has any effect.

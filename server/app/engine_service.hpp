@@ -6,7 +6,7 @@
 
 namespace ciel::app {
 
-// Keeps a reference to the server, which must outlive the service and its peers.
+// Does not own `server`. The server must outlive this object and all its peers.
 class EngineService final : public gateway::Service {
 public:
     explicit EngineService(engine::Server& server) : server_(server) {}

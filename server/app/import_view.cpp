@@ -64,7 +64,8 @@ void CancelOnSignal::restore() {
     ::sigaction(SIGTERM, &terminate_, nullptr);
 }
 
-// Restores the handlers before the check: a signal after restore() ends the program by itself.
+// Restores the handlers before the check of the flag, so that no signal is lost: a signal after restore() ends the
+// program.
 void CancelOnSignal::end() {
     restore();
     if (cancelled_flag) throw Error("a signal stopped the import; no dataset was served");

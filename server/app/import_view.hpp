@@ -9,14 +9,15 @@
 
 namespace ciel::app {
 
-// Shows a progress bar on stderr if that is a terminal; otherwise prints a line to `out` at each tenth of the progress.
+// If stderr is a terminal, shows a progress bar on stderr. Otherwise prints a line to `out` at each tenth of the
+// progress.
 class ImportView {
 public:
     explicit ImportView(std::FILE* out);
     void progress(double share, const std::string& phase);
     void line(const std::string& line) const;
     void clear() const;                                 // removes the bar
-    [[nodiscard]] importing::ImportListener listener(); // borrows this view
+    [[nodiscard]] importing::ImportListener listener(); // must not outlive this view
 
 private:
     std::FILE* out_;
@@ -24,8 +25,8 @@ private:
     int shown_tenth_ = -1;
 };
 
-// While an object exists, SIGINT and SIGTERM set cancelled() instead of ending the program. The destructor restores the
-// previous handlers. At most one object may exist.
+// While an object of this class exists, SIGINT and SIGTERM set cancelled() instead of ending the program. The
+// destructor restores the previous handlers. At most one object may exist at a time.
 class CancelOnSignal {
 public:
     CancelOnSignal();

@@ -47,7 +47,7 @@ int change(nlohmann::json& layers, Wanted wanted, Change make) {
     return changed;
 }
 
-// `text`: "p" or "p=1,2,3". Splits at the last '=': an array name may contain one.
+// `text`: "p" or "p=1,2,3". Splits at the last '=', because an array name may contain '='.
 nlohmann::json contours_of(const std::string& text) {
     const auto equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0) return {{"array", text}};

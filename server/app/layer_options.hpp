@@ -33,8 +33,8 @@ struct LayerOptions {
                volume_unshaded || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() ||
                threshold;
     }
-    // Appends the requested layers and applies the styles to all layers. Throws UsageError on a malformed option, or
-    // one that applies to no layer.
+    // Adds the requested layers, and applies the styles to all layers. Throws UsageError on a malformed option, and on
+    // an option that applies to no layer.
     void apply(nlohmann::json& layers) const;
 
 private:

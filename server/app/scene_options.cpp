@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t field_cache_bytes = std::size_t{1} << 30;
 
-// Splits at the last '=': an array name may contain '=', values cannot.
+// Splits at the last '=', because an array name may contain '=' and a value cannot.
 std::pair<std::string, std::string> split_assignment(const std::string& option, const std::string& text,
                                                      const char* form) {
     const auto equals = text.rfind('=');
@@ -84,7 +84,7 @@ void ExtractionOptions::add_to(CLI::App& command) {
         ->check(known)
         ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
-    // --engine is a deprecated name of --algorithm, hidden from --help. Version 0.4 removes it.
+    // --engine is a deprecated name of --algorithm. --help does not list it. Version 0.4 removes it.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--decider", decider, "Rule that joins the points on ambiguous faces.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
@@ -169,8 +169,8 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
         double number = 0;
         const auto [stop, problem] = std::from_chars(at, end, number);
         if (problem != std::errc{} || !std::isfinite(number) || (stop != end && *stop != ','))
-            throw UsageError(
-                std::string(option).append(" ").append(text).append(" holds a value that is not a finite number"));
+            throw UsageError(std::string(option).append(" ").append(text).append(
+                " holds a value that is not a finite number; give finite numbers with commas between them"));
         numbers.push_back(number);
         if (stop == end) return numbers;
         at = stop + 1;

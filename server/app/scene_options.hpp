@@ -1,5 +1,5 @@
-// Scene options of `ciel extract` and `ciel render`. They produce a scene document, so that the server's code makes the
-// pictures and files.
+// Scene options of `ciel extract` and `ciel render`. The options are turned into a scene document, so that both
+// commands use the same code as the server.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -34,24 +34,25 @@ struct SceneOptions {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
     void check_time() const; // throws UsageError if `time` is not finite
-    // Returns a scene with the chosen layers, without colors, at `time` or else at the first step. Throws UsageError on
-    // a malformed option.
+    // Returns a scene document with the chosen layers, without colors. Its time is the time of the step nearest to
+    // `time`, or of the first step without `time`. Throws UsageError on a malformed option.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
 
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path);
-// Throws Error, with the path in the document, if the scene is invalid.
+// Throws Error if the scene is invalid; the error names the path of the invalid member in the document.
 [[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
 [[nodiscard]] std::shared_ptr<const geometry::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
 
-// Returns the time of the step nearest to `time`. Prints a note to stderr if the two differ.
+// Returns the time of the step nearest to `time`, or `time` itself if the dataset has no steps. Prints a note to stderr
+// if the result differs from `time`.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);
 
 // Returns the extension in lower case: ".ply" for "Surface.PLY".
 [[nodiscard]] std::string lower_case_extension(const std::string& file);
 
-// Parses "a,b,c" as finite numbers. Throws UsageError naming the option.
+// Parses "a,b,c" as finite numbers. Throws UsageError on other text; the error names the option.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text);
 
 } // namespace ciel::app

@@ -17,15 +17,19 @@ std::string first_that_varies(const store::Dataset& dataset) {
     for (const store::ArrayInfo& array : dataset.info().arrays)
         for (const store::Step& step : dataset.steps())
             if (array.association == store::Association::point && varies(step, array.name)) return array.name;
-    throw Error("dataset '" + dataset.info().name + "' has no array on its points that varies; nothing can be cut");
+    throw Error("dataset '" + dataset.info().name +
+                "' has no array on points whose values differ, so no surface can be cut; choose another dataset");
 }
 
-// Returns the last two steps in which the array varies, the later one first. Throws Error when there is none.
+// Returns the last steps at which the values of the array are not all equal, at most two, the later step first. Throws
+// Error when there is no such step.
 std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::string& array) {
     std::vector<std::size_t> found;
     for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)
         if (varies(dataset.steps()[step], array)) found.push_back(step);
-    if (found.empty()) throw Error("array '" + array + "' has the same value everywhere; nothing can be cut");
+    if (found.empty())
+        throw Error("array '" + array +
+                    "' has the same value everywhere, so no surface can be cut; choose another array");
     return found;
 }
 

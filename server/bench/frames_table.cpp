@@ -1,6 +1,7 @@
-// Measures the time from a scene change to the encoded picture, as the server makes frames of a view: 1280 x 720
-// pixels, PNG. Frames in motion are also encoded as JPEG; the time for JPEG has its own row and is not part of the
-// total. Each change is measured twice: as a whole, and stage by stage, each stage finished before the next begins.
+// Measures the time from a change of the scene to the encoded picture. Pictures are made as for a view of the server:
+// 1280 x 720 pixels, PNG. Interactive pictures are also encoded as JPEG. The time for JPEG has a separate row and is
+// not part of the total. Each change is measured twice: first as a whole, then stage by stage. In the second
+// measurement, each stage is finished before the next stage begins.
 #include "bench/case.hpp"
 #include "frames/frame_of.hpp"
 #include "geometry/scene_geometry.hpp"
@@ -30,7 +31,7 @@ struct Times {
     std::vector<double> wall, cpu;
 };
 
-// Times consecutive stages; the first begins at construction.
+// Measures consecutive stages. The first stage begins at construction. lap() ends a stage and begins the next stage.
 class Laps {
 public:
     explicit Laps(std::array<Times, stage_names.size()>& stages) : stages_(stages) {}
@@ -65,7 +66,8 @@ public:
         scene_.annotations = {};
     }
 
-    // Measures `change` on a scene whose only layer is `layer`. still: measures stills instead of frames in motion.
+    // Measures `change` on a scene whose only layer is `layer`. still: measures still pictures instead of interactive
+    // pictures.
     void add_rows(Table& table, const std::string& what, const scene::Layer& layer, bool still, const Change& change) {
         scene_.layers = {layer};
         scene_.camera.reset();
@@ -93,7 +95,7 @@ public:
         if (!still) table.rows.back().note = std::to_string(jpeg_.size() / 1024) + " kB";
     }
 
-    // Turns the camera around the middle of the mesh; share 1 is half a turn.
+    // Turns the camera around the center of the mesh. A `share` of 1 is half a turn.
     void turn(scene::Scene& scene, double share) const {
         const store::MeshInfo& mesh = data_.dataset->info().meshes.front();
         Vec3d low{}, high{};

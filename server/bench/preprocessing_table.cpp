@@ -15,7 +15,7 @@ store::Values coordinate(const FaceMeshView& mesh, std::size_t axis, double sign
     return store::Values(plane_distance(mesh, mesh.surface_origin, normal));
 }
 
-// A field computes its extrema once, so each run has its own field.
+// A field computes its extrema only once. Therefore each run has a new field.
 Row minima_row(
     const Case& data, const std::string& what, const store::Values& values,
     const std::function<void(Field&)>& prepare = [](Field&) {}) {

@@ -1,4 +1,5 @@
-// Measures the paper's table 4: makes the 100 slices that volume rendering blends, with the property at their points.
+// Measures the paper's table 4: makes 100 slices, as volume rendering needs, and interpolates the property (the scalar
+// of the case) at their points.
 #include "bench/case.hpp"
 #include "ciel/sweep_sinks.hpp"
 
@@ -55,8 +56,8 @@ private:
     std::vector<SliceSink::Out> slices_;
 };
 
-// Makes the field whose iso-surfaces are slices perpendicular to `normal`. Box-aligned rows reuse one field;
-// screen-aligned rows make a field in each run, because the direction is new after every turn of the camera.
+// Makes the field whose iso-surfaces are slices perpendicular to `normal`. The box-aligned rows reuse one field. The
+// screen-aligned rows make a new field in each run, because each turn of the camera changes the direction.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }

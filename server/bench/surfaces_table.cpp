@@ -39,7 +39,8 @@ private:
 
     void add_series(Table& table, std::size_t count, bool normals) {
         const std::vector<double> values = values_between(low_, high_, count);
-        // Extracts another value before each run, because the query still holds the last surface of the run before.
+        // Extracts a surface at another value before each run, because the query still holds the last surface of the
+        // previous run.
         const auto away = [&] { (void)extract(at(0.3), false); };
         table.rows.push_back(measure(
             named(std::to_string(count) + (count == 1 ? " surface" : " surfaces") + (normals ? ", normals" : "")),
@@ -51,7 +52,8 @@ private:
             away));
     }
 
-    // Returns an increment of nu that changes at most 1 % of the active edges, but at least 1e-7 of the range.
+    // Returns an increment of nu that activates or deactivates at most 1 % of the active edges. The increment is at
+    // least 1e-7 of the range.
     double small_step(double nu) {
         (void)extract(nu, false);
         const auto edges = static_cast<double>(surface_.points.size());
@@ -60,7 +62,7 @@ private:
         while (step > span * 1e-7) {
             const auto passed =
                 std::ranges::count_if(data_.values, [&](double value) { return value >= nu && value < nu + step; });
-            // A vertex whose value lies within the step makes its edges, about 12, active or inactive.
+            // If the value of a vertex lies within the step, the vertex's edges, about 12, become active or inactive.
             if (12 * static_cast<double>(passed) <= edges / 100) return step;
             step /= 2;
         }
@@ -74,7 +76,7 @@ private:
         Row row = measure(named("one small step, normals"), [&] { return extract(nu += step); });
         row.note = "of " + std::to_string(step);
         table.rows.push_back(row);
-        // Extracts other values before each run, so that no block can reuse its cut at the middle value.
+        // Extracts surfaces at other values before each run, so that no block can reuse its cut at the middle value.
         const auto away = [&] {
             for (const double share : {0.45, 0.55, 0.8}) (void)extract(at(share));
         };

@@ -16,10 +16,10 @@ struct Spread {
 
 struct Row {
     std::string what;
-    Spread wall, cpu; // cpu: of all threads of the process
+    Spread wall, cpu; // cpu: CPU time of all threads of the process
     std::uint64_t repetitions = 0;
-    std::uint64_t triangles = 0; // made by one repetition; 0 if the benchmark makes none
-    std::string note;            // free text
+    std::uint64_t triangles = 0; // number that one repetition makes; 0 if it makes none
+    std::string note;
 };
 
 // Measures wall and CPU seconds since its construction.
@@ -42,15 +42,15 @@ struct Figure {
 };
 
 struct Table {
-    std::string name; // e.g. "surfaces", after the paper's tables
+    std::string name; // such as "surfaces"
     std::vector<Figure> figures;
     std::vector<Row> rows;
 };
 
-// Measures `body`, which returns its number of triangles. `prepare` is called before each run, untimed.
-// The first run fills caches and is not counted. Then `body` runs until 0.25 s are measured, 3 to 25 times. A counted
-// run of more than 0.5 s is the last. If the first run takes at least 1 s, it is the only one; it is counted, and the
-// row's note says so.
+// Measures `body`, which returns the number of triangles that it made. Before each run, calls `prepare`, which is not
+// measured. The first run of `body` fills caches and is not counted. Then `body` runs until 0.25 s are measured, but at
+// least 3 and at most 25 times. A counted run of more than 0.5 s is the last run. If the first run takes at least 1 s,
+// it is the only run: it is counted, and the row's note says so.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 

@@ -7,8 +7,8 @@
 
 namespace ciel::bench {
 
-// Draws pictures of 1024 x 1024 pixels that show the whole mesh. Use on one thread only, because of its OpenGL context.
-// The case must outlive the object.
+// Draws pictures of 1024 x 1024 pixels that show the whole mesh. Use the object on one thread only, because it has an
+// OpenGL context. The case must outlive the object.
 class VolumePictures {
 public:
     static constexpr std::size_t slice_count = 100;
@@ -16,23 +16,23 @@ public:
 
     explicit VolumePictures(const Case& data);
 
-    // Cuts new slices perpendicular to `normal`, a unit vector. Returns their number of triangles.
+    // Cuts new slices perpendicular to `normal`, a unit vector. Returns the number of triangles of all slices.
     std::uint64_t cut(const Vec3d& normal);
     std::uint64_t cut_across_view() { return cut(view_direction()); }
-    // Sets render::Volume::in_bytes for the next pictures.
+    // in_bytes: the next pictures blend slices with 8 bits per channel instead of floats (render::Volume::in_bytes).
     void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
     // Draws every `stride`-th slice, with one sample per pixel. A stride above 1 makes a preview at half the
     // resolution. Returns the number of triangles of the drawn slices.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);
     void turn(double degrees); // turns the camera about its target, around its up vector
-    void turn_back();          // to the default camera
+    void turn_back();          // sets the default camera
 
     [[nodiscard]] Vec3d view_direction() const;
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
     // Describe the last picture. covered_share: share of the pixels that are not black, 0 to 1. samples: total area of
-    // the drawn slices, in pixels.
+    // the drawn slices on the screen, in pixels.
     [[nodiscard]] double covered_share() const;
     [[nodiscard]] double samples() const;
 

@@ -11,11 +11,11 @@ namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
-// Largest slack for rounding, as a share of the range. Values of a range so narrow that floats would need more slack
-// are doubles, which have smaller rounding errors.
+// Largest tolerance for rounding at the ends of the range, as a share of the width of the range. If a range is so
+// narrow that floats would need a larger tolerance, its values are doubles. Doubles have smaller rounding errors.
 constexpr double largest_slack = 1e-3;
 
-// log(1 + |v| / w) at the ends of a range that is logarithmic on both sides of zero (protocol/colors.md).
+// The value of log(1 + |v| / w) at the ends of a logarithmic range from -r to r (protocol/colors.md).
 const double log_of_reach = std::log1p(1 / linear_share);
 
 Rgb between(const Rgb8& a, const Rgb8& b, double share) {
@@ -86,7 +86,7 @@ double place_of(const ColorScale& scale, double value) {
 double value_at(const ColorScale& scale, double place) {
     const auto [low, high] = scale.range;
     if (!has_width(scale)) return low;
-    if (place == 1) return high; // without rounding
+    if (place == 1) return high; // exact, without rounding
     if (is_log_of_both_signs(scale)) {
         const double from_middle = 2 * place - 1;
         return std::copysign(linear_share * high * std::expm1(std::abs(from_middle) * log_of_reach), from_middle);
@@ -98,7 +98,7 @@ ColorLimits limits_of(const ColorScale& scale) {
     if (!has_width(scale)) return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     const auto [low, high] = scale.range;
     const double width = high - low;
-    const double rounding = 2.5e-7 * std::max(std::abs(low), std::abs(high)); // two units in a float's last place
+    const double rounding = 2.5e-7 * std::max(std::abs(low), std::abs(high)); // two units in the last place of a float
     const double slack = 1e-6 * width + std::min(rounding, largest_slack * width);
     if (scale.log && low > 0) return {low * (1 - 1e-6), high * (1 + 1e-6)};
     return {low - slack, high + slack};

@@ -1,36 +1,37 @@
-// TransferTable: pre-integrated color and extinction of a ray between two values, made from a color scale and opacity
-// points.
+// TransferTable: pre-integrated color and extinction of a ray between two values. It is made from a color scale and
+// opacity points.
 #pragma once
 
 #include "color/color_scale.hpp"
 
 namespace ciel::color {
 
-// Mean color and extinction over intervals of values. The texel in column c and row r is for the interval with the
-// middle (c + 0.5) / columns and the width r / (rows - 1), both as fractions of the table's extent. The color is
-// weighted by the extinction. The attenuation of a ray within one interval is neglected, which is correct to first
-// order in the opacity.
+// Mean color and extinction over intervals of values. The texel in column c and row r is for one interval. The middle
+// of the interval is (c + 0.5) / columns, and its width is r / (rows - 1), both as fractions of the table's extent. The
+// color is weighted by the extinction. The attenuation of a ray within one interval is neglected. This is correct to
+// first order in the opacity.
 struct TransferTable {
     static constexpr int columns = 1024, rows = 64;
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
 
-// The values that a TransferTable covers: the scale's range, extended by half its width below if the scale has a color
-// `below`, and by half its width above if it has a color `above`. Values beyond the table look like those at its nearer
-// end.
+// The interval of values that a TransferTable covers. It is the range of the scale. If the scale has a color `below`,
+// the interval also covers half the width of the range below the range. If the scale has a color `above`, it also
+// covers half the width above the range. Values outside the interval look like values at the nearer end of the
+// interval.
 struct TableExtent {
     int halves_below = 0, halves_above = 0;
-    // Returns the table's width in widths of the range.
+    // Returns the width of the table, as a multiple of the width of the range.
     [[nodiscard]] double width() const { return 1 + 0.5 * (halves_below + halves_above); }
-    // Converts a position in the table (0 to 1) to a position in the range (0 and 1 at its ends).
+    // Converts a position in the table (0 to 1) to a position in the range (0 at the lower end, 1 at the upper end).
     [[nodiscard]] double share_at(double place) const { return place * width() - 0.5 * halves_below; }
-    // Returns the values at the two ends of the table of a scale with this range.
+    // Returns the values at the two ends of the table. range: ColorScale::range of the scale.
     [[nodiscard]] std::array<double, 2> values(const std::array<double, 2>& range) const;
     bool operator==(const TableExtent&) const = default;
 };
 [[nodiscard]] TableExtent table_extent(const ColorScale& scale);
 
-// (position in the range from 0 to 1, opacity of a unit length along a ray), sorted by position.
+// Pairs (position in the range from 0 to 1, opacity of a unit length along a ray), sorted by position.
 using OpacityPoints = std::vector<std::array<double, 2>>;
 
 // share: factor by which all opacities are multiplied.

@@ -1,5 +1,5 @@
-// CellSoup: cells as a mesh generator returns them, where neighboring cells do not share points. weld() merges their
-// points.
+// CellSoup: a list of cells in which neighboring cells do not share points, as a mesh generator returns it. weld()
+// merges the points.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -27,8 +27,8 @@ struct WeldedCells {
     }
 };
 
-// Merges points whose coordinates differ by at most 1e-9, which allows for the rounding of voro++. Different corners
-// are much further apart. Leaves out edges and faces that collapse.
+// Merges points whose coordinates differ by at most 1e-9, because voro++ rounds coordinates. Different corners are much
+// further apart. Leaves out edges and faces that collapse.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
 } // namespace ciel::demo

@@ -20,8 +20,8 @@ constexpr std::size_t vertices_per_task = 4096;
 enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
-// Returns the side of the box on which all corners of a boundary face lie, or the cylinder. Compares coordinates
-// exactly, because corners on the sides are not rounded.
+// Returns the side of the box on which all corners of a boundary face lie. If there is no such side, the face is on the
+// cylinder. Compares coordinates exactly, because corners on a side have the exact coordinate of the side.
 Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
@@ -78,7 +78,7 @@ void compute(const FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_w
             const double x = mesh.positions[3 * i], y = mesh.positions[3 * i + 1], z = mesh.positions[3 * i + 2];
             const double phase = time + span_phase(z, bed.z.back());
             FlowSample sample = Flow(phase).at(x, y);
-            if (on_wall[i]) sample.u = sample.v = 0; // no slip, also where the wall's facets lie inside r = 1
+            if (on_wall[i]) sample.u = sample.v = 0; // no slip; set here, because the wall lies partly inside r = 1
             fields.velocity[3 * i] = static_cast<float>(sample.u);
             fields.velocity[3 * i + 1] = static_cast<float>(sample.v);
             fields.velocity[3 * i + 2] = 0;
@@ -120,7 +120,8 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
-    // Original ids are those of an imported file. The demo imports no file, so its original ids are the stored ones.
+    // Original ids are the ids in an imported file. The demo imports no file. Therefore its original ids equal the ids
+    // in the dataset.
     std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
     std::iota(ids.begin(), ids.end(), 0U);
     writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),

@@ -11,10 +11,11 @@ namespace {
 
 constexpr double spacing = 0.08;
 constexpr std::size_t phases = 40;
-constexpr std::size_t periods = 6;                           // computed until the dye is periodic
-constexpr double source_inside = 1.25, source_outside = 1.9; // radii at which the source has full and no strength
-// Diffusion per pass, in squared spacings. A larger value is not stable, so each step has several passes. Diffusion
-// widens filaments of dye that are too thin for the mesh.
+constexpr std::size_t periods = 6; // number of periods to compute, after which the dye is periodic
+// The source has full strength up to the first radius, and zero strength from the second radius on.
+constexpr double source_inside = 1.25, source_outside = 1.9;
+// Diffusion per pass, in squared spacings. A larger value would be unstable. Therefore each step has several passes.
+// Diffusion widens filaments of dye that are too thin for the mesh.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
@@ -23,8 +24,8 @@ double source(double x, double y) {
     return std::clamp((source_outside - std::hypot(x, y)) / (source_outside - source_inside), 0.0, 1.0);
 }
 
-// Returns the Catmull-Rom weights of four equidistant nodes for a position between the middle two. t: 0 at the second
-// node, 1 at the third.
+// Returns the Catmull-Rom weights of four equidistant nodes for a position between the second and the third node. t: 0
+// at the second node, 1 at the third node.
 std::array<double, 4> cubic(double t) {
     return {((-t + 2) * t - 1) * t / 2, ((3 * t - 5) * t * t + 2) / 2, ((-3 * t + 4) * t + 1) * t / 2,
             (t - 1) * t * t / 2};
@@ -91,7 +92,7 @@ void Dye::spread(const std::vector<float>& from, std::vector<float>& to) const {
 }
 
 float Dye::sample(const std::vector<float>& plane, double x, double y) const {
-    if (x < extent_.x_low || y < extent_.y_low || y > extent_.y_high) return 0; // clear water flows in
+    if (x < extent_.x_low || y < extent_.y_low || y > extent_.y_high) return 0; // inflow without dye
     const double gx = std::min((x - extent_.x_low) / spacing, static_cast<double>(nx_) - 1.001);
     const double gy = std::min((y - extent_.y_low) / spacing, static_cast<double>(ny_) - 1.001);
     const auto i = static_cast<std::ptrdiff_t>(gx), j = static_cast<std::ptrdiff_t>(gy);
@@ -110,8 +111,8 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // Interpolates between the phases before and after `time`, each displaced along the flow, so that the dye changes
-    // smoothly in time and along the span. Without the displacement each filament would appear twice.
+    // Interpolates between the phases before and after `time`. Each phase is displaced along the flow, so that the dye
+    // changes smoothly in time and along the span. Without the displacement, each filament would appear twice.
     const double phase = (time - std::floor(time)) * phases;
     const double whole = std::floor(phase), part = phase - whole;
     const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;

@@ -1,7 +1,7 @@
-// Dye: a dye that the cylinder releases and the flow carries away, in one plane of the flow, over one period.
-// Semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Interpolation is cubic with
-// a limiter, which keeps the dye within [0, 1]. The flow is periodic: departure points are computed for one period, and
-// after some periods the dye is periodic too.
+// Dye: the concentration of a dye that the cylinder releases and the flow carries away, in one plane, over one period.
+// The method is semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Interpolation
+// is cubic with a limiter, which keeps the concentration within [0, 1]. The flow is periodic. Therefore departure
+// points are computed only for one period. After some periods, the dye is periodic too.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ public:
     };
     explicit Dye(Extent extent);
 
-    // Returns the concentration of dye at (x, y), 0 to 1. time: any, in periods. (u, v): velocity of the flow at (x, y)
-    // and `time`. Thread-safe.
+    // Returns the concentration of dye at (x, y), from 0 to 1. time: any time, in periods. (u, v): velocity of the flow
+    // at (x, y) and `time`. Thread-safe.
     [[nodiscard]] float at(double x, double y, double u, double v, double time) const;
 
 private:
@@ -29,7 +29,7 @@ private:
 
     Extent extent_;
     std::size_t nx_, ny_;
-    std::vector<std::vector<float>> planes_; // per phase: the dye at each node
+    std::vector<std::vector<float>> planes_; // for each phase: the concentration at each node
 };
 
 } // namespace ciel::demo

@@ -7,17 +7,17 @@
 namespace ciel::demo {
 namespace {
 
-constexpr double u0 = 10;        // speed of the free stream, radii per period
+constexpr double u0 = 10;        // speed of the free stream, in radii per period
 constexpr double a = 1.5;        // 1 / (boundary layer thickness)^2
-constexpr double alpha = 2;      // length of the sheltered wake
+constexpr double alpha = 2;      // length of the slow region behind the cylinder, in radii
 constexpr double w = 16;         // strength of the vortices
 constexpr double kappa = 0.6;    // 1 / (vortex radius)^2
-constexpr double y0 = 0.9;       // half the width of the street
-constexpr double life = 2;       // life of a vortex, in periods
-constexpr double travelled = 16; // distance that a vortex travels in its life, in radii
+constexpr double y0 = 0.9;       // half the distance between the two rows of vortices, in radii
+constexpr double life = 2;       // lifetime of a vortex, in periods
+constexpr double travelled = 16; // distance that a vortex travels in its lifetime, in radii
 constexpr double phase_swing = 0.14;
 
-// A function of x and y: its value, first derivatives and Laplacian.
+// Value, first derivatives and Laplacian of a function of x and y at one point.
 struct Jet {
     double value, dx, dy, laplacian;
 };
@@ -45,7 +45,7 @@ Jet no_slip(double x, double y) {
 } // namespace
 
 Flow::Flow(double time) {
-    // Vortex n is born at time n / 2. Vortices with even n are in the upper row and turn clockwise.
+    // Vortex n starts at time n / 2. Vortices with even n are in the upper row and turn clockwise.
     for (auto n = static_cast<long>(std::floor(2 * time)); n > 2 * (time - life); --n) {
         const double age = time - 0.5 * static_cast<double>(n);
         const double side = n % 2 == 0 ? 1 : -1;

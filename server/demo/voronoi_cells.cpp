@@ -13,11 +13,13 @@ namespace ciel::demo {
 namespace {
 
 struct Seeds {
-    std::vector<Vec3d> real, images; // images lie inside the cylinder; they shape the wall and get no cells
+    std::vector<Vec3d> real, images; // `images` lie inside the cylinder, shape the wall, and get no cells
 };
 
 void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
-    constexpr double shift = 0.35; // largest shift of a seed, in spacings: makes cells irregular, but no slivers
+    // Largest shift of a seed along an axis, in spacings. The shift makes the cells irregular. It is small enough to
+    // avoid slivers.
+    constexpr double shift = 0.35;
     const double h = bed.spacing, clear_radius = 1 + 1.2 * h;
     std::mt19937_64 random(1);
     const auto jitter = [&] { return shift * h * (static_cast<double>(random()) / 0x1p63 - 1); };
@@ -34,7 +36,8 @@ void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
 
 void add_ring_seeds(const Bed& bed, Seeds& seeds) {
     const int around = static_cast<int>(std::lround(2 * std::numbers::pi * (1 + bed.spacing / 2) / bed.spacing));
-    // Faces between seeds and their images touch the circle of radius `mirror`, so their edges lie on the cylinder.
+    // Faces between seeds and their images touch the circle of radius `mirror`, so that the edges of these faces lie on
+    // the cylinder.
     const double mirror = std::cos(std::numbers::pi / around), half = bed.spacing / 2;
     for (std::size_t k = 0; k + 1 < bed.z.size(); ++k)
         for (int n = 0; n < around; ++n) {
@@ -45,8 +48,8 @@ void add_ring_seeds(const Bed& bed, Seeds& seeds) {
         }
 }
 
-// Moves a corner that is within 1e-9 of a side of the box onto it. voro++ rounds corners, but patch_of() compares exact
-// coordinates.
+// Moves a corner that is within 1e-9 of a side of the box onto this side. voro++ rounds corners, but patch_of()
+// compares exact coordinates.
 void snap(Vec3d& p, const std::array<Vec3d, 2>& box) {
     for (const Vec3d& corner : box)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -55,7 +58,7 @@ void snap(Vec3d& p, const std::array<Vec3d, 2>& box) {
 
 void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Vec3d, 2>& box, CellSoup& soup) {
     std::vector<double> corners;
-    std::vector<int> faces; // count, corner..., count, corner...
+    std::vector<int> faces; // for each face: the number of corners, then the corners
     cell.vertices(seed[0], seed[1], seed[2], corners);
     cell.face_vertices(faces);
     const auto first = static_cast<Index>(soup.points.size());
@@ -65,7 +68,7 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
     }
     for (std::size_t at = 0; at < faces.size();) {
         const auto count = static_cast<std::size_t>(faces[at]);
-        for (std::size_t corner = count; corner > 0; --corner) // reversed: voro++ winds faces inwards
+        for (std::size_t corner = count; corner > 0; --corner) // in reverse order, because voro++ winds faces inwards
             soup.face_point.push_back(first + static_cast<Index>(faces[at + corner]));
         soup.face_offset.push_back(soup.face_point.size());
         at += count + 1;
@@ -74,7 +77,8 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
     soup.cell_offset.push_back(soup.face_offset.size() - 1);
 }
 
-// Returns the cells of seeds [begin, end). A container of voro++ is not thread-safe, so each call has its own.
+// Returns the Voronoi cells of the seeds [begin, end). Each call makes its own voro++ container, because a container is
+// not thread-safe.
 CellSoup cells_of(const Bed& bed, const Seeds& seeds, std::size_t begin, std::size_t end) {
     constexpr double seeds_per_block = 5; // as voro++ recommends
     const double block = bed.spacing * std::cbrt(seeds_per_block);

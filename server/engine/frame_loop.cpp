@@ -29,13 +29,14 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-constexpr std::chrono::milliseconds others_wait{500}; // a still in progress gives way to other views after this time
+// After this time, a still picture in progress gives way to interactive pictures of other views.
+constexpr std::chrono::milliseconds others_wait{500};
 
 struct GivenUp {};
 struct GivesWay {};
 
-// Called while drawing, as render::Frame::check_wanted. Throws GivenUp when the frame is not wanted any more, GivesWay
-// when a still must let other views draw first.
+// The renderer calls this function between its passes (render::Frame::check_wanted). Throws GivenUp if the frame is no
+// longer wanted. Throws GivesWay if a still picture must let other views draw first.
 void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
     if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
     if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
@@ -55,7 +56,8 @@ std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const sc
     return lacking;
 }
 
-// Returns the grid step on which to send the polygons of a frame, or nothing when the client has them already.
+// Returns the grid step with which to send the polygons of a frame. Returns nothing if the client already has the
+// polygons on a grid that is fine enough.
 std::optional<double> grid_to_send(View& view, const FrameRequest& request, const geometry::Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
     const annotations::Camera camera = geometry::camera_of(geometry, request.version->scene(), aspect);

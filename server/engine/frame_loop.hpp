@@ -1,4 +1,4 @@
-// Makes one frame: newest scene -> extract -> draw -> encode -> send.
+// Makes one frame: takes the newest scene, extracts, draws, encodes and sends.
 #pragma once
 
 #include "engine/schedule/frame_workers.hpp"
@@ -6,7 +6,8 @@
 
 namespace ciel::engine {
 
-// Makes and sends one frame of `view` on this worker, if one is due. `still`: a still, else an interactive frame.
+// If a frame of `view` is due, makes the frame on this worker and sends it. `still`: whether to make a still picture
+// instead of an interactive frame.
 void show_frame(View& view, Worker& worker, bool still);
 
 } // namespace ciel::engine

@@ -30,7 +30,7 @@ std::string escaped(const std::string& label) {
 }
 
 #ifdef __clang__
-constexpr const char* compiler = __VERSION__; // begins with "Clang"
+constexpr const char* compiler = __VERSION__; // the text of Clang begins with "Clang"
 #else
 constexpr const char* compiler = "GCC " __VERSION__;
 #endif

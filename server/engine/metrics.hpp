@@ -27,29 +27,30 @@ struct Gauges { // current values; the counters in Metrics count since the start
 // Counts durations in buckets with fixed upper bounds. Not thread-safe.
 class DurationHistogram {
 public:
-    // Upper bounds of the buckets in seconds: from a quick call to a picture of a large mesh drawn in software.
+    // Upper bounds of the buckets in seconds. They reach from a quick call to a picture of a large mesh that is drawn
+    // in software.
     static constexpr std::array bounds{0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25,
                                        0.5,   1.0,    2.5,   5.0,  10.0,  30.0, 60.0};
 
     void add(double seconds);
-    // Writes the samples of one metric family. labels: such as "method=\"scene.get\"".
+    // Writes the samples of one metric family. `labels`: the labels of all samples, such as "method=\"scene.get\"".
     void write(std::ostream& out, const char* family, const std::string& labels) const;
 
 private:
-    std::array<std::uint64_t, bounds.size() + 1> counts_{}; // the last one counts longer durations
+    std::array<std::uint64_t, bounds.size() + 1> counts_{}; // by bucket; the last element counts longer durations
     double sum_ = 0;
 };
 
 // All members of Metrics are thread-safe.
 class Metrics {
 public:
-    void count_call(const std::string& method, double seconds); // `seconds`: without the wait in the queue
-    // Counts a sent frame. The histogram gets its time for extraction, drawing and encoding.
+    void count_call(const std::string& method, double seconds); // `seconds`: time without the wait in the queue
+    // Counts a frame that was sent. Adds its time for extraction, drawing and encoding to the histogram.
     void count_frame(bool still, std::size_t bytes, const FrameTimes& times);
     void count_cancelled_frame() { ++cancelled_; }
     void count_failed_frame() { ++failed_; }
     void count_picture(std::size_t bytes);
-    void count_request(const std::string& method); // a method of the contract, or "unknown"
+    void count_request(const std::string& method); // a method of openrpc.json, or "unknown"
     void count_error(int code);
 
     [[nodiscard]] std::uint64_t interactive_frames() const { return interactive_; }

@@ -13,16 +13,17 @@
 
 namespace ciel::engine {
 
-// An OpenSession is thread-safe. All views and calls of the session share one geometry. Its unchanged parts are kept
-// from one version to the next.
+// An OpenSession is thread-safe. All views and calls of the session share one geometry. The parts of the geometry that
+// a new version does not change are kept.
 class OpenSession final : public sessions::Session {
 public:
-    // Drops `steps` beyond the history's limits.
+    // `steps`: undo and redo steps of the session. Steps beyond the limits of the history are dropped.
     OpenSession(std::string id, const Services& services, std::shared_ptr<const sessions::SceneVersion> first,
                 const sessions::Steps& steps = {});
 
-    // Returns the geometry of `version`, made on the calling thread. Concurrent calls wait. Returns null when `stop`
-    // was requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error, LimitReached.
+    // Makes the geometry of `version` on the calling thread, and returns it. Concurrent calls run one after another.
+    // Returns null if `stop` was requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error,
+    // LimitReached.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});
@@ -30,11 +31,11 @@ public:
     // Frees the geometry if the session has neither subscriber nor viewer, and has not been used since `unused_since`.
     // Does not wait: the geometry stays while another thread uses it.
     void release_idle_geometry(Clock::time_point unused_since);
-    [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // query state and surfaces
+    [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // bytes of query state and surfaces
 
 private:
-    void charge_surfaces(); // requires geometry_mutex_, as forget_surfaces() does; throws LimitReached
-    void forget_surfaces();
+    void charge_surfaces(); // requires geometry_mutex_ to be held; throws LimitReached
+    void forget_surfaces(); // requires geometry_mutex_ to be held
 
     const Services& services_;
     std::mutex geometry_mutex_; // never locked while the session's own mutex is held

@@ -15,8 +15,8 @@
 namespace ciel::engine {
 namespace {
 
-// Returns the fields of /proc/self/stat from the third on (proc_pid_stat(5)). The second field, the name in
-// parentheses, may contain blanks, so reading begins after it.
+// Returns the fields of /proc/self/stat from the third field on (proc_pid_stat(5)). Reading begins after the second
+// field, because this field (the name in parentheses) may contain blanks.
 std::vector<std::string> stat_fields() {
     std::ifstream file("/proc/self/stat");
     std::string line;

@@ -19,7 +19,7 @@ namespace ciel::engine {
 namespace {
 
 constexpr std::chrono::seconds readiness_lasts{1};
-// Time after the request of a test picture for which readiness_by_now() waits for its result. Later calls get the
+// readiness_by_now() waits for a test picture until this time after the request of the picture. Later calls return the
 // previous result at once. Probes of /readyz expect an answer within a second.
 constexpr std::chrono::milliseconds readiness_patience{500};
 
@@ -48,11 +48,11 @@ struct Server::State {
     std::mutex readiness_mutex;
     std::condition_variable readiness_known;
     std::optional<frames::Readiness> last_readiness;
-    bool readiness_asked = false;                     // a test picture waits for a worker, or is being drawn
-    Clock::time_point asked_since;                    // time at which readiness_asked was set
-    std::optional<Clock::time_point> readiness_since; // time of last_readiness
+    bool readiness_asked = false; // whether a test picture waits for a worker or is being drawn
+    Clock::time_point asked_since;
+    std::optional<Clock::time_point> readiness_since;
     std::shared_ptr<void> watch;
-    std::jthread housekeeping; // the last member: its thread uses the others
+    std::jthread housekeeping; // the last member, because its thread uses the other members
 
     explicit State(ServerOptions chosen)
         : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes,
@@ -115,8 +115,8 @@ struct Server::State {
         readiness_known.notify_all();
     }
 
-    // Draws a test picture on a frame worker and then one on the picture worker, because each has its own GL context.
-    // The server is ready only if both pictures are right.
+    // Draws a test picture on a frame worker and then a test picture on the picture worker, because each worker has its
+    // own GL context. The server is ready only if both pictures are right.
     void test_readiness() {
         const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
         const auto test_frames = [this, test_pictures](Worker& worker) {
@@ -134,13 +134,13 @@ struct Server::State {
             const auto opened = catalog.open(dataset)->dataset();
             note.times->assign(opened->steps().times().begin(), opened->steps().times().end());
         } catch (const Error&) {
-            // The dataset was removed or is damaged. Clients are notified; sessions keep the data that they have.
+            // The dataset was removed or is damaged. Clients are notified. Sessions keep the data that they have.
             connections.send_all(sessions::notification_text(note));
             return;
         }
         std::string text = sessions::notification_text(note);
         if (text.size() > wire::longest_message) {
-            note.times.reset(); // too long for one message: clients ask for the times
+            note.times.reset(); // too long for one message; clients call dataset.describe
             text = sessions::notification_text(note);
         }
         connections.send_all(text);
@@ -256,7 +256,7 @@ void Server::drain_frames() { state_->workers.drain(); }
 
 void Server::drain() {
     state_->sessions.stop_opening();
-    state_->slow_calls.drain(); // before the picture workers, which running calls still need
+    state_->slow_calls.drain(); // first, because running calls need the picture workers
     state_->picture_workers.drain();
     drain_frames();
 }

@@ -1,4 +1,4 @@
-// Everything that lives as long as the process: datasets, sessions, the render workers, limits, counters.
+// Owns everything that lives as long as the process: datasets, sessions, workers, limits, counters.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -22,7 +22,7 @@ namespace ciel::engine {
 
 struct ServerOptions {
     std::vector<std::filesystem::path> data;
-    std::optional<store::FileAccess> file_access; // nullopt: as the file system of each dataset demands
+    std::optional<store::FileAccess> file_access; // nullopt: chosen by the file system of each dataset
     render::Backend backend = render::Backend::automatic;
     Extraction extraction;
     unsigned render_workers = 1;
@@ -49,8 +49,8 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
-    // Draws pictures for slow calls. These workers are separate from the frame workers, so a picture neither waits for
-    // frames nor delays them.
+    // Draws pictures for slow calls. These workers are separate from the frame workers, so that pictures and frames do
+    // not wait for each other.
     [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
@@ -59,33 +59,34 @@ public:
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();
 
-    // Looks for steps that were appended to a dataset of the catalog, and notifies clients of them. Does not wait for
-    // the catalog's watch to find them.
+    // Checks whether steps were appended to a dataset of the catalog. If so, notifies clients at once, without waiting
+    // until the catalog's watch finds the steps.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
-    // Registers a connection. Until connection_closed() it gets the notification `dataset.changed` when steps are
-    // appended.
+    // Registers a connection. Until connection_closed(), the connection gets the notification `dataset.changed` when
+    // steps are appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);
 
-    // Frees sessions and datasets that have not been used for long. The server itself calls it every 10 seconds.
+    // Frees sessions, uploads and datasets that have not been used for long. The server itself calls this function
+    // every 10 seconds.
     void tidy(std::chrono::steady_clock::time_point now);
 
     // Draws a test picture on a frame worker and checks its pixels. Waits until a worker is free.
     [[nodiscard]] frames::Readiness readiness();
-    // Requests test pictures of the frame and picture workers, at most once a second, and waits up to 0.5 s for the
-    // result. If the workers stay busy, returns the previous result.
+    // Requests test pictures from the frame workers and the picture workers, at most once a second. Waits at most 0.5 s
+    // for the result. If the workers stay busy, returns the previous result.
     [[nodiscard]] frames::Readiness readiness_by_now();
-    // Returns the result of the last test picture. Draws one only if there is none yet.
+    // Returns the result of the last test picture. Draws a test picture only if there is no result yet.
     [[nodiscard]] frames::Readiness last_readiness();
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
-    // On SIGTERM, announce_end, drain_frames and drain are called in this order. announce_end refuses new sessions and
-    // views, and notifies clients. It does not block.
+    // On SIGTERM, announce_end(), drain_frames() and drain() are called in this order. announce_end() refuses new
+    // sessions and views from now on, and notifies clients. It does not block.
     void announce_end();
     // Starts no new frames and cancels the frames that are being drawn. Returns when no frame is in progress.
     void drain_frames();
-    // Starts no new slow calls. Returns when the running ones have finished or, after give_up(), have been cancelled.
+    // Starts no new slow calls. Returns when all running calls have finished, or have been cancelled after give_up().
     void drain();
-    // Requests call_stop(): running slow calls end when they next check it. Does not block.
+    // Requests a stop on call_stop(). Running slow calls end when they next check this token. Does not block.
     void give_up();
     [[nodiscard]] std::stop_token call_stop() const;
 

@@ -10,8 +10,8 @@
 namespace ciel::engine {
 namespace {
 
-// Returns 128 random bits in hexadecimal. A session's id must be unguessable: a client that knows it may change the
-// scene.
+// Returns 128 random bits in hexadecimal. The id of a session must be unguessable, because a client that knows the id
+// may change the scene.
 std::string random_id() {
     static constexpr char digits[] = "0123456789abcdef";
     std::random_device source;
@@ -65,7 +65,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
         if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
         check();
     }
-    auto first = sessions::make_version(services_, document(), 1); // without the lock: may open a dataset
+    auto first = sessions::make_version(services_, document(), 1); // without the lock, because this may open a dataset
     const std::scoped_lock lock(mutex_);
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();
@@ -82,9 +82,9 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     return session;
 }
 
-// Drops the session that has been unused for the longest time, to make room for another. Only sessions without a
-// connection are dropped; returns false if there is none. The client of a dropped session sends its scene when it
-// returns.
+// Makes room for a new session: drops the session without a connection that has been unused for the longest time.
+// Returns false if every session has a connection. When the client of a dropped session comes back, the client sends
+// its scene again.
 bool Sessions::drop_longest_left() {
     auto longest = sessions_.end();
     for (auto entry = sessions_.begin(); entry != sessions_.end(); ++entry)
@@ -144,9 +144,9 @@ void Sessions::close_view(std::uint32_t id, std::uint64_t connection) {
 void Sessions::connection_closed(std::uint64_t connection) {
     for (const auto& session : all()) {
         session->disconnect(connection);
-        // Frees the surfaces of a session that has no connection left. A worker frees them, because a running
-        // extraction may lock the geometry for a while. The job is posted by post_later(), so that no still gives way
-        // to it.
+        // If the session has no connection left, frees its surfaces. A worker does this, because a running extraction
+        // may lock the geometry for a while. post_later() is used instead of post(), because a still picture would give
+        // way to a job of post().
         if (session->is_idle_since(Clock::time_point::max()))
             services_.workers.post_later(Clock::now(), [session](Worker&) {
                 if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();

@@ -6,7 +6,7 @@
 
 namespace ciel::engine {
 
-// The caller that opens or closes a session, for the log.
+// The caller that opens or closes a session. It is written to the log.
 struct Caller {
     const sessions::Connection& connection;
     const std::string& request;
@@ -18,18 +18,18 @@ public:
     explicit Sessions(const Services& services) : services_(services) {}
     ~Sessions() { close_all(); }
 
-    // Returns the session of this id. Throws NotFound when there is none.
+    // Returns the session with this id. Throws NotFound if there is no such session.
     [[nodiscard]] std::shared_ptr<OpenSession> find(const std::string& id);
-    // Returns the session of this id. If there is none, opens one with this id, or with a random id if `id` is empty.
-    // `document` returns the scene of a new session, `steps` are its undo and redo steps. Throws LimitReached, and what
-    // make_version throws.
+    // Returns the session with this id. If there is no such session, opens a session with this id, or with a random id
+    // if `id` is empty. `document` returns the scene of a new session, and `steps` are its undo and redo steps. Throws
+    // LimitReached, and the exceptions of make_version().
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
                                                     const sessions::Steps& steps = {});
     void close(const std::string& id, const Caller& by); // throws NotFound
 
-    // Opens a view of the session. Its id is unique in the process. Only the connection that opened the view may use
-    // it.
+    // Opens a view of the session. The id of the view is unique in the process. Only the connection that opened the
+    // view may use the view.
     [[nodiscard]] std::shared_ptr<View> open_view(OpenSession& session,
                                                   const std::shared_ptr<sessions::Connection>& connection,
                                                   geometry::ViewSize size, Stream stream, wire::MovingCodec moving);
@@ -37,8 +37,8 @@ public:
     void close_view(std::uint32_t id, std::uint64_t connection);                          // throws NotFound
 
     void connection_closed(std::uint64_t connection);
-    void connection_has_room(std::uint64_t connection); // delayed frames can be sent now
-    void dataset_changed(const std::string& dataset);   // views of the dataset are offered their scene again
+    void connection_has_room(std::uint64_t connection); // sends frames that were held back
+    void dataset_changed(const std::string& dataset);   // offers the scene again to all views of the dataset
     void expire(Clock::time_point now);                 // closes sessions that have been idle for too long
     // Frees the geometry of sessions that have no connection and have not been used since `unused_since`.
     void release_geometry(Clock::time_point unused_since);

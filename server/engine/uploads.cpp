@@ -15,7 +15,7 @@ struct Uploads::Upload {
     struct Array {
         std::string name;
         bool doubles = false;
-        std::uint64_t begin = 0, bytes = 0, received = 0; // begin: offset in the file
+        std::uint64_t begin = 0, bytes = 0, received = 0; // `begin`: offset in the file
     };
 
     std::string dataset;
@@ -33,7 +33,7 @@ struct Uploads::Upload {
 
 namespace {
 
-constexpr std::uint64_t documents_bytes = 1 << 20; // upper bound of the metadata that a commit writes
+constexpr std::uint64_t documents_bytes = 1 << 20; // upper bound of the metadata that a commit writes, in bytes
 
 wire::UploadId random_id() {
     std::random_device device;
@@ -63,7 +63,8 @@ void check_disk(const std::string& name, const store::Dataset& dataset, std::uin
                     " MB while it is uploaded; free some space");
 }
 
-// Replaces the dataset's folder in a sentence by the dataset's name: clients must not learn paths of the server.
+// Replaces the path of the dataset's folder in a sentence by the name of the dataset, because clients must not learn
+// paths of the server.
 std::string without_directory(std::string sentence, const store::Dataset& dataset) {
     const std::string directory = dataset.directory().string();
     const std::string& name = dataset.info().name;
@@ -114,7 +115,7 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
                            std::vector<store::WantedArray> wanted) {
     expire(Clock::now());
     auto dataset = loaded->dataset();
-    if (auto now = dataset->refreshed()) dataset = std::move(now); // sees steps that were just appended
+    if (auto now = dataset->refreshed()) dataset = std::move(now); // also has steps that were just appended
     check_own(name, *dataset);
     BegunUpload begun{random_id(), store::plan_step(*dataset, time, wanted)};
     const auto upload = std::make_shared<Upload>();
@@ -127,7 +128,7 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     if (upload->bytes > limits_.upload_bytes)
         throw limits::LimitReached("the step has " + std::to_string(megabytes(upload->bytes)) +
                                    " MB; an upload may have at most " + std::to_string(limits_.upload_bytes >> 20) +
-                                   " MB");
+                                   " MB; leave out arrays, or start the server with a larger --limit-upload-bytes");
     check_disk(name, *dataset, upload->bytes + begun.plan.stored_bytes + documents_bytes);
     upload->dataset = name;
     upload->loaded = loaded;
@@ -169,11 +170,11 @@ std::shared_ptr<Uploads::Upload> Uploads::find(const wire::UploadId& id) {
 std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
     if (piece.bytes.size() > limits_.upload_piece_bytes)
         throw limits::LimitReached("a piece of an upload may have at most " +
-                                   std::to_string(limits_.upload_piece_bytes) + " bytes");
+                                   std::to_string(limits_.upload_piece_bytes) + " bytes; send smaller pieces");
     const auto upload = find(piece.upload);
     const std::lock_guard lock(upload->mutex);
     if (piece.array >= upload->arrays.size())
-        throw Error("the upload has no array " + std::to_string(piece.array) + "; the number of its arrays is " +
+        throw Error("the upload has no array " + std::to_string(piece.array) + "; give a number less than " +
                     std::to_string(upload->arrays.size()));
     Upload::Array& array = upload->arrays[piece.array];
     if (piece.offset > array.received)
@@ -182,7 +183,8 @@ std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
                     " would leave a gap; send the bytes before the piece first");
     if (piece.bytes.size() > array.bytes - piece.offset)
         throw Error("array '" + array.name + "' has " + std::to_string(array.bytes) + " bytes; a piece of " +
-                    std::to_string(piece.bytes.size()) + " at " + std::to_string(piece.offset) + " is too long");
+                    std::to_string(piece.bytes.size()) + " bytes at byte " + std::to_string(piece.offset) +
+                    " is too long; end the piece at the end of the array");
     upload->file->write(array.begin + piece.offset, std::as_bytes(piece.bytes));
     array.received = std::max(array.received, piece.offset + piece.bytes.size());
     return array.received;
@@ -202,7 +204,7 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
     const auto values_of = [&](std::size_t i) {
         before_array(i, upload->arrays.size());
         const Upload::Array& array = upload->arrays[i];
-        values = {}; // before the next array takes memory
+        values = {}; // frees memory before the next array is read
         values = array.doubles ? read_values<double>(*upload->file, array.begin, array.bytes)
                                : read_values<float>(*upload->file, array.begin, array.bytes);
         return values;

@@ -16,10 +16,10 @@ namespace ciel::engine {
 using wire::UploadId;
 [[nodiscard]] std::string to_text(const wire::UploadId& id);                // 32 hexadecimal digits
 [[nodiscard]] wire::UploadId upload_id(const std::string& text);            // throws NotFound
-[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // bytes of the array as it is uploaded
+[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // size of the uploaded array in bytes
 
 struct BegunUpload {
-    wire::UploadId id{}; // random, because a client needs only the id to add pieces
+    wire::UploadId id{}; // random, because any client that knows the id can add pieces
     store::StepPlan plan;
 };
 
@@ -30,8 +30,8 @@ struct CommittedUpload {
     double time = 0;
 };
 
-// Uploads is thread-safe. Uploaded values are kept in unnamed files on the dataset's disk. An upload that gets no call
-// for upload_idle_seconds is dropped.
+// Uploads is thread-safe. Uploaded values are kept in unnamed files on the disk of the dataset. An upload is dropped if
+// no call uses the upload for Limits::upload_idle_seconds.
 class Uploads {
 public:
     using Clock = std::chrono::steady_clock;
@@ -41,13 +41,13 @@ public:
     Uploads(const limits::Limits& limits, limits::Memory& memory);
     ~Uploads();
 
-    // Begins an upload of a step at `time`. Checks names, sizes, time, the limits and the free disk space before the
-    // first piece. Throws LimitReached, Error.
+    // Begins an upload of a step at `time`. Checks names, sizes, time, limits and free disk space before the first
+    // piece. Throws LimitReached, Error.
     BegunUpload begin(const std::string& name, const std::shared_ptr<store::LoadedDataset>& loaded, double time,
                       std::vector<store::WantedArray> wanted);
-    // Adds bytes of one array. They must begin at or before the end of the received bytes; received bytes may be sent
-    // again. Returns the number of received bytes of the array. Throws NotFound, LimitReached, Error; the upload is
-    // then unchanged.
+    // Adds a piece of one array. The piece must begin at or before the end of the received bytes, so that received
+    // bytes may be sent again. Returns the number of received bytes of the array. Throws NotFound, LimitReached, Error;
+    // then the upload is unchanged.
     std::uint64_t add(const wire::UploadPiece& piece);
     // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, LimitReached,
     // Error; the upload is then unchanged. Calls `before_array` on this thread before each array is written.
@@ -66,7 +66,7 @@ private:
     const limits::Limits& limits_;
     limits::Memory& memory_;
     mutable std::mutex mutex_;
-    std::mutex committing_; // held by commit(): one commit at a time
+    std::mutex committing_; // held by commit(), so that one commit runs at a time
     std::map<wire::UploadId, std::shared_ptr<Upload>> open_;
 };
 

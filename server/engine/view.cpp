@@ -12,10 +12,12 @@
 namespace ciel::engine {
 namespace {
 
-constexpr std::chrono::milliseconds quiet{150};    // pause after the last change or frame before a still is made
-constexpr std::chrono::milliseconds patience{500}; // a superseded interactive frame younger than this is finished
+// A still picture is made when this time has passed since the last change or frame.
+constexpr std::chrono::milliseconds quiet{150};
+// A superseded interactive frame is cancelled only if it has run for longer than this.
+constexpr std::chrono::milliseconds patience{500};
 constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // slower frames are logged
-constexpr unsigned most_ways_given = 3;                        // how often a still gives way before it must be finished
+constexpr unsigned most_ways_given = 3;                        // a still picture gives way at most this many times
 
 } // namespace
 
@@ -40,7 +42,7 @@ void View::again() {
     mailbox_.put(newest_);
     still_wanted_ = nullptr;
     content_.clear();
-    parts_.clear(); // all arrays are sent again, in case the client has lost some
+    parts_.clear(); // all arrays are sent again, because the client may have lost some
     if (working_) stop_.request_stop();
     schedule();
 }
@@ -64,7 +66,7 @@ void View::acknowledge(std::uint32_t frame) {
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     held_ = frame;
     parts_.erase(parts_.begin(), parts_.lower_bound(frame));
-    quiet_until_ = Clock::now() + quiet; // the user may react to the frame that is shown now
+    quiet_until_ = Clock::now() + quiet; // restarts the pause, because the user may react to the frame
     schedule();
 }
 
@@ -159,7 +161,8 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     }
     gave_up_ = false;
     gave_way_ = 0;
-    // Restarts the pause: otherwise a still would follow a slow frame at once and delay the next interactive frame.
+    // Restarts the pause. Otherwise a still picture would follow a slow frame at once and delay the next interactive
+    // frame.
     quiet_until_ = Clock::now() + quiet;
     finish();
     lock.unlock();
@@ -219,7 +222,7 @@ void View::give_way() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
     ++gave_way_;
-    quiet_until_ = Clock::now(); // the still is due now: its time in the queue counts from here
+    quiet_until_ = Clock::now(); // the still picture is due at once, and its waiting time starts now
     finish();
 }
 
@@ -253,7 +256,7 @@ bool View::shows(const frames::ContentKey& key, double grid) {
 }
 
 std::optional<double> View::grid_of_new(frames::ContentKey key, double needed) {
-    constexpr double much_finer = 16; // a grid finer than needed by this factor wastes bytes
+    constexpr double much_finer = 16; // a grid that is finer by more than this factor wastes bytes
     const std::scoped_lock lock(mutex_);
     const bool is_new = key != content_;
     const bool fine_enough = grid_ > 0 && grid_ <= needed && (!is_new || much_finer * grid_ >= needed);

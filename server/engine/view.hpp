@@ -1,4 +1,4 @@
-// A view: the stream of frames of one session to one connection. Decides which scene is drawn next, and when.
+// A View sends the frames of one session to one connection. It decides which scene is drawn next, and when.
 #pragma once
 
 #include "engine/open_session.hpp"
@@ -17,7 +17,7 @@
 namespace ciel::engine {
 
 enum class Stream { image, geometry };
-using wire::MovingCodec; // codec of interactive pictures; a still is always a PNG
+using wire::MovingCodec; // codec of interactive pictures; a still picture is always a PNG
 
 // A frame that a worker is asked to make.
 struct FrameRequest {
@@ -25,16 +25,16 @@ struct FrameRequest {
     geometry::ViewSize size;
     Stream stream = Stream::image;
     bool still = false;
-    bool gives_way = false;                // a still that lets frames of other views go first if it takes long
-    double scale = 1;                      // side of an interactive picture as a fraction of the view's side
-    wire::PictureStream* moving = nullptr; // encoder of the view's interactive pictures; else null
+    bool gives_way = false; // whether a still picture that takes long lets frames of other views go first
+    double scale = 1;       // side of an interactive picture as a fraction of the view's side
+    wire::PictureStream* moving = nullptr; // encoder of interactive pictures; null for other frames
     wire::HeldArrays held;                 // arrays that the client has; geometry stream only
     std::stop_token stop;
     Clock::time_point started;
 };
 
 // A View is thread-safe. The newest scene waits in a mailbox until a worker is free and the window has room for one
-// more frame in flight. When no newer scene has come for a moment, the shown picture is followed by its still.
+// more frame in flight. If no newer scene comes for a short time, a still picture of the same scene follows.
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
@@ -48,39 +48,42 @@ public:
     void resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio); // absent: unchanged
     void set_stream(Stream stream, std::optional<wire::MovingCodec> moving);                   // absent: unchanged
     void acknowledge(std::uint32_t frame); // acknowledges earlier frames, too
-    void look_again();                     // the connection has room again
+    void look_again();                     // call this when the connection has room again
     void close();
 
-    // For the frame loop. If take() returns a request, exactly one call of deliver, give_up, give_way or fail must
-    // follow.
+    // The functions from here to fail() are for the frame loop. take() returns a request if a frame is due. Then
+    // exactly one call of deliver, give_up, give_way or fail must follow.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Call before deliver. Notifies the client of what the frame lacks, if that differs from the previous frame.
-    // `drawn`: what the renderer could not draw. It is absent for an interactive picture; the list of the last still is
-    // then kept, because the notice would otherwise flicker.
+    // Call this before deliver(). Notifies the client of the parts of the scene that the frame lacks, if they differ
+    // from the previous frame. `drawn`: remarks of the renderer on parts that it could not draw. `drawn` is absent for
+    // an interactive picture. The remarks on the last still picture are then kept, because the notice would flicker
+    // otherwise.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const geometry::Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // Sends `messages` in order with the frame number in their headers; empty if nothing new is to be seen. `parts`:
-    // ids of the arrays that the client has when it acknowledges the frame; geometry stream only. If the connection has
-    // no room, the frame is dropped and made again when there is room. Throws LimitReached beyond the server's memory.
+    // Sends `messages` in order, with the frame number in the header of each message. `messages` is empty if the client
+    // already has the content. `parts`: ids of the arrays that the client has when it acknowledges the frame; only for
+    // the geometry stream. If the connection has no room, the frame is dropped, and made again when there is room.
+    // Throws LimitReached if the frame is larger than the room in the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
                  const FrameTimes& times);
-    void give_up();  // the frame was superseded, or the view is closed
-    void give_way(); // the still let other views go first; it is taken again later
+    void give_up();  // cancelled: the frame was superseded, or the view is closed
+    void give_way(); // the still picture let other views go first; take() returns it again later
     void fail(const FrameRequest& request, const std::string& sentence);
 
     // Returns whether the last geometry frame had this content, on a grid as fine as `grid` or finer.
     [[nodiscard]] bool shows(const frames::ContentKey& key, double grid);
-    // Returns the grid step on which to send this content, or nothing if the client has it on a grid that is fine
-    // enough. Remembers the content and the step as those of the last geometry frame.
+    // Returns the grid step with which to send this content. Returns nothing if the client has the content on a grid
+    // that is fine enough. Stores the content and the grid step of the geometry frame.
     [[nodiscard]] std::optional<double> grid_of_new(frames::ContentKey key, double needed);
 
 private:
-    void again();  // shows the same scene after a new size or stream; requires mutex_ to be held
+    void again();  // makes frames of the same scene again; requires mutex_ to be held
     void finish(); // requires mutex_ to be held
     // Returns the encoder of the next interactive picture. Requires mutex_ to be held and no frame in progress.
     [[nodiscard]] wire::PictureStream& pictures_now();
     void schedule();
-    // Returns whether window and connection have room for one more frame of the last frame's size.
+    // Returns whether the window and the connection have room for one more frame with the size in bytes of the last
+    // frame.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
     void make_again_later(const FrameRequest& request); // requires mutex_ to be held
 
@@ -100,26 +103,26 @@ private:
         wire::MovingCodec codec{};
         int quality = 0;
         std::unique_ptr<wire::PictureStream> stream; // null before the first interactive picture
-    } pictures_;                                     // used by the worker whose take() returned a request
+    } pictures_;                                     // used only by the worker whose take() returned a request
     frames::Mailbox<std::shared_ptr<const sessions::SceneVersion>> mailbox_;
     std::shared_ptr<const sessions::SceneVersion> newest_;       // version of the last offer()
-    std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown version that has no still yet
+    std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown version that has no still picture yet
     std::stop_source stop_;                                      // cancels the frame in progress
     Clock::time_point started_, quiet_until_;
     bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
-    // Whether the last interactive frame was cancelled. The next one is then finished: otherwise nothing would be shown
-    // during a steady drag.
+    // Whether the last interactive frame was cancelled. The next interactive frame is then finished, because otherwise
+    // nothing would be shown during a steady drag.
     bool gave_up_ = false;
-    unsigned gave_way_ = 0; // how often the wanted still has given way
+    unsigned gave_way_ = 0; // how often the wanted still picture has given way
     std::uint32_t sent_ = 0;
-    std::size_t frame_bytes_ = 0; // of the last frame
+    std::size_t frame_bytes_ = 0; // of the last frame's messages
     frames::ContentKey content_;
     double grid_ = 0;                                  // grid step of content_; 0 before the first geometry frame
     std::uint32_t held_ = 0;                           // last acknowledged frame
-    std::map<std::uint32_t, wire::ArrayIds> parts_;    // arrays by frame, from the acknowledged frame on
-    std::vector<std::string> lacking_, drawn_lacking_; // of the last frame, and of the last still
+    std::map<std::uint32_t, wire::ArrayIds> parts_;    // ids of the arrays by frame, from frame held_ on
+    std::vector<std::string> lacking_, drawn_lacking_; // remarks on the last frame; on the last still picture
     std::vector<geometry::EmptyLayer> empty_;          // of the last frame
-    std::vector<std::string> missing_;                 // layers of the last frame that have places without a value
+    std::vector<std::string> missing_;                 // layers of the last frame with values that are not finite
 };
 
 } // namespace ciel::engine

@@ -18,7 +18,7 @@
 namespace ciel::fonts {
 namespace {
 
-constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hinted vertically only: letters keep their shapes
+constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hints only vertically, so that letters keep their shapes
 constexpr double halo_share = 0.09;                   // width of the halo around a letter, in ems
 constexpr unsigned face_shift = 24;                   // PlacedGlyph::glyph is (face << face_shift) | glyph in the face
 constexpr std::uint32_t glyph_mask = (1U << face_shift) - 1;
@@ -29,7 +29,6 @@ struct GlyphDeleter {
 };
 using OwnedGlyph = std::unique_ptr<FT_GlyphRec_, GlyphDeleter>;
 
-// Returns the bitmap of a glyph's outline.
 OwnedGlyph bitmap_of(OwnedGlyph outline, FreeType& library, const std::filesystem::path& file) {
     FT_Glyph glyph = outline.release();
     const FT_Error error = FT_Glyph_To_Bitmap(&glyph, FT_RENDER_MODE_NORMAL, nullptr, 1);
@@ -60,14 +59,14 @@ struct Font::State {
         std::filesystem::path file;
         int index = 0; // index of the face in the file
         FT_Face face = nullptr;
-        int pixels = 0; // size that the face is set to, in pixels per em
+        int pixels = 0; // current size of the face, in pixels per em
     };
     std::vector<Face> faces; // the font, then fallback fonts
     struct Character {
-        std::uint32_t glyph = 0; // as PlacedGlyph::glyph
+        std::uint32_t glyph = 0; // the same number as in PlacedGlyph::glyph
         double advance = 0;      // in ems
     };
-    std::unordered_map<char32_t, Character> characters; // cache: a look-up in the file costs microseconds
+    std::unordered_map<char32_t, Character> characters; // cache, because a look-up in the file takes microseconds
     std::map<int, annotations::FontMetrics> metrics;
 
     explicit State(const std::filesystem::path& file) {
@@ -78,15 +77,15 @@ struct Font::State {
         library.check(FT_Stroker_New(library.library(), &stroker), "outline its glyphs", file);
     }
     // Appends the face of a font file to `faces`. Returns false if the file is not a readable font. Throws
-    // std::bad_alloc.
+    // std::bad_alloc if memory is exhausted.
     bool open(const std::filesystem::path& file, int index) {
         const FT_Face face = library.open(file, index);
         if (face == nullptr) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
-    // Returns the index of a face that has the character, and its glyph in that face. Returns {0, 0}, the box that the
-    // font shows for missing characters, if no face has it.
+    // Returns the index of a face that has the character, and the index of the glyph in this face. If no face has the
+    // character, returns {0, 0}: the box that the font shows for missing characters.
     std::pair<std::size_t, FT_UInt> find(char32_t character) {
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};
@@ -137,7 +136,7 @@ annotations::FontMetrics Font::metrics(int pixels) {
 Line Font::shape(std::string_view utf8, int pixels) {
     State& state = opened();
     Line line;
-    double pen = 0; // in ems; rounding it after each glyph would spoil the spacing
+    double pen = 0; // in ems; not rounded, because rounding after each glyph would spoil the spacing
     std::uint32_t before = 0;
     for (const char32_t character : decode_utf8(utf8)) {
         auto known = state.characters.find(character);
@@ -179,7 +178,7 @@ GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
                    FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
     FT_Glyph stroked = loaded;
     state.library.check(FT_Glyph_StrokeBorder(&stroked, state.stroker, 0, 0), "outline a glyph",
-                        file); // last argument 0: does not destroy `loaded`
+                        file); // last argument 0: keeps `loaded`
     const OwnedGlyph halo = bitmap_of(OwnedGlyph(stroked), state.library, file);
     letter = bitmap_of(std::move(letter), state.library, file);
     const auto& around = *reinterpret_cast<FT_BitmapGlyph>(halo.get());

@@ -10,39 +10,40 @@
 #include <string_view>
 #include <vector>
 
-struct FT_FaceRec_; // FreeType's
+struct FT_FaceRec_; // FreeType's type of a font face
 
 namespace ciel::fonts {
 
 struct PlacedGlyph {
     std::uint32_t glyph = 0; // for Font::draw; 0 is the box for a character that no font has
-    int x = 0;               // pixels from the start of the text
+    int x = 0;               // position in pixels from the start of the text
 };
 struct Line {
     std::vector<PlacedGlyph> glyphs;
     int width = 0; // pixels
 };
 struct GlyphImage {
-    int left = 0, top = 0;     // upper left corner: pixels right of the pen, pixels above the baseline
+    int left = 0, top = 0;     // upper left corner, in pixels right of the pen and pixels above the baseline
     int width = 0, height = 0; // pixels
-    // Two bytes per pixel: coverage of the letter, coverage of the letter with its halo. Rows from the top.
+    // Two bytes per pixel: the coverage of the letter, then the coverage of the letter with its halo. The top row comes
+    // first.
     std::vector<std::uint8_t> coverage;
 };
 
-// A font, with installed fallback fonts for characters that it lacks. Not thread-safe. Sizes are in pixels per em.
-// `metrics` describes the font itself, not its fallback fonts.
+// A font, with installed fallback fonts for characters that the font lacks. Not thread-safe. Sizes are in pixels per
+// em. `metrics` describes the font itself, not its fallback fonts.
 class Font final : public annotations::TextMeasure {
 public:
-    // `file` is opened by the first call of another member function. If it cannot be read, every call throws Error that
-    // names the package to install.
+    // The first call of another member function opens `file`. If `file` cannot be read, every call throws Error. The
+    // text names the package to install.
     explicit Font(std::filesystem::path file = default_file());
     ~Font() override;
     Font(Font&&) noexcept;
 
     [[nodiscard]] annotations::FontMetrics metrics(int pixels) override;
     [[nodiscard]] int width(std::string_view utf8, int pixels) override { return shape(utf8, pixels).width; }
-    // Places glyphs left to right with kerning, each on a whole pixel. Scripts that join or reorder letters are not
-    // shaped. Malformed UTF-8 becomes U+FFFD, control characters become spaces.
+    // Places glyphs from left to right with kerning, each at a whole pixel. Does not support scripts that join or
+    // reorder letters. Malformed UTF-8 becomes U+FFFD, and control characters become spaces.
     [[nodiscard]] Line shape(std::string_view utf8, int pixels);
     [[nodiscard]] GlyphImage draw(std::uint32_t glyph, int pixels);
 
@@ -56,6 +57,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-[[nodiscard]] std::u32string decode_utf8(std::string_view text); // malformed sequences as U+FFFD (Unicode 15, 3.9)
+// Malformed sequences become U+FFFD (Unicode 15, 3.9).
+[[nodiscard]] std::u32string decode_utf8(std::string_view text);
 
 } // namespace ciel::fonts

@@ -52,7 +52,7 @@ void FreeType::throw_if_out_of_memory() {
     if (std::exchange(ran_out_, false)) throw std::bad_alloc();
 }
 
-// Maps the file here because FreeType's stream hides why a mapping failed.
+// Maps the file without FreeType's stream, because the stream hides why a mapping failed.
 FreeType::Mapping FreeType::map(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return {};

@@ -1,5 +1,6 @@
 // FreeType: an FT_Library whose allocator records failed allocations. FreeType itself reports a failed allocation as an
-// arbitrary error, such as a damaged font, and a file that cannot be mapped as an unknown format. One thread at a time.
+// arbitrary error, for example as a damaged font. It reports a file that cannot be mapped as a file of unknown format.
+// Not thread-safe.
 #pragma once
 
 #include <filesystem>
@@ -20,11 +21,11 @@ public:
 
     [[nodiscard]] FT_Library library() const { return library_; }
 
-    // Opens a face of a font file; this object owns it. Returns null if FreeType cannot read the file as a font. Throws
-    // std::bad_alloc.
+    // Opens a face of a font file. This object owns the face. Returns null if FreeType cannot read the file as a font.
+    // Throws std::bad_alloc if memory is exhausted.
     [[nodiscard]] FT_Face open(const std::filesystem::path& file, int index);
-    // If `error` is not 0, throws ciel::Error that names the file and `what`, the action that failed, or std::bad_alloc
-    // if memory was the reason.
+    // Does nothing if `error` is 0. Otherwise throws std::bad_alloc if an allocation failed, else ciel::Error with the
+    // name of the file and the failed action `what`.
     void check(FT_Error error, const char* what, const std::filesystem::path& file);
 
 private:

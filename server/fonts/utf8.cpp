@@ -9,8 +9,8 @@ constexpr char32_t replacement = 0xFFFD;
 
 struct Lead {
     int following = 0;           // number of bytes that must follow the lead byte
-    char32_t bits = replacement; // the lead byte's bits of the code point; U+FFFD if the byte cannot begin a character
-    // Range of the next byte. It excludes overlong forms, surrogates and values above U+10FFFF.
+    char32_t bits = replacement; // bits of the code point in the lead byte; U+FFFD if the byte cannot begin a character
+    // Valid range of the next byte. It excludes overlong forms, surrogates and values above U+10FFFF.
     std::uint8_t low = 0x80, high = 0xBF;
 };
 

@@ -11,9 +11,9 @@ namespace ciel::frames {
 
 namespace {
 
-// Returns the quantization step of a layer's values: 1/16384 of the color range, which is invisible in 256 steps per
-// channel. Returns 0 (no quantization) for logarithmic scales, where values near zero would show it, and for a range
-// without width.
+// Returns the quantization step of a layer's values: 1/16384 of the color range. This step is invisible, because a
+// color channel has only 256 values. Returns 0 (no quantization) for a logarithmic scale, because the step would be
+// visible near zero. Also returns 0 for a range of zero or infinite width.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
     const double width = scale.range[1] - scale.range[0];
@@ -27,7 +27,8 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    // Rounding moves the points of a cap off its plane by up to the grid step. So each plane keeps one grid step more.
+    // Rounding moves the points of a cap away from the clip plane by up to one grid step. Therefore each plane is
+    // shifted by one grid step, so that the cap is not clipped.
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {

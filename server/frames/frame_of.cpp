@@ -44,7 +44,7 @@ render::Volume volume_of(const geometry::VolumeDrawable& drawable, const render:
     volume.first = drawable.slabs->first;
     volume.thickness = drawable.slabs->thickness;
     volume.stride = drawable.stride;
-    volume.scale = drawable.scale; // always linear, so an origin can be subtracted from values and ends
+    volume.scale = drawable.scale; // always linear, so that values and range may be relative to an origin
     for (double& end : volume.scale.range) end -= drawable.value_origin;
     volume.opacity_points = drawable.opacity_points;
     volume.unit_length = drawable.unit_length;

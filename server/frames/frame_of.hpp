@@ -1,4 +1,3 @@
-// Converts geometry to a render::Frame.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -7,9 +6,9 @@
 
 namespace ciel::frames {
 
-// Returns a frame without annotations that borrows from `geometry`. width, height: pixels. samples: per pixel. If the
-// scene has no camera, the default camera is as far away as the annotations need (annotations/make_room.hpp). Throws
-// Error when the font is not installed.
+// Returns a frame without annotations. The frame does not own its arrays; `geometry` must outlive the frame. `width`,
+// `height`: pixels. `samples`: samples per pixel. If the scene has no camera, the default camera is far enough away to
+// leave room for annotations (annotations/make_room.hpp). Throws Error if the font is not installed.
 [[nodiscard]] render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& scene, int width,
                                      int height, int samples);
 

@@ -8,15 +8,23 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr double tolerance = 0.03;    // seconds: jitter of a browser's animation frames and decoder
-constexpr double very_late = 0.2;     // seconds: longer than any jitter of a browser
-constexpr double queued = 0.1;        // seconds: five frames in a row that are later than this have waited in a queue
-constexpr unsigned late_in_a_row = 5; // late frames in a row that count: a queue delays all frames, a busy browser some
-constexpr double longest_route = 1;   // seconds; a frame that takes longer is large, so the window must not grow
-constexpr seconds soonest_lasts{10};  // age at which soonest_ is measured again: the route may have become longer
+// A frame is late if its acknowledgement is later than this, in seconds. The animation frames and the decoder of a
+// browser cause shorter delays.
+constexpr double tolerance = 0.03;
+// The window shrinks after a single frame that is later than this, in seconds. No browser delays a frame this much.
+constexpr double very_late = 0.2;
+// A frame that is later than this, in seconds, has waited in a queue of the line.
+constexpr double queued = 0.1;
+// The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
+constexpr unsigned late_in_a_row = 5;
+// The window does not grow if a frame takes longer than this, in seconds, because such a frame is large.
+constexpr double longest_route = 1;
+// At this age soonest_ is measured again, because the route to the client may have become longer.
+constexpr seconds soonest_lasts{10};
 constexpr seconds rate_lasts{30};
-constexpr seconds best_lasts{2}; // period of Highest: a rate counts for 2 to 4 seconds
-constexpr double full = 0.9;     // fraction of the best rate: a late frame at a lower rate was not delayed by the line
+constexpr seconds best_lasts{2}; // period of Highest, so that a rate is used for 2 to 4 seconds
+// If the rate is below this fraction of the best rate, a late frame was not delayed by the line.
+constexpr double full = 0.9;
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -28,8 +36,8 @@ void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time 
         return;
     }
     const bool is_behind_still =
-        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // the still is not acknowledged yet
-    // Acknowledgements come in bursts, so frames sent since the last one may have arrived already.
+        !on_the_way_.empty() && newest_still_ >= on_the_way_.front().number; // a still picture is not acknowledged yet
+    // Acknowledgements come in bursts. Therefore frames that were sent since the last acknowledgement may have arrived.
     const Time since = on_the_way_.empty() ? now : std::max(on_the_way_.front().sent, last_acknowledged_);
     sent_bytes_ += bytes;
     last_bytes_ = bytes;
@@ -69,9 +77,10 @@ void FrameWindow::learn(const Frame& frame, Time now) {
     const double more_bytes = frame.bytes > soonest_bytes_ ? static_cast<double>(frame.bytes - soonest_bytes_) : 0;
     const double late = took - soonest_->value - (rate_ ? more_bytes / rate_->value : 0);
     const auto bytes = static_cast<double>(frame.bytes_on_the_way);
-    const bool is_old = held_back_ && now - best_since_ > best_lasts; // only a full window measures the line
+    // The line is measured only while the window is full.
+    const bool is_old = held_back_ && now - best_since_ > best_lasts;
     if (is_old) best_since_ = now;
-    delivered_.add(bytes / took, is_old); // by Little's law; too high if bytes have arrived unacknowledged
+    delivered_.add(bytes / took, is_old); // Little's law; too high if arrived bytes are not acknowledged yet
     const double carried = bytes / Seconds(now - frame.since).count();
     carried_.add(carried, is_old);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
@@ -87,15 +96,15 @@ void FrameWindow::Highest::add(double rate, bool begins) {
 }
 
 void FrameWindow::shrink(const Frame& frame, double carried, double late, Time now) {
-    if (now < may_shrink_) return; // frames sent before the last shrink are late as well
+    if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= queued) { // the line may not have been full: learns no rate
+    if (std::exchange(doubles_, false) && late <= queued) { // the line may not have been full
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
-    // A busy browser acknowledges late even with few bytes in flight. So the window stays large enough for the highest
-    // rate that the line has reached.
+    // A busy browser acknowledges late even with few bytes in flight. Therefore the window stays large enough for the
+    // highest rate that the line has reached.
     window_ = std::max(delivered_.value() * (soonest_->value + tolerance), bytes);
     if (carried >= full * carried_.value() && (!rate_ || carried >= rate_->value)) rate_ = {carried, now};
 }
@@ -104,7 +113,7 @@ void FrameWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;
-    else // one frame per round trip, or the bytes that the line carries in `tolerance` seconds if fewer
+    else // by one frame per round trip, but at most by the bytes that the line carries in `tolerance` seconds
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 

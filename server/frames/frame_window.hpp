@@ -1,7 +1,7 @@
-// Congestion window of a view: limits the bytes in flight so that the line is busy, but nothing queues in it. The
-// window grows while acknowledgements arrive as early as the earliest, and shrinks when they are late, as in TCP Vegas
-// (Brakmo and Peterson, 1995). It shrinks to the bytes delivered in a round trip (BBR: Cardwell et al., ACM Queue
-// 14(5), 2016).
+// Congestion window of a view. It limits the bytes in flight, so that the line is busy but has no queue. As in TCP
+// Vegas (Brakmo and Peterson, 1995), the window grows while acknowledgements come as early as the earliest
+// acknowledgement so far, and shrinks when acknowledgements are late. As in BBR (Cardwell et al., ACM Queue 14(5),
+// 2016), it shrinks to the bytes that the line delivers in a round trip.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,19 @@ public:
     using Time = std::chrono::steady_clock::time_point;
     using Seconds = std::chrono::duration<double>;
 
-    // `unknown_line`: frames that may be in flight before the first acknowledgement.
+    // `unknown_line`: number of frames that may be in flight before the first acknowledgement.
     explicit FrameWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Notes that a frame was sent. Frame numbers must ascend. A still takes no room, because a newer frame replaces its
-    // unsent rest. Frames sent behind an unacknowledged still do not measure the line: the still delays them.
+    // Reports that a frame was sent. Frame numbers must ascend. A still picture takes no room in the window, because a
+    // newer frame replaces the part of the still picture that is not sent yet. Frames after an unacknowledged still
+    // picture do not measure the line, because the still picture delays them.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
-    // Acknowledges a frame and all before it. Returns true if any of them was in flight.
+    // Acknowledges a frame and all earlier frames. Returns true if at least one of them was in flight.
     bool acknowledged(std::uint32_t frame, Time now);
 
-    // Returns whether one more frame of the last frame's size fits.
+    // Returns whether the window has room for one more frame with the size in bytes of the last frame.
     [[nodiscard]] bool has_room() const;
-    // Notes that a due frame waited for room. If no frame waits, the window is wide enough and does not grow.
+    // Reports that a due frame waited for room. If no frame waits, the window is large enough and does not grow.
     void held_back() { held_back_ = true; }
 
     [[nodiscard]] std::size_t frames_on_the_way() const { return on_the_way_.size(); }
@@ -40,19 +41,20 @@ private:
     struct Frame {
         std::uint32_t number;
         std::size_t bytes;
-        bool measures; // false for a still and for frames behind one
+        bool measures; // false for a still picture and for frames after an unacknowledged still picture
         Time sent;
         Time since;                   // approximate time from which the line carries `bytes_on_the_way`
-        std::size_t bytes_on_the_way; // in flight when this frame was sent, its own bytes included
+        std::size_t bytes_on_the_way; // in flight just after this frame was sent
     };
     struct Known {
         double value;
         Time at;
     };
 
-    struct Highest { // rate of this period and of the one before, bytes per second
+    // Highest rate of the current period and of the previous period, in bytes per second.
+    struct Highest {
         double current = 0, before = 0;
-        void add(double rate, bool begins); // `begins`: a period begins with this rate
+        void add(double rate, bool begins); // `begins`: whether a new period begins with this rate
         [[nodiscard]] double value() const { return current > before ? current : before; }
     };
 
@@ -65,10 +67,10 @@ private:
     std::uint32_t newest_still_ = 0;
     std::size_t sent_bytes_ = 0, delivered_bytes_ = 0, last_bytes_ = 0;
     Time last_acknowledged_{};
-    std::optional<Known> soonest_; // shortest time to an acknowledgement, in seconds
+    std::optional<Known> soonest_; // shortest time from a frame to its acknowledgement, in seconds
     std::size_t soonest_bytes_ = 0;
     std::optional<Known> rate_;
-    Highest delivered_; // bytes in flight per round trip: an upper estimate, so that the window is never too small
+    Highest delivered_; // bytes in flight per round trip; an upper estimate, so that the window is never too small
     Highest carried_;   // rate of the line
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement

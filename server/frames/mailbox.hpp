@@ -1,4 +1,4 @@
-// A slot for one value. A newer value replaces one that was not taken.
+// A slot for one value. A newer value replaces a value that was not taken.
 #pragma once
 
 #include <optional>

@@ -33,8 +33,8 @@ const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
     render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
-    // A smaller interactive picture uses the default camera of the still. That camera depends on the room for
-    // annotations, and so on the size of the picture.
+    // A smaller interactive picture uses the default camera of the still picture. This camera depends on the room for
+    // annotations, and therefore on the size of the picture.
     if (!scene.camera && scale < 1)
         frame.camera =
             geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
@@ -56,7 +56,7 @@ std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const re
     std::vector<std::string> remarks = geometry.lacking;
     remarks.insert(remarks.end(), geometry.remarks.begin(), geometry.remarks.end());
     for (const geometry::EmptyLayer& empty : geometry.empty) {
-        if (empty.why == geometry::EmptyLayer::Why::missing) continue; // named in `lacking`
+        if (empty.why == geometry::EmptyLayer::Why::missing) continue; // already in `lacking`
         remarks.push_back("layer " + empty.layer + " shows nothing. " + empty.reason);
     }
     remarks.insert(remarks.end(), renderer.remarks().begin(), renderer.remarks().end());

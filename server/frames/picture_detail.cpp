@@ -8,16 +8,17 @@ namespace {
 
 struct Level {
     PictureDetail::Detail detail;
-    double bytes; // relative to the finest level, approximately
+    double bytes; // approximate size of a picture, relative to the finest level
 };
 constexpr Level jpeg_levels[]{{{80, 1}, 1},      {{60, 1}, 0.68},    {{40, 1}, 0.5},    {{40, 0.7}, 0.28},
                               {{40, 0.5}, 0.16}, {{40, 0.35}, 0.09}, {{40, 0.25}, 0.05}};
 constexpr Level png_levels[]{{{80, 1}, 1}, {{80, 0.7}, 0.55}, {{80, 0.5}, 0.3}, {{80, 0.35}, 0.17}, {{80, 0.25}, 0.09}};
 
-constexpr double fast_enough = 1.0 / 30; // seconds per picture: a higher rate is not worth less detail
-// Fractions of the bytes that the line carries until the next picture. A picture above `most` makes later pictures
-// wait, so the detail becomes coarser. The detail becomes finer only if the finer picture would stay below `margin`.
-// The gap between the two covers the error of Level::bytes: otherwise the detail would alternate between two levels.
+constexpr double fast_enough = 1.0 / 30; // seconds per picture; a higher rate does not justify less detail
+// Fractions of the bytes that the line carries until the next picture. A picture larger than `most` delays later
+// pictures, and the detail becomes coarser. The detail becomes finer only if the finer picture would be smaller than
+// `margin`. `margin` is less than `most`, because Level::bytes is approximate. Otherwise the detail would alternate
+// between two levels.
 constexpr double most = 0.9, margin = 0.75;
 constexpr unsigned before_coarser = 2, before_finer = 8;
 

@@ -13,8 +13,9 @@ namespace ciel::frames {
 namespace {
 
 constexpr double of_a_pixel = 0.25;
-constexpr double of_a_height = 1.0 / 32;     // of a triangle: rounding tilts it by 1 degree on average
-constexpr double nearest_of_farthest = 1e-4; // least depth of a visible point, as in the renderer
+// Grid step as a fraction of a triangle's height. Rounding to this step tilts the triangle by 1 degree on average.
+constexpr double of_a_height = 1.0 / 32;
+constexpr double nearest_of_farthest = 1e-4; // least visible depth as a fraction of the largest, as in the renderer
 constexpr std::size_t sampled_triangles = 4096;
 constexpr double small_heights = 0.1; // quantile of the triangle heights that limits the step
 
@@ -27,7 +28,7 @@ Vec3d position(const Surface& surface, Index vertex) {
     return {p[0], p[1], p[2]};
 }
 
-// View frustum of a perspective camera. `eye_` is an offset from the geometry's origin.
+// View frustum of a perspective camera. `eye_`: camera position relative to the geometry's origin.
 class Frustum {
 public:
     Frustum(const geometry::Geometry& geometry, const annotations::Camera& camera, const geometry::ViewSize& size)
@@ -49,28 +50,28 @@ public:
     }
 
     [[nodiscard]] double nearest() const { return nearest_; }
-    // Returns the depth of the nearest corner of the bounds; below 0 behind the eye.
+    // Returns the depth of the nearest corner of the bounds. It is negative if this corner is behind the camera.
     [[nodiscard]] double nearest_corner() const { return nearest_corner_; }
 
-    // Returns a position in the camera's axes: (to the right, up, depth).
+    // Returns the coordinates of a point in the axes of the camera: right, up, forward (depth).
     [[nodiscard]] Vec3d place(const Vec3f& p) const {
         const Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
         return {dot(right_, at), dot(up_, at), dot(forward_, at)};
     }
-    // Returns for each side of the frustum (right, left, top, bottom, near) a number that is negative if the point is
-    // outside.
+    // Returns a number for each side of the frustum: right, left, top, bottom, near. The number is negative if the
+    // point is outside of this side.
     [[nodiscard]] std::array<double, 5> inside(const Vec3d& at) const {
         const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
         return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
     }
-    // Returns a bit mask of the sides of the frustum that have the point outside.
+    // Returns a bit mask of the sides of the frustum for which the point is outside.
     [[nodiscard]] std::uint8_t outside(const Vec3d& at) const {
         unsigned bits = 0;
         const auto distances = inside(at);
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // Returns the least depth of the visible part of a convex polygon or line; infinite if nothing is visible.
+    // Returns the least depth of the visible part of a convex polygon or line, or infinity if nothing is visible.
     // Overwrites both arguments.
     [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
@@ -90,7 +91,7 @@ private:
 
 std::size_t corners_of(const geometry::Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
 
-// Returns the least depth of the visible part of the drawable; infinite if there is none.
+// Returns the least depth of the visible part of the drawable, or infinity if nothing is visible.
 double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum) {
     std::vector<Vec3d> places;
     std::vector<std::uint8_t> outside;
@@ -118,8 +119,8 @@ double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum)
     return nearest;
 }
 
-// Returns the small_heights quantile of the heights of triangles that are lit without normals: the least one of all
-// drawables, infinite if there are no such triangles.
+// Computes the small_heights quantile of the triangle heights of each drawable that is lit without normals. Returns the
+// least of these quantiles, or infinity if there are no such triangles.
 double flat_height(const geometry::Geometry& geometry) {
     double least = INFINITY;
     for (const geometry::Drawable& drawable : geometry.drawables) {
@@ -152,15 +153,15 @@ double largest_offset(const geometry::Geometry& geometry) {
     return largest;
 }
 
-// Returns the distance from the origin at which the grid need not be finer than floats: that of the camera's position
-// or target, whichever is farther, but at most that of the bounds.
+// Returns the distance from the origin at which the grid need not be finer than the resolution of floats. It is the
+// larger of the distances of the camera's position and target, but at most the distance of the bounds.
 double looked_at(const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double nearest = std::max(length(camera.position - geometry.origin), length(camera.target - geometry.origin));
     return std::min(nearest, largest_offset(geometry));
 }
 
-// Returns the largest grid step up to `wanted`, but none that is finer than floats or makes a coordinate longer than 30
-// bits.
+// Returns the largest grid step that is at most `wanted`. Returns a larger step if this step would be finer than the
+// resolution of floats, or if a coordinate in steps would be longer than 30 bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));

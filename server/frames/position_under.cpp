@@ -25,7 +25,7 @@ std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const sc
     const double whole = length(geometry.bounds_max - geometry.bounds_min);
     const double seen = std::min(whole, camera.parallel ? camera.parallel_height : length(sight));
     // Steps relative to the visible extent come first, because cells of a boundary layer are thin. Then come steps
-    // relative to the bounds, as large as the error of the depth.
+    // relative to the bounds, which are as large as the error of the depth.
     for (const double reach : {seen, whole})
         for (const double share : {1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3}) {
             const Vec3d moved = hit + share * reach / length(sight) * sight;

@@ -1,5 +1,5 @@
-// Size of interactive pictures: that of the view, but at most 1280 x 720 pixels. If drawing takes more than 0.3 s (for
-// example volumes or many transparent parts in software), pictures are half or a quarter as wide.
+// Size of interactive pictures: the size of the view, but at most 1280 x 720 pixels. If drawing takes more than 0.3 s
+// (for example volumes or many transparent parts in software), width and height are divided by 2 or 4.
 #pragma once
 
 #include "geometry/view_size.hpp"
@@ -15,7 +15,7 @@ public:
     void took(geometry::ViewSize view, double milliseconds);
 
 private:
-    int halvings_ = 0, slow_ = 0; // slow_: slow pictures in a row; one alone may only have waited for shaders
+    int halvings_ = 0, slow_ = 0; // slow_: slow pictures in a row; a single picture may have waited for shaders
 };
 
 } // namespace ciel::frames

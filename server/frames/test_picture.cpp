@@ -6,7 +6,7 @@ namespace ciel::frames {
 namespace {
 
 constexpr int size = 32;
-constexpr std::array<int, 3> orange{255, 128, 0}; // unlit, so the pixels must have exactly this color
+constexpr std::array<int, 3> orange{255, 128, 0}; // drawn without lighting, so that the pixels have this color
 
 bool close(const std::uint8_t* pixel, const std::array<int, 3>& color) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -50,7 +50,7 @@ Readiness draw_test_picture(render::Renderer& renderer) {
             readiness.gl_renderer + " drew a test picture with wrong pixels; choose another back end with --gl";
         return readiness;
     }
-    frame.width = 1280; // the size of a usual still, for the memory check
+    frame.width = 1280; // size of a usual still picture, for the memory check
     frame.height = 720;
     frame.samples = 4;
     try {

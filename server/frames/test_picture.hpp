@@ -1,4 +1,4 @@
-// The test picture of /readyz: checks that this machine draws, and draws correctly.
+// The test picture of /readyz. It checks that this machine draws correct pixels.
 #pragma once
 
 #include "render/renderer.hpp"
@@ -13,8 +13,8 @@ struct Readiness {
     std::string problem{}; // a sentence; empty when ready
 };
 
-// Draws a triangle and checks its pixels. Then checks that the memory suffices for a usual still. Throws Error if
-// drawing fails.
+// Draws a triangle and checks its pixels. Then checks that the memory is enough for a usual still picture. Throws Error
+// if drawing fails.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 

@@ -25,8 +25,8 @@ std::string_view without_port(std::string_view host) {
     return has_port ? host.substr(0, colon) : host;
 }
 
-// Returns whether a host name is an address in 127.0.0.0/8. DNS rebinding cannot produce such a Host header: the
-// browser sends the name of the attacking site.
+// Returns whether a host name is an address in 127.0.0.0/8. DNS rebinding cannot produce such a Host header, because
+// the browser sends the name of the attacking site.
 bool is_loopback_address(std::string_view name) {
     return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
 }

@@ -1,4 +1,5 @@
-// Access checks: Host header (DNS rebinding), Origin header (other sites' pages), token, user of the peer process.
+// Access checks: Host header (against DNS rebinding), Origin header (against pages of other sites), token, user of the
+// peer process.
 #pragma once
 
 #include "gateway/gateway.hpp"
@@ -12,25 +13,26 @@
 namespace ciel::gateway {
 
 struct AccessRules {
-    bool loopback = true; // the server is bound to loopback: Host must be a local name or in allowed_hosts
+    bool loopback = true; // if true, Host must be a local name or one of allowed_hosts
     std::vector<std::string> allowed_hosts;
-    std::vector<std::string> origins; // "https://example.org", in addition to the server's own
+    std::vector<std::string> origins; // such as "https://example.org"; the server's own origin is always allowed
     std::string token;
-    bool own_user_enters = false; // local processes of the server's user need no token
-    std::string cookie_name;      // contains the port: browsers share cookies between the ports of a host
+    bool own_user_enters = false; // whether local processes of the server's user need no token
+    std::string cookie_name;      // contains the port, because browsers share cookies between the ports of a host
     std::string cookie_path = "/";
 };
 
 // Returns whether the Host header is accepted. On loopback it must be localhost, a loopback address or one of
 // allowed_hosts, with any port. On other interfaces Host is checked only if allowed_hosts is not empty. A request
-// without Host passes: browsers always send the header.
+// without Host is accepted, because it cannot come from a browser: browsers always send Host.
 [[nodiscard]] bool host_allowed(const AccessRules& rules, std::string_view host);
 
-// Returns whether the Origin header is absent (scripts), is the server's own (same host and port as Host), or is in
-// rules.origins.
+// Returns whether the Origin header is absent (as in requests of scripts), is the server's own origin (same host and
+// port as Host), or is in rules.origins.
 [[nodiscard]] bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host);
 
-// Returns the token from Authorization: Bearer, ?token= or the cookie, in this order; empty if there is none.
+// Returns the token from `Authorization: Bearer`, else from `?token=`, else from the cookie. Returns an empty text if
+// the request has no token.
 [[nodiscard]] std::string presented_token(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // compares in constant time
 
@@ -45,17 +47,20 @@ enum class Claim { token, own_user, wrong_token, none };
 
 // Returns the value of a cookie in a Cookie header (RFC 6265); empty if absent.
 [[nodiscard]] std::string cookie_value(std::string_view header, std::string_view name);
-// Returns the Set-Cookie value for a browser that sent ?token=. `secure`: the proxy in front of the server uses TLS.
+// Returns the Set-Cookie value for a browser that sent ?token=. `secure`: whether the proxy in front of the server uses
+// TLS.
 [[nodiscard]] std::string token_cookie(const AccessRules& rules, bool secure);
 
-// offers_subprotocol returns whether Sec-WebSocket-Protocol, its lines joined by commas, offers "ciel.v1".
+// offers_subprotocol() returns whether the header Sec-WebSocket-Protocol offers "ciel.v1". `header`: all lines of the
+// header, joined by commas.
 inline constexpr std::string_view subprotocol = "ciel.v1";
 [[nodiscard]] bool offers_subprotocol(std::string_view header);
 
 // Returns whether Sec-WebSocket-Key is 16 bytes in base64 (RFC 6455, 4.2.1).
 [[nodiscard]] bool is_handshake_key(std::string_view header);
 
-// Throws Error unless the token has at least 8 characters, all valid without quoting in a URL, a header and a cookie.
+// Throws Error unless the token has at least 8 characters, and every character is valid without quoting in a URL, a
+// header and a cookie.
 void check_token_form(const std::string& token);
 
 } // namespace ciel::gateway

@@ -1,7 +1,7 @@
 // Asio and Beast headers that all files with sockets share.
 #pragma once
 
-#include <utility> // Boost 1.74's awaitable uses std::exchange and does not include it
+#include <utility> // awaitable.hpp of Boost 1.74 uses std::exchange and does not include <utility>
 
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/co_spawn.hpp>
@@ -22,7 +22,7 @@ namespace beast = boost::beast;
 using boost::system::error_code;
 
 // Runs `work` on a thread of `workers`, then resumes the coroutine on its own executor with the text that `work`
-// returned. JSON-RPC methods may take long, so they must not run on socket threads.
+// returned. JSON-RPC methods must not run on socket threads, because they may take long.
 template <typename Work>
 asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     auto task = [&work]() -> asio::awaitable<std::string> { co_return work(); };

@@ -91,7 +91,7 @@ void Connections::drain_all() {
         const std::lock_guard lock(mutex_);
         for (const auto& [id, entry] : entries_) drains.push_back(entry.hooks.drain);
     }
-    // Called without the lock, because drain may destroy the ticket, whose destructor locks mutex_.
+    // Called without the lock, because `drain` may destroy the ticket, and the destructor of the ticket locks mutex_.
     for (const auto& drain : drains) drain();
 }
 

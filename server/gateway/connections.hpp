@@ -12,41 +12,43 @@ namespace ciel::gateway {
 
 struct ConnectionRules {
     std::size_t most = 128;
-    // How many of `most` connections are kept for authorized ones (token or own user); at most half of `most`.
+    // This many of the `most` connections are reserved for authorized connections (with the token, or of the server's
+    // own user). At most half of `most` is reserved.
     std::size_t reserved = 32;
-    std::size_t of_address = 64; // most connections per counting_key(); connections with an empty key are not counted
-    std::size_t refused = 32;    // most refused connections that are open at once; further ones get no answer
+    std::size_t of_address = 64; // most connections with the same counting_key(); an empty key has no limit
+    std::size_t refused = 32;    // most refused connections open at once; further refused connections get no answer
 };
 
-// Callbacks of one connection, called from any thread. They must not block or call Connections: `cut` is called with
-// its mutex locked. Each can still be called once while the ticket is being destroyed, and `drain` shortly afterwards,
-// too.
+// Callbacks of one connection, called from any thread. They must not block. They must not call Connections, because
+// `cut` is called with the mutex of Connections locked. While the ticket is being destroyed, each callback may still be
+// called once. `drain` may also be called shortly afterwards.
 struct ConnectionHooks {
     std::function<void()> drain; // asks the connection to end soon
     std::function<void()> cut;   // closes the connection at once
 };
 
-// Connections is thread-safe. At a limit, Connections closes the oldest connection that counts for this limit, to make
-// room for a new one. It never closes a WebSocket or a connection in an authorized request. If only these are left, it
-// refuses the new connection.
+// Connections is thread-safe. At a limit, Connections closes the oldest connection that is counted for this limit, to
+// make room for a new connection. It never closes a WebSocket or a connection with an authorized request in progress.
+// If there are no other connections, it refuses the new connection.
 class Connections {
     struct Entry;
 
 public:
     explicit Connections(const ConnectionRules& rules = {}) : rules_(rules) {}
 
-    // Keeps its connection registered until the ticket is destroyed.
+    // The connection stays registered until its ticket is destroyed.
     class Ticket {
     public:
         ~Ticket();
         Ticket(const Ticket&) = delete;
         Ticket& operator=(const Ticket&) = delete;
 
-        [[nodiscard]] bool is_refused() const { return is_refused_; } // true: to be answered with 503 and closed
+        [[nodiscard]] bool is_refused() const { return is_refused_; } // if true, answer 503 and close
 
-        // Call when the head of a request is complete. `let_in`: the request is authorized, so the connection is not
-        // closed for another one. `key`: counting_key() of a client behind a proxy; if it is not empty, the connection
-        // counts for that client, too, until the request ends. Returns false if the client is at its limit.
+        // Call this when the head of a request is complete. `let_in`: whether the request is authorized; if so, the
+        // connection is not closed to make room for another connection. `key`: counting_key() of a client behind a
+        // proxy, else empty. If `key` is not empty, the connection is also counted for this client until the request
+        // ends. Returns false if the client is at its limit.
         [[nodiscard]] bool begin_request(bool let_in, const std::string& key);
         void end_request(); // for a WebSocket: call it when the WebSocket has closed
 
@@ -60,9 +62,10 @@ public:
         bool is_refused_;
     };
 
-    // Registers a connection. `key`: counting_key() of the peer. `needs_room`: file descriptors are short, so another
-    // connection must be closed. Returns null if the connection must be closed without an answer: it is refused, and
-    // either needs_room is set, or ConnectionRules::refused other refused connections are still open.
+    // Registers a connection. `key`: counting_key() of the peer. `needs_room`: whether another connection must be
+    // closed, because file descriptors are short. Returns null if the connection is refused and must be closed without
+    // an answer. This happens if `needs_room` is true, or if ConnectionRules::refused other refused connections are
+    // still open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
     [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet
@@ -75,12 +78,12 @@ private:
         std::string key;
         std::string request_key; // key of begin_request(); empty between requests
         bool is_refused = false, is_cut = false;
-        bool is_let_in = false; // the latest request was authorized
-        bool is_busy = false;   // is a WebSocket, or has an authorized request in progress
+        bool is_let_in = false; // whether the latest request was authorized
+        bool is_busy = false;   // whether it is a WebSocket or has an authorized request in progress
 
         [[nodiscard]] bool counts() const { return !is_refused && !is_cut; }
     };
-    using Entries = std::map<std::uint64_t, Entry>; // by ascending id: the oldest connection first
+    using Entries = std::map<std::uint64_t, Entry>; // by ascending id, so that the oldest connection is first
 
     // The functions below require mutex_ to be held.
     template <typename Predicate>

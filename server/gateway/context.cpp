@@ -10,8 +10,8 @@
 namespace ciel::gateway {
 namespace {
 
-// The soft limit of open files is raised to this number at most: some child programs close every descriptor up to the
-// limit, which takes long.
+// The soft limit of open files is raised to at most this number. A higher limit would slow down some child programs,
+// because they close every descriptor up to the limit.
 constexpr rlim_t enough_files = 65536;
 
 ConnectionRules rules_of(const limits::Limits& limits) {

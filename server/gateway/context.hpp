@@ -35,7 +35,7 @@ struct Context {
     logging::LogLimiter log_limiter;
     PeerOwners owners;
     asio::thread_pool probe_thread{1};             // answers /readyz and /metrics even while all workers are busy
-    std::atomic<std::uint64_t> guesses_waiting{0}; // answers to wrong tokens that are being delayed
+    std::atomic<std::uint64_t> guesses_waiting{0}; // number of delayed answers to wrong tokens
     std::atomic<bool> draining{false};
     std::atomic<std::uint64_t> next_connection_id{1};
 };

@@ -1,5 +1,5 @@
-// A time-out for reads that leaves the socket open, so that an answer can still be sent. The time-out of
-// beast::tcp_stream closes the socket.
+// A time-out for reads. Unlike the time-out of beast::tcp_stream, it leaves the socket open, so that an answer can
+// still be sent.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -25,7 +25,7 @@ public:
         armed_ = std::make_shared<bool>(true);
         timer_.expires_after(time);
         timer_.async_wait([this, armed = armed_](const error_code&) {
-            if (!*armed) return; // stop() was called while the expiry was queued
+            if (!*armed) return; // stop() was called while this handler was queued
             passed_ = true;
             stream_.cancel();
         });
@@ -40,7 +40,7 @@ public:
 private:
     beast::tcp_stream& stream_;
     asio::steady_timer timer_;
-    std::shared_ptr<bool> armed_; // shared with the timer of the latest start(); false after stop()
+    std::shared_ptr<bool> armed_; // shared with the handler of the latest start(); false after stop()
     bool passed_ = false;
 };
 

@@ -1,5 +1,5 @@
-// Checks Transfer-Encoding, which decides where the body of a request ends (RFC 9112, 6). If server and proxy disagreed
-// about the end, requests could be smuggled in a body.
+// Checks Transfer-Encoding, which defines the end of the body of a request (RFC 9112, 6). If server and proxy disagreed
+// about the end, a client could smuggle requests in a body.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,12 @@ namespace ciel::gateway {
 
 enum class Framing {
     readable,       // chunked is the only coding
-    malformed,      // chunked is repeated or not the last coding: the end of the body is unknown
+    malformed,      // chunked is repeated or not the last coding, so that the end of the body is unknown
     unknown_coding, // chunked after an unsupported coding
 };
 
 // Returns the framing of a request body. `transfer_encoding`: all Transfer-Encoding lines of the request, joined by
-// commas; there must be one.
+// commas. The request must have at least one such line.
 [[nodiscard]] Framing framing_of(std::string_view transfer_encoding);
 
 } // namespace ciel::gateway

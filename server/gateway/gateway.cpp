@@ -108,8 +108,8 @@ private:
         }
     }
 
-    // Ends the process without running destructors, because running calls still refer to the service. A commit of
-    // uploaded data that is cut off leaves its dataset as it was.
+    // Ends the process without running destructors, because running calls still refer to the service. If this
+    // interrupts a commit of uploaded data, the dataset stays unchanged.
     [[noreturn]] static void abandon() {
         spdlog::warn("the server stopped before all requests were answered");
         spdlog::shutdown();

@@ -1,4 +1,4 @@
-// Handlers of the routes in routes.cpp. POST /rpc has none: rpc_call.hpp answers it.
+// Handlers of the routes in routes.cpp. POST /rpc has no handler here, because rpc_call.hpp answers it.
 #pragma once
 
 #include "gateway/context.hpp"

@@ -18,8 +18,8 @@ namespace ciel::gateway {
     return text;
 }
 
-// Calls visit with each part of `text` between separators, trimmed, until visit returns true. Returns whether visit
-// returned true.
+// Splits `text` at the separators and calls visit(part) for each part, without white space around it, until visit
+// returns true. Returns whether a call of visit returned true.
 template <typename Visit>
 bool any_part(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {

@@ -1,4 +1,4 @@
-// HTTP requests and responses as plain data, without Beast. Routes use only these.
+// HTTP requests and responses as plain data, without Beast. Routes use only these types.
 #pragma once
 
 #include <chrono>
@@ -9,19 +9,19 @@
 namespace ciel::gateway {
 
 struct Request {
-    std::string method; // "GET"; HEAD is answered as GET without the body
+    std::string method; // such as "GET"; HEAD is answered like GET, but without the body
     std::string target; // as sent: "/rpc?token=..."
-    std::string host;   // the authority of an absolute-form target, else the header
+    std::string host;   // authority of an absolute-form target, else the Host header
     std::string origin, authorization, cookie, content_type, accept_encoding, if_none_match;
     std::string forwarded_for, forwarded_proto;
     std::string body;
     std::string user;    // for logs: name given by a trusted proxy, or the server's user if is_of_own_user; else empty
     std::string remote;  // address and port, for logs
-    std::string id;      // given by the server: in the log, in X-Request-Id and in errors of the request's calls
-    std::string address; // without the port
-    bool is_of_own_user = false; // the peer is a process of the server's user, on this machine
-    bool is_proxied = false;     // has a header that proxies add
-    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now(); // when its head was complete
+    std::string id;      // made by the server for the log, X-Request-Id and error answers
+    std::string address; // address without the port
+    bool is_of_own_user = false; // whether the peer is a process of the server's user on this machine
+    bool is_proxied = false;     // whether the request has a header that proxies add
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now(); // when the head was complete
 
     [[nodiscard]] double milliseconds() const { // since `begun`
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();

@@ -34,7 +34,7 @@ Request plain_request(const HttpRequest& message) {
     Request request;
     request.method = text_of(message.method_string());
     request.target = text_of(message.target());
-    const auto authority = authority_of(request.target); // of an absolute-form target; overrides Host (RFC 9112, 3.2.2)
+    const auto authority = authority_of(request.target); // of an absolute-form target; replaces Host (RFC 9112, 3.2.2)
     request.host = authority.empty() ? text_of(message[http::field::host]) : std::string(authority);
     request.origin = text_of(message[http::field::origin]);
     request.authorization = text_of(message[http::field::authorization]);
@@ -52,13 +52,14 @@ Request plain_request(const HttpRequest& message) {
 
 std::optional<Response> refused_bytes(const boost::system::error_code& error) {
     if (error == http::error::header_limit)
-        return sentence(431,
-                        "The header of the request exceeds the limit of this server; server.info names the limit.");
+        return sentence(
+            431, "The header of the request is too large; make it smaller (server.info has the limit header_bytes).");
     if (error == http::error::body_limit)
-        return sentence(413, "The body of the request exceeds the limit of this server; server.info names the limit.");
+        return sentence(
+            413, "The body of the request is too large; make it smaller (server.info has the limit message_bytes).");
     if (error == http::error::end_of_stream || error == http::error::partial_message) return std::nullopt;
     if (error.category() == http::make_error_code(http::error::bad_method).category())
-        return sentence(400, "The request is not valid HTTP/1.1: " + error.message() + ".");
+        return sentence(400, "The request is not valid HTTP/1.1: " + error.message() + "; correct the request.");
     return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// Converts Beast's requests to plain data, and refuses malformed ones before routing.
+// Converts Beast's requests to plain data, and refuses malformed requests before routing.
 #pragma once
 
 #include "gateway/http_message.hpp"
@@ -17,15 +17,15 @@ using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>
 // is_of_own_user.
 [[nodiscard]] Request plain_request(const HttpRequest& message);
 
-// Returns the response to a read or parse error, or nothing when the peer has gone.
+// Returns the response to a read or parse error, or nothing if the peer has closed the connection.
 [[nodiscard]] std::optional<Response> refused_bytes(const boost::system::error_code& error);
 
-// Returns the refusal of a request head, or nothing for a valid one. An HTTP/1.1 head must have exactly one Host, and
-// the end of the body must be certain (RFC 9112, 6). The connection must be closed after a refusal.
+// Returns the response that refuses a request head, or nothing for a valid head. A head of HTTP/1.1 must have exactly
+// one Host, and the end of the body must be known (RFC 9112, 6). The connection must be closed after a refusal.
 [[nodiscard]] std::optional<Response> refused_head(const HttpRequest& message);
 
-// Returns the refusal of a WebSocket handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455, 4.2.1), or
-// nothing for a valid one.
+// Returns the response that refuses a WebSocket handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455,
+// 4.2.1). Returns nothing for a valid handshake.
 [[nodiscard]] std::optional<Response> refused_handshake(const HttpRequest& message);
 
 // Formats a time for an HTTP header: "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).

@@ -27,7 +27,7 @@ using Parser = http::request_parser<http::string_body>;
 constexpr std::size_t first_read_bytes = 4096;
 
 constexpr std::string_view blank_line = "\r\n";
-constexpr int blank_lines = 8; // skipped before a request; RFC 9112, 2.2, requires at least one
+constexpr int blank_lines = 8; // most blank lines skipped before a request; RFC 9112, 2.2, requires at least one
 
 class HttpSession {
 public:
@@ -53,8 +53,8 @@ public:
     }
 
 private:
-    // Sets is_of_own_user_. Called once, before the first read: a socket that the client has closed no longer has an
-    // owner.
+    // Sets is_of_own_user_. Must be called before the first read, because a socket that the client has closed no longer
+    // has an owner.
     asio::awaitable<void> look_up_user() {
         if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
         error_code gone;
@@ -92,8 +92,8 @@ private:
         deadline_.start(std::chrono::seconds(seconds));
     }
 
-    // Waits for the first bytes of a request. Returns false if the peer has gone or was idle too long; such a peer gets
-    // no answer. Blank lines before the request do not extend the time limit.
+    // Waits for the first bytes of a request. Returns false if the peer has closed the connection or was idle too long.
+    // Such a peer gets no answer. Blank lines before the request do not extend the time limit.
     asio::awaitable<bool> request_begins() {
         error_code error;
         start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
@@ -120,8 +120,8 @@ private:
         return 1;
     }
 
-    // Sets address and remote of a request that a trusted proxy has forwarded. Returns the counting_key() of that
-    // address; empty for other requests.
+    // Sets `address` and `remote` of a request that a trusted proxy has forwarded, and returns the counting_key() of
+    // this address. Returns an empty text for other requests.
     std::string client_of(Request& request) const {
         const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
         if (!client) return {};
@@ -226,7 +226,9 @@ private:
 
     static Resolved refused(Response response) { return {std::move(response), nullptr, {}, Claim::none}; }
 
-    static std::optional<Response> stopping() { return sentence(503, "The server is about to stop."); }
+    static std::optional<Response> stopping() {
+        return sentence(503, "The server is about to stop; try again after its restart.");
+    }
 
     static Response too_many_of_address() {
         Response response = sentence(429, "Your address has reached the limit on connections of one address; close a "
@@ -310,7 +312,7 @@ private:
         serializer.split(head);
         error_code error;
         while (!error && !(head ? serializer.is_header_done() : serializer.is_done())) {
-            // Time limit for this one write: a client that keeps accepting bytes can take longer in all.
+            // The time limit holds for this single write. A client that keeps accepting bytes can take longer in total.
             stream_.expires_after(std::chrono::seconds(limits_.request_seconds));
             co_await http::async_write_some(stream_, serializer, asio::redirect_error(asio::use_awaitable, error));
         }
@@ -344,7 +346,7 @@ private:
     Deadline deadline_; // limits the reads from stream_
     asio::steady_timer guess_pause_;
     beast::flat_buffer buffer_;
-    std::string remote_, address_; // of the peer: address with port, address alone
+    std::string remote_, address_; // address of the peer, with and without the port
     std::uint64_t allowed_seconds_ = 0;
     bool is_of_own_user_ = false, is_first_ = true;
     bool waiting_ = false; // waits for a request, or for the rest of its header

@@ -8,9 +8,10 @@
 
 namespace ciel::gateway {
 
-// The current drain or cut handler of a connection; empty when the connection needs none. Runs on the connection's
-// executor. A drain handler is called up to three times: first the connection may still finish its answers, then it
-// must end without waiting for answers, then without waiting for the client.
+// The current drain or cut handler of a connection; empty when the connection needs no handler. Runs on the
+// connection's executor. A drain handler is called up to three times. After the first call, the connection may still
+// finish its answers. After the second call, it must end without waiting for answers, and after the third call without
+// waiting for the client.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {

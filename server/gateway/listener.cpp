@@ -16,16 +16,18 @@ namespace {
 
 using asio::ip::tcp;
 
-// Pause after an accept while file descriptors are short: lets connections that were closed for the new one end.
+// Pause after an accept while file descriptors are short. During the pause, connections that were closed to make room
+// can end.
 constexpr std::chrono::milliseconds pause_when_short{10};
 
 std::size_t count_files() {
-    std::error_code none; // without /proc the count is 0; is_short_of_files() then relies on descriptor numbers
+    std::error_code none; // without /proc the count is 0, and is_short_of_files() uses descriptor numbers only
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// Returns whether fewer descriptors are left than the limit reserved_files. The kernel gives a new socket the lowest
-// free number, so all lower numbers are in use. Other connections may hold higher numbers, so they are counted too.
+// Returns whether fewer file descriptors are free than the limit `reserved_files`. The kernel gives a new socket the
+// lowest free number, so that all lower numbers are in use. Other connections may have higher numbers; therefore all
+// connections are counted, too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
@@ -96,7 +98,7 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
     if (error == asio::error::address_in_use)
         throw Error(
             name +
-            " is in use by another program; end that program, or choose another port with --port (0: any free one)");
+            " is in use by another program; end that program, or choose another port with --port (0: any free port)");
     if (error == asio::error::access_denied)
         throw Error(name + " cannot be bound by this user; choose a port above 1023 with --port");
     if (error)

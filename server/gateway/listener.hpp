@@ -6,11 +6,11 @@
 
 namespace ciel::gateway {
 
-// Returns the first address of the host. Throws Error when it cannot be resolved.
+// Returns the first address of the host. Throws Error if the host cannot be resolved.
 [[nodiscard]] asio::ip::address resolve_host(const std::string& host);
 
-// Returns an acceptor that listens on the address and port. Throws Error when they cannot be bound; its text suggests a
-// fix.
+// Returns an acceptor that listens on the address and port. Throws Error if they cannot be bound; the error suggests a
+// solution.
 [[nodiscard]] asio::ip::tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsigned short port);
 
 // Accepts connections until the acceptor is closed.

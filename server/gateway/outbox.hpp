@@ -1,5 +1,6 @@
-// Send queue of one WebSocket: texts first, then frames in pieces. Half of its byte limit is for frames; when it is
-// full, further frames are delayed. The other half is for texts; when it is exceeded, the connection ends.
+// Send queue of one WebSocket. Texts are sent first, then frames in pieces. Half of the byte limit is for frames; when
+// this half is full, further frames are delayed. The other half is for texts; when texts exceed this half, the
+// connection ends.
 #pragma once
 
 #include "limits/memory.hpp"
@@ -20,45 +21,47 @@ namespace ciel::gateway {
 
 using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
-// Most payload bytes of a piece of a frame. A text waits until the current piece has been sent: 52 ms at 10 Mbit/s.
+// Maximum payload bytes of a piece of a frame. A text waits until the current piece has been sent, which takes 52 ms at
+// 10 Mbit/s.
 inline constexpr std::uint32_t piece_bytes = 64 << 10;
 // A frame whose first message has at least measuring_bytes begins with a short piece. The client measures the line rate
-// from the arrival times of this piece and the following ones, which are sent back to back.
+// from the arrival times of this piece and of the next pieces, because they are sent without a pause.
 inline constexpr std::uint32_t first_piece_bytes = 4 << 10, measuring_bytes = first_piece_bytes + (32 << 10);
 static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
 
-// An Outbox is thread-safe. It may outlive its socket: after close(), pushing does nothing.
+// An Outbox is thread-safe. It may outlive its socket, because pushing does nothing after close().
 class Outbox {
 public:
     struct Message {
         std::string text;
         FrameBytes frame; // owns the bytes of `payload`; null if the message is a text
-        std::array<std::uint8_t, wire::frame_header_bytes> header; // of a piece of the frame
+        std::array<std::uint8_t, wire::frame_header_bytes> header; // header of a piece of the frame
         std::span<const std::uint8_t> payload;
     };
 
-    // on_push is called after every push, on the pushing thread, with the outbox locked; so it must not call the
-    // outbox. `memory` counts the bytes and must outlive the outbox.
+    // `on_push` is called after every push, on the pushing thread, while the outbox is locked. Therefore it must not
+    // call the outbox. `memory` counts the bytes and must outlive the outbox.
     Outbox(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push);
 
-    // Appends a text. If the waiting texts already exceed their half of the limit, the client does not read: all
-    // waiting messages are dropped and overflowed() becomes true. A single text may exceed the limit.
+    // Appends a text. If the waiting texts already exceed their half of the limit, the client does not read. Then all
+    // waiting messages are dropped, and overflowed() becomes true. A single text may exceed the limit.
     void push_text(std::string text);
     // Appends a whole frame message (protocol/frame.md) of any length. The first message of a frame replaces all
-    // waiting messages of the same view, including the rest of a partly sent one. Throws Error when `bytes` does not
-    // begin with a frame header, or is only a piece.
+    // waiting messages of the same view, including the rest of a message that is partly sent. Throws Error if `bytes`
+    // does not begin with a frame header, or is only a piece of a message.
     void push_frame(FrameBytes bytes);
-    // Returns whether a frame of this size fits. A frame above the limit fits only if no other frame waits.
+    // Returns whether a frame of this size fits. A frame larger than the limit fits only if no other frame waits.
     [[nodiscard]] bool has_room(std::size_t bytes);
     void close();
 
     // Returns the oldest text, else the next piece of the oldest frame message, else nothing. The bytes of a frame
-    // message count against the limit until its last piece has been sent.
+    // message are counted until the last piece of the message has been sent.
     [[nodiscard]] std::optional<Message> pop();
-    // Call after the message of pop() was written. Returns true if has_room() was false before and there is room again.
+    // Call this after the message of pop() was written. Returns true if has_room() returned false before and there is
+    // room again.
     [[nodiscard]] bool sent();
     [[nodiscard]] bool overflowed() const;
-    [[nodiscard]] std::uint64_t dropped_frames() const; // frame messages that newer ones have replaced
+    [[nodiscard]] std::uint64_t dropped_frames() const; // frame messages replaced by newer messages
 
 private:
     struct Waiting {
@@ -74,9 +77,9 @@ private:
     std::function<void()> on_push_; // empty after close()
     std::deque<std::string> texts_;
     std::deque<Waiting> frames_;
-    std::size_t share_;                            // bytes: half of the limit, for texts and for frames each
+    std::size_t share_;                            // half of the limit in bytes: the share of texts, and of frames
     std::size_t text_bytes_ = 0, frame_bytes_ = 0; // bytes that wait
-    std::size_t text_taken_ = 0, frame_taken_ = 0; // bytes being sent; a frame's bytes only during its last piece
+    std::size_t text_taken_ = 0, frame_taken_ = 0; // bytes that are being sent; for a frame, only during its last piece
     bool had_no_room_ = false;
     limits::Memory::Charge held_;
     std::uint64_t dropped_ = 0;

@@ -20,7 +20,7 @@ struct SocketRow {
     std::string_view local, remote; // in the form of socket_name()
     unsigned state = 0;             // 1: established
     std::uint32_t user = 0;
-    std::uint64_t inode = 0; // 0: no process holds the socket, `user` is meaningless
+    std::uint64_t inode = 0; // 0: no process holds the socket, and `user` is meaningless
 };
 
 // Parses one line of /proc/net/tcp. Returns nothing for the heading and malformed lines. The views point into `line`.
@@ -31,7 +31,8 @@ struct SocketRow {
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Reads `table`, the text of /proc/net/tcp. Returns "LOCAL REMOTE" for each established socket that a process of `user`
-// holds. Returns none for user 65534 (nobody), because all users outside a user namespace have that number in it.
+// holds. Returns an empty set for user 65534 (nobody), because in a user namespace all users from outside have this
+// number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.
@@ -44,7 +45,7 @@ public:
     explicit OwnSockets(Open open) : open_(std::move(open)) {}
 
     // Returns whether a socket of this process's user connects `peer` to `own`. Reading a table takes milliseconds. A
-    // table is read again only if its last reading began before `asked`, so one reading serves all waiting calls.
+    // table is read again only if its last reading began before `asked`, so that one reading serves all waiting calls.
     [[nodiscard]] bool contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
                                Clock::time_point asked);
 
@@ -60,8 +61,8 @@ private:
     Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
 };
 
-// Finds the owners of peers. Reads the kernel's tables on a separate thread: with thousands of connections a reading
-// would block the worker threads.
+// Finds the owners of peers. Reads the kernel's tables on a separate thread, because with thousands of connections the
+// reading would block the worker threads.
 class PeerOwners {
 public:
     // Returns whether a process of this process's user holds the peer's end of a connection. Await on the connection's

@@ -1,4 +1,4 @@
-// The address for which a connection is counted: the peer's, or the one that a trusted proxy forwards.
+// The address for which a connection is counted: the address of the peer, or the address that a trusted proxy forwards.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -15,7 +15,8 @@ namespace ciel::gateway {
 // Addresses of proxies whose X-Forwarded-For is used.
 class TrustedProxies {
 public:
-    // `ranges`: "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error when one is malformed.
+    // `ranges`: addresses or ranges such as "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error if a range is
+    // malformed.
     explicit TrustedProxies(const std::vector<std::string>& ranges);
     [[nodiscard]] bool contains(const asio::ip::address& address) const;
 
@@ -24,15 +25,15 @@ private:
     std::vector<asio::ip::network_v6> v6_;
 };
 
-// Returns the last element of X-Forwarded-For, written by the nearest proxy; nothing if it is not an address. A port is
-// removed; IPv6 may be in brackets.
+// Returns the last element of X-Forwarded-For, which the nearest proxy has written. Returns nothing if this element is
+// not an address. The element may have a port, which is removed, and an IPv6 address may be in brackets.
 [[nodiscard]] std::optional<asio::ip::address> last_forwarded_for(std::string_view header);
 
-// Returns the key by which connections of this address are counted; empty for loopback, which is not counted.
-// IPv6 is counted by its first 64 bits: a host may choose the others.
+// Returns the key by which connections of this address are counted. The key of a loopback address is empty, because
+// loopback is not counted. The key of an IPv6 address is its first 64 bits, because a host may choose the other bits.
 [[nodiscard]] std::string counting_key(const asio::ip::address& address);
 
-// Converts IPv4-mapped IPv6 (::ffff:0:0/96) to IPv4.
+// Converts an IPv4-mapped IPv6 address (::ffff:0:0/96) to IPv4. Returns other addresses unchanged.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
 } // namespace ciel::gateway

@@ -37,7 +37,7 @@ Response refuse_token() {
     return response;
 }
 
-// CORS preflight: browsers send it before a page of a listed origin may POST JSON.
+// Answers a CORS preflight request. Browsers send it before a page of a listed origin may POST JSON.
 Response preflight(const Request& request, const Route& route) {
     Response response = sentence(204, "");
     response.body.clear();
@@ -65,7 +65,8 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
         return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
     if (request.method == "OPTIONS" && route.method == "POST") return preflight(request, route);
     if (!method_matches(route, request.method)) {
-        Response response = sentence(405, target.path + " does not accept the method " + request.method + ".");
+        Response response = sentence(405, target.path + " does not accept the method " + request.method +
+                                              "; use a method of the header Allow.");
         response.headers.emplace_back("Allow", methods_of(route));
         return response;
     }
@@ -76,7 +77,7 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
     return std::nullopt;
 }
 
-// Redirects "/ciel" to "/ciel/": relative links break without the slash.
+// Redirects "/ciel" to "/ciel/", because relative links break without the slash.
 Response to_prefix(const Context& context, const Request& request) {
     Response response = sentence(308, "The client is at " + context.prefix + "/");
     const auto query = std::min(request.target.find('?'), request.target.size());

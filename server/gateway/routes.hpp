@@ -17,13 +17,13 @@ struct Route {
     std::string_view method; // GET includes HEAD
     bool needs_token;        // false for the web client's files, /healthz and /readyz, which show no data
     enum class Kind { quick, probe, rpc, websocket } kind;
-    Handler handler; // null for rpc: see rpc_call.hpp
+    Handler handler; // null for rpc, which rpc_call.hpp answers
 };
 
 [[nodiscard]] std::span<const Route> routes();
 
 struct Resolved {
-    std::optional<Response> refusal; // if set, the answer; `route` is then null
+    std::optional<Response> refusal; // if set, this is the answer, and `route` is null
     const Route* route = nullptr;
     Target target;
     Claim claim = Claim::none;
@@ -33,8 +33,8 @@ struct Resolved {
 // type.
 [[nodiscard]] Resolved resolve(const Context& context, const Request& request);
 
-// Returns the refusal, or the answer of the route's handler, with the common headers added. An exception of the handler
-// becomes a 500.
+// Returns the refusal, or the answer of the route's handler. Adds the common headers. If the handler throws, the answer
+// has status 500.
 [[nodiscard]] Response respond(Context& context, const Request& request, const Resolved& resolved);
 
 } // namespace ciel::gateway

@@ -27,7 +27,7 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, c
                                    if (pending->answer) return; // the stream may no longer exist
                                    const PeerState state = error ? PeerState::hung_up : state_of_peer(stream.socket());
                                    if (state == PeerState::waits) return watch(stream, pending, peer, workers);
-                                   if (state == PeerState::sends) return; // a pipelined request
+                                   if (state == PeerState::sends) return; // the bytes are a pipelined request
                                    pending->hung_up.request_stop();
                                    asio::post(workers, [peer] { peer->closed(); });
                                });

@@ -1,4 +1,3 @@
-// JSON-RPC in one HTTP POST.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -7,8 +6,9 @@
 
 namespace ciel::gateway {
 
-// Answers the JSON-RPC text in request.body. Await on the stream's executor, while nothing else reads from the stream.
-// If the peer closes its side before the answer, slow methods are cancelled and answer with an error.
+// Answers the JSON-RPC text in request.body, which an HTTP POST has sent. Await on the stream's executor, while nothing
+// else reads from the stream. If the peer closes its side before the answer, slow methods are cancelled and answer with
+// an error.
 [[nodiscard]] asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token,
                                                  Context& context, asio::thread_pool& workers);
 

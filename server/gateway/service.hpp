@@ -1,4 +1,4 @@
-// Interfaces behind the gateway: Service for the process, Peer for one client. The gateway knows no method.
+// Interfaces behind the gateway: Service for the process, Peer for one client. The gateway does not know the methods.
 #pragma once
 
 #include "limits/limits.hpp"
@@ -17,38 +17,39 @@
 
 namespace ciel::gateway {
 
-// A client and its callbacks. A WebSocket sets all three callbacks, an HTTP POST none. The callbacks never block and
-// may be called from any thread until the Client is destroyed. On a slow socket, a newer frame replaces older ones.
+// A client and its callbacks. A WebSocket sets all three callbacks; an HTTP POST sets no callback. The callbacks never
+// block and may be called from any thread until the Client is destroyed. On a slow socket, a newer frame replaces older
+// frames.
 struct Client {
     std::uint64_t id = 0;
     std::string remote;     // address, for logs
-    std::string user{};     // for logs; empty: not known
+    std::string user{};     // name for logs; empty: not known
     std::string request{};  // id of the HTTP request; empty for a WebSocket
-    bool has_token = false; // has presented the server's token; the server's own user is let in without it
+    bool has_token = false; // whether the client sent the server's token; the server's own user needs none
     std::stop_token stop{}; // requested when the connection has ended
     std::function<void(std::string text)> send_text{};
     std::function<void(std::shared_ptr<const std::vector<std::uint8_t>> bytes)> send_binary{};
     std::function<bool(std::size_t bytes)> has_room{}; // returns whether a frame of this size may be sent now
 };
 
-// Receives the answer to a text; an empty text if no answer is due. Called exactly once, from any thread. Must not
-// throw.
+// Callback for the answer to a text; the answer is empty if no answer is due. Called exactly once, from any thread.
+// Must not throw.
 using Answer = std::function<void(std::string text)>;
 
-// Takes the messages of one client. text() and binary() are called on worker threads, one call at a time. closed() may
-// be called during such a call. No function throws.
+// Handles the messages of one client. text() and binary() are called on worker threads, one call at a time. closed()
+// may be called during such a call. No function throws.
 class Peer {
 public:
     virtual ~Peer() = default;
 
-    // Handles a text. `text` is borrowed until the call returns; `answer` may be called later.
+    // Handles a text. `text` is valid only until the call returns. `answer` may be called later.
     virtual void text(std::string_view text, Answer answer) = 0;
     // Handles a binary message. Returns the reason to close the connection, or nothing.
     [[nodiscard]] virtual std::optional<std::string> binary(std::span<const std::uint8_t> message) = 0;
     // Called when there is room again after Client::has_room() returned false. Runs on the socket's thread and must not
     // block.
     virtual void has_room() = 0;
-    // Called when the client has gone. Not called for a POST whose client stays until the answer.
+    // Called when the client has closed the connection. Not called for a POST whose client stays until the answer.
     virtual void closed() = 0;
 };
 
@@ -64,13 +65,13 @@ public:
     virtual ~Service() = default;
 
     [[nodiscard]] virtual const limits::Limits& limits() const = 0;
-    [[nodiscard]] virtual limits::Memory& memory() = 0; // counts bytes waiting for sockets
+    [[nodiscard]] virtual limits::Memory& memory() = 0; // counts the bytes that wait to be sent
     [[nodiscard]] virtual std::shared_ptr<Peer> connect(Client client) = 0;
     [[nodiscard]] virtual Readiness readiness() = 0; // may block briefly
     [[nodiscard]] virtual std::string metrics() = 0; // Prometheus text exposition format 0.0.4
 
-    // announce_end, drain_frames and drain shut the service down, in this order. announce_end notifies clients and does
-    // not block.
+    // announce_end(), drain_frames() and drain() shut the service down, in this order. announce_end() notifies clients
+    // and does not block.
     virtual void announce_end() = 0;
     virtual void drain_frames() = 0; // starts no new frames; returns when no frame is in progress
     virtual void drain() = 0;        // returns when all running calls have ended

@@ -46,21 +46,21 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
-// Returns whether gzip helps: for text and code. Images and most fonts are already compressed.
+// Returns whether gzip makes files of this media type smaller. Images and most fonts are already compressed.
 bool is_compressible(std::string_view mime) {
     return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
            mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
            mime == "font/ttf";
 }
 
-// Returns the content as gzip; empty if that would not be smaller.
+// Returns the content compressed with gzip, or an empty text if the result would not be smaller.
 std::string gzipped(const std::string& content) {
     z_stream stream{};
     constexpr int gzip_header = 16, memory_level = 8;
     if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory_level,
                      Z_DEFAULT_STRATEGY) != Z_OK)
         return {};
-    std::string out(content.size(), '\0'); // a larger result is useless
+    std::string out(content.size(), '\0'); // a larger result is not used
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
     stream.avail_in = static_cast<uInt>(content.size());
     stream.next_out = reinterpret_cast<Bytef*>(out.data());
@@ -71,7 +71,8 @@ std::string gzipped(const std::string& content) {
     return out;
 }
 
-// Returns the weight of a coding in Accept-Encoding: 0.5 for "gzip;q=0.5", 1 without a weight, 0 for a malformed one.
+// Returns the weight of a coding in Accept-Encoding: 0.5 for "gzip;q=0.5", 1 without a weight, 0 for a malformed
+// weight.
 double weight_of(std::string_view coding) {
     double weight = 1;
     any_part(coding, ';', [&](std::string_view parameter) {
@@ -84,8 +85,8 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// Returns whether the name contains a hash of the content: the web client's build names such files
-// assets/NAME-HASH.EXT, with an 8-character hash.
+// Returns whether the file name contains a hash of the content. The build of the web client names such files
+// assets/NAME-HASH.EXT, with a hash of 8 characters.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

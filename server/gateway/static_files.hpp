@@ -1,5 +1,5 @@
-// The web client's files, read into memory once. Request paths are keys of this table, not file names, so no path can
-// leave the folder.
+// The web client's files, read into memory once. Request paths are keys of this table, not file names, so that no path
+// can lead out of the folder.
 #pragma once
 
 #include "gateway/http_message.hpp"
@@ -36,8 +36,8 @@ private:
 [[nodiscard]] std::string_view mime_type(std::string_view extension);
 // Returns whether an Accept-Encoding header (RFC 9110, 12.5.3) allows gzip.
 [[nodiscard]] bool accepts_gzip(std::string_view accept_encoding);
-// Returns the file with status 200, compressed if the client accepts gzip. Returns 304 without a body if if_none_match
-// names the ETag of that answer.
+// Returns the file with status 200, compressed if the client accepts gzip. Returns status 304 without a body if
+// `if_none_match` contains the ETag of this answer.
 [[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match,
                                      std::string_view accept_encoding);
 

@@ -19,9 +19,11 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr int unsent_bytes = 128 << 10;         // most unsent bytes in the socket buffer: a text cannot overtake them
+// Most unsent bytes in the socket buffer. The number is small, because a text cannot overtake these bytes.
+constexpr int unsent_bytes = 128 << 10;
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 bytes of a control frame less 2 of the code
-constexpr unsigned last_close_code = 4999; // largest valid code (RFC 6455, 7.4.2); Beast refuses invalid smaller ones
+// Largest valid close code (RFC 6455, 7.4.2). Beast itself refuses smaller codes that are invalid.
+constexpr unsigned last_close_code = 4999;
 
 // All members are used on the socket's strand, except by work on `workers` and by the Client's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
@@ -44,8 +46,8 @@ private:
     template <typename Part>
     void start(Part part);
 
-    // Waits until `timer` is cancelled. The timer never expires: it serves as a condition variable, and cancelling it
-    // wakes all waiters.
+    // Waits until `timer` is cancelled. The timer never expires. It serves as a condition variable: cancelling it wakes
+    // all waiters.
     static asio::awaitable<void> changed(asio::steady_timer& timer) {
         error_code ignored;
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -96,7 +98,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
         response.set(beast::http::field::server, "CIEL/" + context_.version);
     }));
     socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
-        // Cuts the connection on an invalid close code, which must not be echoed.
+        // Disconnects on an invalid close code, because such a code must not be sent back.
         if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut();
     });
     socket_.read_message_max(limits.message_bytes);
@@ -201,8 +203,8 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Returns the callback for the answer to one message. Slow methods call it later, from other threads, possibly after
-// the socket has gone. Later texts do not wait for slow methods.
+// Returns the callback for the answer to one message. Slow methods call it later from other threads, possibly after the
+// socket has closed. Later texts do not wait for slow methods.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) outbox->push_text(std::move(text));
@@ -250,7 +252,7 @@ void WebSocketSession::drain() {
     const bool is_third = std::exchange(closes_now_, true);
     outbox_->close();
     if (writing_ || is_third)
-        cut(); // the client does not read or answer: it would not see a close reason
+        cut(); // the client does not read or answer, and would not see a close reason
     else
         outbox_changed_.cancel();
 }

@@ -10,9 +10,9 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr double margin_of_side = 0.01;      // fraction of the domain's extent along the axis
-constexpr double finer_than_sides = 1.0 / 3; // edge length of a body's faces relative to flat sides
-constexpr double most_of_boundary = 2.0 / 3; // a patch with more of the area is the wall of a pipe or channel
+constexpr double margin_of_side = 0.01;      // tolerance at a side, as a fraction of the domain's extent
+constexpr double finer_than_sides = 1.0 / 3; // limit for the edge length of a body's faces, relative to flat sides
+constexpr double most_of_boundary = 2.0 / 3; // a patch with a larger share is the wall of a pipe or channel
 constexpr std::array<std::string_view, 18> no_walls{
     "inlet",  "outlet",   "inflow",    "outflow",   "farfield", "far-field", "far_field", "freestream", "symm",
     "cyclic", "periodic", "interface", "processor", "overset",  "opening",   "empty",     "interior",   "internal"};
@@ -23,8 +23,8 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// Returns whether a name in lower case is that of a sliding interface, such as "ami1" around a rotor. A name that goes
-// on with a letter is another word.
+// Returns whether `name`, in lower case, is the name of a sliding interface, such as "ami1" around a rotor. If a letter
+// follows "ami", the name is a different word.
 bool is_sliding(const std::string& name) {
     return name.starts_with("ami") && (name.size() == 3 || !('a' <= name[3] && name[3] <= 'z'));
 }

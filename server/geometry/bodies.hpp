@@ -17,17 +17,17 @@ struct Patch {
     std::string type = {}; // from the solver; empty if not known
 };
 
-// Measures every patch of the mesh that has faces. Reads all their points.
+// Returns the size of every patch of the mesh that has faces. Reads all points of these faces.
 [[nodiscard]] std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step);
 
 // Returns the patches that are bodies: walls that lie inside `domain` along at least two axes. A wall is also a body if
-// it does not lie flat in a side of the domain, its faces have less than a third of the edge length of those in flat
-// sides, and it has less than 2/3 of the boundary's area (a terrain with buildings).
-// If any patch has the type wall or mappedWall, only such patches are walls. Otherwise names decide: a patch is a wall
-// unless its name says that flow passes through it ("inlet") or that it is no surface of a body ("interface").
+// three conditions hold, as for a terrain with buildings: it is not a flat side of the domain; the edges of its faces
+// are shorter than a third of the edges in flat sides; its area is less than 2/3 of the boundary's area.
+// If any patch has the type wall or mappedWall, only such patches are walls. Otherwise a patch is a wall unless its
+// name says that flow passes through it ("inlet") or that it is not the surface of a body ("interface").
 [[nodiscard]] std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain);
 
-// Returns the bounding box of the patches. REQUIRES: at least one patch.
+// REQUIRES: at least one patch.
 [[nodiscard]] BoundingBox box_around(std::span<const Patch> patches);
 
 } // namespace ciel::geometry

@@ -6,7 +6,7 @@
 
 namespace ciel::geometry {
 
-// Returns the kept half-spaces of the visible clip layers, in drawing order, as offsets from the geometry's origin.
+// Returns the kept half-spaces of the visible clip layers, in drawing order, relative to the geometry's origin.
 // If nothing thicker than clip_slack remains of the bounding box, returns one half-space that keeps nothing.
 [[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry);
 // Returns the visible clip layers that have caps, in drawing order.
@@ -15,11 +15,12 @@ namespace ciel::geometry {
 // Returns the distance in length units up to which points beyond a plane are kept. Without this slack, rounding would
 // cut holes into caps and slices that lie in the plane itself.
 [[nodiscard]] double clip_slack(const Geometry& geometry);
-// Returns the planes, moved out by the slack, as (normal, offset): kept where dot(normal, position) + offset >= 0.
+// Returns the clip planes as (normal, offset), moved outwards by clip_slack. A position is kept if dot(normal,
+// position) + offset >= 0.
 [[nodiscard]] std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry);
 
-// Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars. `places`: result of
-// places_of() for the drawable's surface, to clip in doubles; empty: clips in floats.
+// Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars. `places`: the result of
+// places_of() for the drawable's surface; the function then clips in doubles. If `places` is empty, it clips in floats.
 [[nodiscard]] ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable,
                                      std::span<const Vec3d> places = {});
 

@@ -7,15 +7,15 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr double largest_of_range = 4e37; // a width of twice this has an inverse that is not subnormal
-constexpr double smallest_of_log = 1e-37; // smaller floats lose digits, or a graphics card flushes them to zero
+constexpr double largest_of_range = 4e37; // greatest end of a range; 1 / (twice this number) is not subnormal
+constexpr double smallest_of_log = 1e-37; // least end of a log range; graphics cards may treat smaller floats as 0
 
 // Limits an end of a range so that a graphics card can divide by the range's width.
 double within_floats(double end) { return std::clamp(end, -largest_of_range, largest_of_range); }
 
 std::array<double, 2> range_above_zero(std::array<double, 2> range) {
     auto [low, high] = range;
-    if (!(high > 0)) return {1, 10}; // any range: is_shown_by tells that the scale shows no value
+    if (!(high > 0)) return {1, 10}; // any valid range, because the scale shows no value (is_shown_by)
     if (!(low > 0)) low = high * std::pow(10, -log_decades);
     return {std::max(low, smallest_of_log), std::max(high, smallest_of_log)};
 }

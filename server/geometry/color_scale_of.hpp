@@ -1,5 +1,5 @@
-// Turns a scene's coloring and the range of the data into the color scale that is drawn. The browser's legend follows
-// the same rules (webclient/src/model/color_range.ts).
+// Makes the color scale that is drawn from a scene's coloring and the range of the data. The browser's legend has the
+// same rules (webclient/src/model/color_range.ts).
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel::geometry {
 
-// Decades below the maximum that a logarithmic scale covers if the minimum is not above zero.
+// Number of decades below the maximum that a logarithmic scale covers if the minimum is not above zero.
 inline constexpr double log_decades = 6;
 
 // `data_range`: range of the array at the shown step.
@@ -17,7 +17,8 @@ inline constexpr double log_decades = 6;
 // Returns false if a logarithmic scale takes its range from data without a value above zero.
 [[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range);
 
-// Returns the scale's members as in a scene's coloring, without map, range and members with default values.
+// Returns the members of the scale as they are in a scene's coloring. Leaves out map, range and members with default
+// values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);
 
 } // namespace ciel::geometry

@@ -28,8 +28,8 @@ store::Association association_of(const store::Dataset& dataset, const std::stri
     return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
 }
 
-// Returns the origin of the values when they are drawn as floats: the middle of the finite values if they are doubles,
-// else 0, because floats are drawn as they are.
+// Returns the number that is subtracted from the values before they are drawn as floats. If the values are doubles, it
+// is the middle of the finite values. Otherwise it is 0.
 double origin_of(const store::Values& values) {
     if (!values.has_doubles()) return 0;
     double low = INFINITY, high = -INFINITY;
@@ -133,7 +133,7 @@ void Cut::use_field(const std::string& name, store::ScalarField new_field, Extra
     shape = nullptr;
     field_name.clear(); // stays empty if anything below throws
     if (!same_topology) {
-        query.reset(); // before `field`, which the query reads, is replaced
+        query.reset(); // before `field` is replaced, because the query reads it
         field = std::move(new_field);
         query.emplace(*field.topology, field.points, extraction);
         query->set_field(*field.field);
@@ -169,7 +169,7 @@ std::size_t Cut::memory_bytes() const {
 }
 
 std::size_t Boundary::memory_bytes() const {
-    const bool own = shape && shape != of; // a whole cap is counted with its cut
+    const bool own = shape && shape != of; // a cap without a threshold has the shape of its Cut, which counts it
     return (own ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes() + cells.size();
 }
 

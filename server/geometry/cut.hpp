@@ -1,4 +1,4 @@
-// The kept state behind one drawable: an iso-value or slice, or a boundary surface.
+// The state that is kept between updates for one drawable: an iso-surface, a slice or a boundary surface.
 #pragma once
 
 #include "ciel/threshold_surface.hpp"
@@ -8,26 +8,27 @@
 
 namespace ciel::geometry {
 
-[[nodiscard]] std::uint64_t unique_number(); // never 0, never twice
+[[nodiscard]] std::uint64_t unique_number(); // never 0, and never the same twice
 
-// The array of an iso-surface. If the surface is colored by this array, all its vertices get `value`: interpolated
-// values would differ by rounding and lie on both sides of a color step's bound.
+// The array of an iso-surface. If the surface is colored by this array, all its vertices get the iso-value.
+// Interpolated values would differ by rounding, and might lie on both sides of the bound between two color steps.
 struct OfArray {
     std::string array;
-    std::optional<double> value; // constant value of the coloring array, if it has one
+    std::optional<double> value; // the iso-value, if the surface is colored by `array`
 };
 
-// Scalars of one shape from one array, interpolated again only when shape, array or step changes. For arrays of cells
-// or boundary faces, polygons share no vertices, and each has the value of its cell or face.
+// The scalars of one shape from one array. They are interpolated again only when the shape, the array or the step
+// changes. If the array is on cells or boundary faces, the polygons share no vertices, and each polygon has the value
+// of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const Shape> sound; // without cells that blew up (sound_shape.hpp); usually `shape` itself
+    std::shared_ptr<const Shape> sound; // without cells that are not sound (sound_shape.hpp); often `shape` itself
     std::shared_ptr<const Shape> flat;  // `sound` with separated polygons; null for point arrays
     std::string array;
     std::size_t step = 0;
     std::optional<store::Values> scalars; // in the array's type
     double scalar_origin = 0;             // Drawable::scalar_origin
-    bool missing = false;                 // some scalars are NaN or infinite
+    bool missing = false;                 // true if some scalars are NaN or infinite
     std::uint64_t identity = unique_number(), revision = 0;
 
     [[nodiscard]] std::size_t memory_bytes() const {
@@ -35,7 +36,8 @@ struct Painted {
                (sound && sound != shape ? bytes_of(*sound) : 0);
     }
     [[nodiscard]] const std::shared_ptr<const Shape>& shown() const { return flat ? flat : sound; }
-    // `of`: the array of the iso-surface; cells without a number for it are left out, too. Throws store::NotWritten.
+    // Sets the shape, the array and the step. `of`: the array of the iso-surface; cells that have no number for this
+    // array are left out, too. Throws store::NotWritten if an array was not written at the step.
     void paint(const std::shared_ptr<const Shape>& new_shape, const std::string& new_array, std::size_t new_step,
                store::LoadedDataset& loaded, const OfArray& of = {});
 
@@ -43,7 +45,7 @@ private:
     [[nodiscard]] store::Values flat_scalars(store::LoadedDataset& loaded) const;
 };
 
-// The edges of one shape's polygons, found again only when the shape changes.
+// The edges of one shape's polygons. They are searched again only when the shape changes.
 struct Outlined {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const std::vector<Index>> edges;
@@ -54,10 +56,11 @@ struct Outlined {
     void forget() { *this = {}; } // call when the edges are not shown
 };
 
-// Contour lines of one shape, found again only when the shape, the array, its step or the values change.
+// The contour lines of one shape. They are computed again only when the shape, the array, the step or the values
+// change.
 struct Contoured {
     std::shared_ptr<const Shape> of, lines;
-    std::optional<store::Values> scalars; // per point the value of its line; nullopt for a solid color
+    std::optional<store::Values> scalars; // by point: value of its line; nullopt for a solid color
     double scalar_origin = 0;             // Drawable::scalar_origin
     std::string array;
     std::size_t step = 0;
@@ -70,7 +73,7 @@ struct Contoured {
     void forget() { *this = {}; } // call when the lines are not shown
 };
 
-// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed, so `field` is
+// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed. Therefore `field` is
 // declared first.
 struct Cut {
     store::ScalarField field;
@@ -85,33 +88,34 @@ struct Cut {
     Contoured contoured;
 
     void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
-    // Returns false if stopped; the next call then extracts again.
+    // Returns false if `stop` was requested; the next call then extracts again.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
-    void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape by one without normals
+    void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape; `made` has no normals
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 struct Boundary {
-    std::string key; // identifies its inputs
+    std::string key; // identifies the inputs of `shape`
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const Shape> of;     // the whole cap that `shape` is a part of
-    std::vector<std::uint8_t> cells;     // a flag per cell: kept by the threshold; empty: no threshold
-    std::size_t thinned = 1, points = 0; // of a points layer: one in `thinned` of `points` is shown
+    std::shared_ptr<const Shape> of;     // for a cap: the shape of the Cut that the cap is a part of
+    std::vector<std::uint8_t> cells;     // one flag per cell: the threshold keeps it; empty without a threshold
+    std::size_t thinned = 1, points = 0; // for a points layer: every `thinned`-th of `points` points is shown
     Painted painted;
     Outlined outlined;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the faces of the patches `groups` that belong to kept cells, relative to `origin`. Without groups, returns
-// the boundary of the mesh, or of the kept cells. `kept` has a flag per cell or is empty: all cells.
+// Returns the faces of the patches `groups` that belong to kept cells. Without groups, returns the boundary of the kept
+// cells. Positions are relative to `origin`. `kept`: one flag per cell; if it is empty, all cells are kept.
 // polygon_face of the result: the number of the face, or `none` for a face inside the mesh that has no number.
 [[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
-// Returns the edges of a boundary as lines: all, or those where the boundary bends by more than `angle` degrees.
+// Returns the edges of a boundary as lines: all edges, or only the edges at which the boundary bends by more than
+// `angle` degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
-// Returns one in `thinned` of the boundary's vertices, as points.
+// Returns every `thinned`-th vertex of the boundary as a point.
 [[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
 [[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
 

@@ -34,7 +34,7 @@ std::vector<HalfSpace> unit_length(std::vector<HalfSpace> planes) {
 
 } // namespace
 
-// A corner is a point where three planes meet and that lies inside all the others.
+// A corner is a point at which three planes meet and that lies on the kept side of all other planes.
 std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting) {
     std::vector<HalfSpace> planes = unit_length(cutting);
     double size = 0;

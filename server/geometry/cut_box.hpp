@@ -1,12 +1,12 @@
-// The part of a mesh's bounding box that clip planes leave.
+// The part of a mesh's bounding box that the clip planes keep.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
 
 namespace ciel::geometry {
 
-// Returns the corners of the remaining convex body as offsets from the geometry's origin, possibly with duplicates.
-// Empty if nothing remains. `cutting`: the clip planes, with normals of any length.
+// Returns the corners of the kept convex body as offsets from the geometry's origin, possibly with duplicates. Returns
+// no corners if nothing is kept. `cutting`: the clip planes, with normals of any length.
 [[nodiscard]] std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting);
 
 } // namespace ciel::geometry

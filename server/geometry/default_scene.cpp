@@ -15,15 +15,15 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double default_aspect = 1.4; // a laptop's canvas beside its panels, with room to spare
+constexpr double default_aspect = 1.4; // width / height of the canvas beside the panels on a laptop, with a margin
 
 struct Candidate {
     std::string scalar;
     std::size_t step = 0;
 };
 
-// Returns one scalar per point array that varies, with the first step at which it varies. The scalar of a vector or
-// tensor is its magnitude.
+// Returns one scalar for each point array whose values vary, with the first step at which they vary. The scalar of a
+// vector or tensor is its magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -36,14 +36,15 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
             break;
         }
     }
-    // Scalars before vectors, each in the dataset's order.
+    // Puts scalars before vectors. Both keep the dataset's order.
     std::stable_partition(found.begin(), found.end(),
                           [](const Candidate& c) { return c.scalar.find(':') == std::string::npos; });
     return found;
 }
 
-// Returns the share of the blocks of cells that an iso-surface in the middle of the scalar's values crosses. Returns 0
-// for a mesh of few blocks, because any surface crosses many of them, and for a scalar without stored ranges.
+// Returns the fraction of the blocks of cells that is crossed by an iso-surface at the middle of the scalar's values.
+// Returns 0 for a mesh with few blocks, because every surface crosses many of its blocks. Also returns 0 for a scalar
+// without stored ranges.
 double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     constexpr std::size_t fewest_blocks = 27;
     const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
@@ -60,8 +61,8 @@ double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// Changes the order if the iso-surface of the first scalar would fill the mesh, as a surface of noise does: moves the
-// first scalar whose surface crosses at most half as many blocks to the front.
+// If the iso-surface of the first scalar would fill the mesh, as a surface of noise does, moves a scalar to the front:
+// the first scalar whose surface crosses at most half as many blocks.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
     constexpr double many = 1.0 / 3;
     if (scalars.empty()) return;
@@ -78,7 +79,8 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-// Returns about 100,000 of the finite values, in runs that are spread over the array, so that few pages are read.
+// Reads about 100,000 values and returns the finite ones. Reads runs of consecutive values that are spread over the
+// array, so that few pages are read.
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);
@@ -92,14 +94,16 @@ std::vector<double> sample_of(const store::StoredScalar& values) {
     return sample;
 }
 
-// Returns the middle between the 5th and 95th percentile, or the middle of the whole range if these are equal.
+// Returns the middle between the 5th and 95th percentile, or the middle of the whole range if the two percentiles are
+// equal.
 double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, std::size_t step) {
     constexpr double few_bins = 8.0 / store::stored_bins;
     const store::Histogram histogram = loaded.histogram(scalar, step, store::stored_bins);
     const double low = histogram.quantile(0.05), high = histogram.quantile(0.95);
     if (high / 2 - low / 2 > few_bins * (histogram.range[1] / 2 - histogram.range[0] / 2)) return low / 2 + high / 2;
 
-    std::vector<double> sample = sample_of(*loaded.stored_scalar(scalar, step)); // outliers have made the bins too wide
+    // Outliers made the bins too wide.
+    std::vector<double> sample = sample_of(*loaded.stored_scalar(scalar, step));
     if (sample.empty()) return 0;
     const auto at = [&](double share) {
         const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
@@ -110,7 +114,7 @@ double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, s
     return at(0) / 2 + at(1) / 2;
 }
 
-// `thin`: the camera looks straight along this axis, as on a drawing of the plane.
+// `thin`: if set, the camera looks exactly along this axis, so that the layer of cells is seen as in a plan drawing.
 json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
     annotations::Camera camera = annotations::default_camera(box.low, box.high, default_aspect);
     if (thin) {
@@ -129,8 +133,8 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// Returns whether a point array is written at a step and has finite values only. Also checks the array on cells that it
-// was made from: a cell that blew up may have corners with finite values.
+// Returns whether a point array is written at a step and has finite values only. Also checks the cell array from which
+// it was made, because a cell without a finite value may have corners with finite values.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -139,8 +143,8 @@ bool is_finite(const store::Step& step, const std::string& array) {
     return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
-// Returns the last of the steps with the most point arrays that are written and finite everywhere. So a run that blew
-// up is shown at a step before it blew up. REQUIRES: at least one step.
+// Returns the step at which the most point arrays are written and finite everywhere; if there are several such steps,
+// the last. Therefore a run that diverged is shown at a step before it diverged. REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -162,7 +166,7 @@ bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> n
 }
 
 // Returns the first point array with this number of components that varies at this step and has one of the names. If
-// there is none, returns the first with another name, or null. `names`: in lower case.
+// there is none, returns the first such array with another name, or null. `names`: in lower case.
 const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
                                   std::span<const std::string_view> names) {
     const store::ArrayInfo* first = nullptr;
@@ -176,12 +180,12 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
     return first;
 }
 
-// Returns the axis across which the slice lies: one along which the bodies span the whole domain, as cylinders and
-// wings between walls do, else the one along which they are thinnest.
+// Returns the axis that is perpendicular to the slice. If the bodies span the whole domain along an axis, as cylinders
+// and wings between walls do, it is this axis. Otherwise it is the axis along which the bodies are thinnest.
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
-    std::size_t axis = 1; // a slice across y faces the default camera
+    std::size_t axis = 1; // a slice perpendicular to y faces the default camera
     for (const std::size_t other : {0U, 2U})
         if (as_thin * length(bodies, other) < length(bodies, axis)) axis = other;
     for (const std::size_t other : {0U, 1U, 2U})
@@ -189,7 +193,8 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
-// Returns the thinnest axis if a patch has the type empty or wedge: the mesh is one layer of cells along it.
+// Returns the axis along which the mesh is thinnest if a patch has the type empty or wedge. The mesh then has one layer
+// of cells along this axis.
 std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
                              [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
@@ -217,8 +222,8 @@ constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "static
                                                     "p_rgh", "pmean"};
 constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
 
-// Adds the usual first view of an engineer: pressure on the bodies, speed around them, at the end of the run. `thin`:
-// the axis across a mesh of one layer of cells.
+// Adds the layers that an engineer usually looks at first: the bodies, colored by pressure, and a slice through them,
+// colored by speed. `thin`: if the mesh has one layer of cells, the axis perpendicular to the layer.
 void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
                  std::optional<std::size_t> thin, json& scene) {
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
@@ -236,14 +241,14 @@ void show_bodies(const store::Dataset& dataset, const store::Step& step, std::sp
     layers["slice"] = slice_across(axis, box, vector != nullptr ? vector : scalar);
 }
 
-// Adds a slice within a mesh of one layer of cells.
+// For a mesh with one layer of cells: adds a slice within the layer. `axis`: perpendicular to the layer.
 void show_layer(const store::Dataset& dataset, const store::Step& step, std::size_t axis, json& scene) {
     const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
     scene["layers"]["slice"] = slice_across(axis, domain_of(dataset, step), vector != nullptr ? vector : scalar);
 }
 
-// For meshes without bodies: adds an iso-surface, or the boundary if nothing varies.
+// For meshes without bodies: adds an iso-surface, or the boundary if no scalar varies.
 void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>& scalars, json& scene) {
     const auto dataset = loaded.dataset();
     json& layers = scene["layers"];

@@ -1,4 +1,4 @@
-// The scene that a dataset is first shown with, chosen from its patches and arrays.
+// The scene with which a dataset is first shown. It depends on the patches and the arrays of the dataset.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -9,17 +9,21 @@
 namespace ciel::geometry {
 
 struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json does not throw
-    nlohmann::json document; // with an explicit camera
-    BoundingBox box;         // what the camera looks at: the bodies, or the whole mesh
+    nlohmann::json document; // has a camera, unless the dataset has no step
+    BoundingBox box;         // box to which the camera is fitted: of the bodies, or of the mesh
 };
 
 // Returns the first scene of a dataset. `name`: name of the dataset in the catalog. Every first scene has an outline.
-// With bodies (bodies.hpp): the last step whose arrays are written and finite; the bodies, colored by pressure or else
-// by the first scalar that varies; one slice through them, colored by speed; the camera on them.
-// Without bodies, in a mesh of one layer of cells: a slice within the layer, at the same step as with bodies.
-// Otherwise: an iso-surface of the first point scalar that varies, at the first step at which it does, colored by
-// another scalar if there is one. The iso-value is halfway between the 5th and 95th percentile of the values at
-// vertices. So it is not the value of a plateau, such as the free stream. If no scalar varies: the boundary.
+//
+// If there are bodies (bodies.hpp), the scene shows the last step whose arrays are written and finite. It has the
+// bodies, colored by pressure or else by the first scalar that varies, and a slice through the bodies, colored by
+// speed. The camera is fitted to the bodies. If there are no bodies and the mesh has one layer of cells, the scene has
+// a slice within the layer, at the same step.
+//
+// Otherwise the scene has an iso-surface of a point scalar that varies, at the first step at which it varies. The
+// surface is colored by another scalar if there is one. The iso-value is halfway between the 5th and 95th percentile of
+// the values at vertices, so that it is not the value of a plateau, such as the free stream. If no scalar varies, the
+// scene has the boundary of the mesh.
 [[nodiscard]] DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name);
 
 } // namespace ciel::geometry

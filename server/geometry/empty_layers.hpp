@@ -5,9 +5,9 @@
 
 namespace ciel::geometry {
 
-// Returns the visible layers of which `geometry` shows nothing from any camera, in layer order. Outlines, clips and
-// layers in `geometry.empty` are left out. Reads shapes only if planes cut them, and each up
-// to the first point that is kept.
+// Returns the visible layers that show nothing in `geometry`, whatever the camera is, each with the reason. The order
+// is the order of the layers. Leaves out outlines, clip layers and layers in `geometry.empty`. If there are clip
+// planes, reads each shape up to the first point that the planes keep.
 [[nodiscard]] std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::Scene& scene,
                                                    const store::Dataset& dataset);
 

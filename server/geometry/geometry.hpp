@@ -26,23 +26,23 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const std::vector<Index>> edges; // drawn instead of the shape's own indices, two per line
     float line_width = 1.5F;                         // pixels
-    std::optional<store::Values> scalars;            // one per surface vertex; nullopt: the solid color
-    double scalar_origin = 0;                        // near the scalars if they are doubles, to draw them as floats
+    std::optional<store::Values> scalars;            // one per surface vertex; nullopt if the color is solid
+    double scalar_origin = 0;                        // subtracted from double scalars to draw them as floats
     std::string array;                               // of the scalars
     std::string units;                               // of the array; empty if not known
-    std::vector<std::string> legend_lines;           // further lines of the legend, about the array at this step
+    std::vector<std::string> legend_lines;           // more lines for the legend, about the array at this step
     color::ColorScale scale;                         // of the scalars
-    bool missing = false;                            // some scalars are NaN or infinite
-    bool all_left_out = false;                       // all its polygons were left out: their cells blew up
+    bool missing = false;                            // true if some scalars are NaN or infinite
+    bool all_left_out = false;                       // all polygons are left out: no cell is sound (sound_shape.hpp)
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
     bool lit = true;
     bool contours = false;      // contour lines on the layer, with their own color scale
-    std::uint64_t identity = 0; // the same from one scene to the next, unique in the process
-    std::uint64_t revision = 0; // changes with shape and scalars, unique in the process
+    std::uint64_t identity = 0; // the same in successive scenes; unique in the process
+    std::uint64_t revision = 0; // changes when shape or scalars change; unique in the process
 
     [[nodiscard]] bool lines() const { return edges != nullptr || shape->lines; }
     [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
-    [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // the surface of its own layer
+    [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // on the layer's surface
     [[nodiscard]] bool polygons() const { return !lines() && !points(); }
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
@@ -52,8 +52,8 @@ struct Slabs; // volume_cut.hpp
 struct VolumeDrawable {
     std::string layer;
     std::shared_ptr<const Slabs> slabs;
-    std::size_t stride = 1;  // one slice in `stride` is drawn
-    double value_origin = 0; // the slabs have values relative to it
+    std::size_t stride = 1;  // every `stride`-th slice is drawn
+    double value_origin = 0; // the values of the slabs are relative to this number
     std::string array, units;
     std::vector<std::string> legend_lines;
     bool all_left_out = false;
@@ -62,7 +62,7 @@ struct VolumeDrawable {
     double unit_length = 1;
     bool shaded = true;
     float opacity = 1;
-    std::uint64_t identity = 0, revision = 0; // of the slabs, as a Drawable's
+    std::uint64_t identity = 0, revision = 0; // of the slabs; as in Drawable
 };
 
 struct EmptyLayer { // a visible layer that shows nothing
@@ -73,7 +73,7 @@ struct EmptyLayer { // a visible layer that shows nothing
     std::string reason; // a sentence that does not name the layer
     bool operator==(const EmptyLayer&) const = default;
 };
-[[nodiscard]] std::string why_text(EmptyLayer::Why why); // as in the contract
+[[nodiscard]] std::string why_text(EmptyLayer::Why why); // name in protocol/openrpc.json
 
 struct BoundingBox { // in the dataset's coordinates
     Vec3d low{}, high{};
@@ -85,10 +85,10 @@ struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // visible volumes, in drawing order
     std::vector<HalfSpace> clip;         // relative to `origin`; drawables and volumes are stored unclipped (clip.hpp)
-    Vec3d origin{}; // the middle of the mesh, or a place that the camera sees from near (drawing_origin.hpp)
+    Vec3d origin{}; // the middle of the mesh, or a point near the camera's target (drawing_origin.hpp)
     Vec3d bounds_min{}, bounds_max{};
-    bool double_positions = false;             // of the mesh
-    std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, whatever is shown: x0, x1, y0, y1, z0, z1
+    bool double_positions = false;             // whether the mesh has double positions
+    std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, at every step: x0, x1, y0, y1, z0, z1
     double time = 0;                           // of the step shown
     std::size_t step = 0;
     std::string length_units; // empty if not known
@@ -101,7 +101,7 @@ struct Geometry {
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
 // Throws store::NotWritten if `lacking` is not empty. Called before surface files are written, because a file cannot
-// carry a remark.
+// contain a remark.
 void require_complete(const Geometry& geometry);
 
 } // namespace ciel::geometry

@@ -20,7 +20,8 @@ std::array<double, 2> range_of(const store::Dataset& dataset, const std::string&
     const auto& range =
         name.component ? info.component_ranges.at(static_cast<std::size_t>(*name.component)) : info.range;
     if (doubles) return range;
-    return {static_cast<float>(range[0]), static_cast<float>(range[1])}; // ends of a magnitude's range may be no floats
+    // The ends of a magnitude's range may be doubles that no float is equal to.
+    return {static_cast<float>(range[0]), static_cast<float>(range[1])};
 }
 
 std::string full_name(const store::Dataset& dataset, const std::string& scalar) {

@@ -1,5 +1,5 @@
-// One update of a scene's geometry: one function per kind of layer, and the kept state that they use. LayerUpdate is
-// used by SceneGeometry only.
+// One update of a scene's geometry: one function for each kind of layer, and the kept state that these functions use.
+// Only SceneGeometry uses LayerUpdate.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -21,12 +21,12 @@ struct LayerUpdate {
     const annotations::Camera camera;
     const bool moving;
     const std::size_t most_bytes;
-    std::size_t bytes;                            // of all kept state
+    std::size_t bytes;                            // size of all kept state
     std::vector<const scene::ClipLayer*> caps{};  // visible clip layers with caps
     scene::VolumeLayer::Direction slabs_across{}; // direction of the slabs of all volumes
 
-    // Each appends the layer's drawables to `out`, or a sentence about missing data. Returns false if stopped. Throws
-    // limits::LimitReached when the kept state exceeds `most_bytes`.
+    // Each function appends the layer's drawables to `out`, or a sentence about missing data. Returns false if `stop`
+    // was requested. Throws limits::LimitReached when the kept state exceeds `most_bytes`.
     bool operator()(const scene::Layer& layer, const scene::IsoLayer& iso);
     bool operator()(const scene::Layer& layer, const scene::SliceLayer& slice);
     bool operator()(const scene::Layer& layer, const scene::SurfaceLayer& surface);
@@ -34,11 +34,11 @@ struct LayerUpdate {
     bool operator()(const scene::Layer& layer, const scene::PointsLayer& points);
     bool operator()(const scene::Layer& layer, const scene::OutlineLayer& outline);
     bool operator()(const scene::Layer& layer, const scene::VolumeLayer& volume);
-    bool operator()(const scene::Layer&, const scene::ClipLayer&) { return true; } // see Geometry::clip and caps
+    bool operator()(const scene::Layer&, const scene::ClipLayer&) { return true; } // see Geometry::clip and `caps`
 
 private:
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
-    // Returns the field, set to make surfaces that are relative to out.origin.
+    // Changes the field so that its surfaces are relative to out.origin, and returns it.
     [[nodiscard]] store::ScalarField drawn(store::ScalarField field) const;
     // Updates `bytes` after each surface, so that a scene that is too large is refused early. Throws LimitReached.
     void count(std::size_t before, std::size_t after);
@@ -47,10 +47,11 @@ private:
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit, const OfArray& of = {});
-    // Returns further lines of a legend: the extremes of the cells that the array was made from, and the number of
-    // cells left out.
+    // Returns more lines for a legend: the least and greatest value of the cell array from which the array was made,
+    // and the number of cells that are left out.
     [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
-    // Adds a remark on the number of cells that blew up, once for each array that is shown.
+    // Adds a remark with the number of cells that are left out because they have no number for the array. Adds the same
+    // remark only once.
     void tell_left_out(const std::string& scalar, bool is_cut) const;
     // Sets the color scale or the solid color. Adds to `out.lacking` if the scale has no color for any of the scalars.
     void color(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
@@ -62,20 +63,21 @@ private:
     void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
                       const std::optional<scene::Contours>& contours, const scene::Layer& layer);
 
-    // Sets the cut's field to the distance from out.origin along the normal. Returns the plane's nu. So a plane that
-    // moves along its normal is another nu of the same field.
+    // Sets the field of the cut to the distance from out.origin along the plane's normal. Returns the plane's distance,
+    // nu. Therefore a plane that moves along its normal changes nu only, not the field.
     double use_plane(Cut& cut, const scene::Plane& plane);
     // Returns the clip layer whose caps coincide with the slice, or null. The slice is then cut by the plane of the
-    // clip layer. Otherwise polygons of slice and cap would be rounded or oriented differently, and each would show
-    // through the other in places.
+    // clip layer. Otherwise the polygons of the slice and of the cap would be rounded or oriented differently, and
+    // parts of each surface would cover the other surface.
     [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;
     // Cuts at `nu`. If the plane lies in a side of the mesh, takes the boundary faces of the side instead, so that the
-    // slice coincides with them. Returns false if stopped.
+    // slice coincides with these faces. Returns false if `stop` was requested.
     bool cut_along(Cut& cut, double nu) const;
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0);
     [[nodiscard]] std::vector<std::uint8_t> cells_of(const scene::Threshold& threshold) const;
-    // Returns the kept state of a layer that shows mesh cells; null if its threshold has no values at this step.
+    // Returns the kept state of a layer that shows mesh cells. Returns null if the array of the threshold has no values
+    // at this step.
     Boundary* solid(const scene::Layer& layer, const std::vector<std::string>& groups,
                     const std::optional<scene::Threshold>& threshold, std::string key);
     bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid);
@@ -88,12 +90,12 @@ private:
 };
 
 // Keys of kept state.
-[[nodiscard]] std::string bits_of(double number); // its bytes, for a key; not readable
+[[nodiscard]] std::string bits_of(double number); // the bytes of the number, for a key; not readable
 [[nodiscard]] std::string plane_name(const std::array<double, 3>& normal, const store::Step& step);
 
 [[nodiscard]] std::array<double, 2> range_of(const store::Dataset& dataset, const std::string& scalar,
                                              std::size_t step);
-// Returns "U:magnitude" for the bare name of a vector, other names unchanged.
+// Returns "U:magnitude" for "U" if U is a vector. Returns other names unchanged.
 [[nodiscard]] std::string full_name(const store::Dataset& dataset, const std::string& scalar);
 
 } // namespace ciel::geometry

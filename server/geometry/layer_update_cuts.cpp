@@ -11,10 +11,10 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr std::size_t usual_contours = 10; // as the contract says
+constexpr std::size_t usual_contours = 10; // default of `count` in protocol/openrpc.json
 
-// Returns whether slice and clip have the same plane, whichever side the clip keeps. `largest`: upper bound of the
-// mesh's coordinates, to which rounding errors are relative.
+// Returns whether the slice and the clip layer have the same plane, whichever side the clip layer keeps. `largest`:
+// upper bound of the mesh's coordinates; rounding errors are proportional to it.
 bool coincide(const scene::Plane& slice, const scene::Plane& clip, double largest) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

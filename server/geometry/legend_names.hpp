@@ -1,5 +1,5 @@
-// Names that distinguish several legends of one array: each names the layers that use its colors. Same rules as
-// webclient/src/model/legend_names.ts; both are tested with tests/support/legend_cases.json.
+// Names that distinguish several legends of one array. Each name lists the layers that use the colors of the legend.
+// webclient/src/model/legend_names.ts has the same rules. Both are tested with tests/support/legend_cases.json.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -9,7 +9,8 @@
 
 namespace ciel::geometry {
 
-// Returns a short name, to fit above a color bar. `contours`: for the contour lines on the layer.
+// Returns a short name of the layer that fits above a color bar. `contours`: if true, the name of the contour lines on
+// the layer.
 [[nodiscard]] std::string legend_name_of(const scene::Layer& layer, bool contours);
 
 struct NamedLegend {
@@ -17,7 +18,7 @@ struct NamedLegend {
     std::vector<std::string> names; // from legend_name_of
 };
 
-// Returns one name per legend; empty if no other legend has the same array.
+// Returns one name per legend. The name is empty if no other legend has the same array.
 [[nodiscard]] std::vector<std::string> legend_names(const std::vector<NamedLegend>& legends);
 
 } // namespace ciel::geometry

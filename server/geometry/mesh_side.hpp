@@ -8,13 +8,14 @@
 
 namespace ciel::geometry {
 
-// Returns the nu to cut at if a plane at `nu` lies in a side of the mesh within rounding; else nothing. `distances`:
-// field of distances along the normal. At the lower end, returns the next larger number: a vertex is high if its value
-// is >= nu, so a cut at the end itself would be empty.
+// If the plane at `nu` lies in a side of the mesh, up to rounding, returns the value at which the mesh must be cut;
+// else returns nothing. `distances`: field of distances along the normal. At the lower side, the result is the next
+// number above the least distance. A vertex is high if its value is >= nu, so a cut at the least distance itself would
+// be empty.
 [[nodiscard]] std::optional<double> side_at(double nu, const store::ScalarField& distances);
 
-// Returns the boundary's faces in the side at `nu`, a result of side_at. Empty if the mesh ends there in an edge or a
-// point.
+// Returns the faces of the boundary in the side at `nu`, which is a result of side_at. The surface is empty if the mesh
+// ends there in an edge or a point.
 [[nodiscard]] Surface side_surface(const store::ScalarField& distances, double nu);
 
 } // namespace ciel::geometry

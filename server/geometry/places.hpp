@@ -1,12 +1,12 @@
-// The vertices of a surface in the dataset's coordinates, as precise as those of the mesh. Files get these doubles;
-// pictures need only floats.
+// The positions of a surface's vertices in the dataset's coordinates, as doubles that are as precise as the positions
+// of the mesh. Files get these doubles; pictures need only floats.
 #pragma once
 
 #include "geometry/geometry.hpp"
 
 namespace ciel::geometry {
 
-// Returns one place per vertex of a surface of `geometry`. `dataset`: the one that `geometry` shows.
+// Returns one position per vertex of a surface of `geometry`. `dataset`: the dataset that `geometry` shows.
 [[nodiscard]] std::vector<Vec3d> places_of(const Surface& surface, const Geometry& geometry,
                                            const store::Dataset& dataset);
 

@@ -41,9 +41,9 @@ std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scen
         for (const Drawable& drawable : geometry.drawables)
             if (drawable.layer == layer.id && drawable.scalars)
                 found.add(layer, legend_of(drawable, drawable.missing), drawable.contours);
+        // A volume has no missing values, because cells without values are left out.
         for (const VolumeDrawable& volume : geometry.volumes)
-            if (volume.layer == layer.id)
-                found.add(layer, legend_of(volume, false), false); // none missing: cells without values are left out
+            if (volume.layer == layer.id) found.add(layer, legend_of(volume, false), false);
     }
     found.tell_apart();
     return std::move(found.legends);

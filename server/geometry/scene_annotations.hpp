@@ -6,9 +6,10 @@
 
 namespace ciel::geometry {
 
-// Returns one legend per array, map and range that visible layers are colored by, in drawing order. Legends of one
-// array are distinguished by their layers. Layers that show nothing have a legend only with `all_layers`: a view that
-// leaves room for legends must not jump while a moving threshold keeps nothing.
+// Returns the annotations of a picture. Has one legend for each array and color scale that visible layers use, in
+// drawing order. Legends of the same array name their layers. A layer that shows nothing has a legend only with
+// `all_layers`. A view that leaves room for legends uses `all_layers`, so that the view does not jump while a changing
+// threshold keeps no cell.
 enum class LegendsOf { what_is_seen, all_layers };
 [[nodiscard]] annotations::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene,
                                                       LegendsOf legends = LegendsOf::what_is_seen);

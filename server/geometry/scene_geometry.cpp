@@ -18,7 +18,7 @@ namespace {
 Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
 Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
 
-// A scene without a time has time 0 and gets no remark.
+// Adds a remark if no step has the time `wanted`. A scene without a time has the time 0 and gets no remark.
 void remark_on_time(double wanted, Geometry& geometry) {
     const double off = std::abs(geometry.time - wanted);
     if (wanted == 0 || off <= 1e-6 * std::max(std::abs(geometry.time), std::abs(wanted))) return;
@@ -59,7 +59,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->bounds_min = low(dataset->info().meshes[step.mesh]);
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
     geometry->double_positions = dataset->info().meshes[step.mesh].double_positions;
-    // The aspect is arbitrary: it does not affect the default camera's direction.
+    // The aspect 1 is arbitrary, because the aspect does not affect the direction of the default camera.
     const annotations::Camera camera = camera_of(*geometry, scene, 1);
     geometry->origin = drawing_origin(store::middle_of(dataset->info().meshes[step.mesh]), origin_, camera);
     if (geometry->origin != origin_) {
@@ -99,7 +99,7 @@ void SceneGeometry::forget_all() {
 }
 
 void SceneGeometry::forget_all_but(const scene::Scene& scene) {
-    std::map<std::string, std::size_t> cuts_of; // number of cuts to keep
+    std::map<std::string, std::size_t> cuts_of; // by layer: number of cuts to keep
     std::set<std::string> shown;
     const std::size_t caps = capping(scene).size();
     for (const scene::Layer& layer : scene.layers) {

@@ -1,4 +1,5 @@
-// Turns a scene into geometry. Keeps one kernel Query per iso-value and slice, so that only changes are computed again.
+// Makes the geometry of a scene. Keeps one kernel Query per iso-value and slice, so that only changes are computed
+// again.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -14,7 +15,8 @@ struct Cut; // cut.hpp
 struct Boundary;
 struct VolumeCut;
 
-// Called before each visible layer is made, and after the last. `done`: number of layers made; `of`: of visible layers.
+// Called before each visible layer is made, and after the last. `done`: number of layers made; `of`: number of visible
+// layers.
 using LayersMade = std::function<void(std::size_t done, std::size_t of)>;
 
 // Not thread-safe.
@@ -26,8 +28,8 @@ public:
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
     // Returns the geometry of `checked`, or null if `stop` was requested. Throws Error. Throws limits::LimitReached
-    // when the kept state exceeds `most_bytes`. The excess is at most one surface, and the next call may pass another
-    // scene. `moving`: makes volumes coarser, for a picture of a movement.
+    // when the kept state exceeds `most_bytes`. The excess is at most one surface. After the exception, the next call
+    // may pass another scene. `moving`: makes volumes coarser, for interactive pictures.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
                                                          const std::stop_token& stop = {},
                                                          std::size_t most_bytes = SIZE_MAX, bool moving = false,
@@ -41,7 +43,7 @@ private:
 
     Extraction extraction_;
     std::shared_ptr<store::LoadedDataset> loaded_;
-    Vec3d origin_{}; // of all kept shapes
+    Vec3d origin_{}; // origin of all kept shapes
     std::map<Key, Cut> cuts_;
     std::map<Key, Boundary> boundaries_;
     std::map<std::string, VolumeCut> volumes_; // by layer

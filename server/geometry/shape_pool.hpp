@@ -1,4 +1,5 @@
-// Reuses a shape's buffers: a moving slider makes a surface per frame, each about as large as the last.
+// Reuses the buffers of shapes. While the user moves a slider, each frame needs a new surface, which is about as large
+// as the last surface.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -7,13 +8,13 @@
 
 namespace ciel::geometry {
 
-// Thread-safe. A shape returns to the pool when its last owner releases it; a picture in progress may be this owner.
-// The pool keeps at most one shape.
+// Thread-safe. A shape returns to the pool when its last owner releases it. This owner may be a picture that is still
+// being drawn. The pool keeps at most one shape.
 class ShapePool : public std::enable_shared_from_this<ShapePool> {
 public:
     [[nodiscard]] static std::shared_ptr<ShapePool> make() { return std::make_shared<ShapePool>(); }
 
-    // Returns an empty shape, or the kept one with stale content.
+    // Returns the kept shape, which still has its old contents, or an empty shape if none is kept.
     [[nodiscard]] std::shared_ptr<Shape> take();
     void forget(); // drops the kept shape
     [[nodiscard]] std::size_t memory_bytes() const;

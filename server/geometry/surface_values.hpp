@@ -8,7 +8,7 @@ namespace ciel::geometry {
 // Returns the same polygons without shared vertices, so that every polygon can have the value of its cell or face.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);
 
-// Returns per vertex the value of its polygon. `of_polygons`: one per polygon.
+// Returns one value per vertex: the value of the polygon that has the vertex. `of_polygons`: one value per polygon.
 [[nodiscard]] store::Values flat_values(const Surface& separated, ValuesView of_polygons);
 
 } // namespace ciel::geometry

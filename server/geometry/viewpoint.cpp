@@ -12,7 +12,7 @@ annotations::Camera camera_of(const Geometry& geometry, const scene::Scene& scen
     return {camera.position, camera.target, camera.up, camera.fov, camera.parallel, camera.parallel_height.value_or(1)};
 }
 
-// Views use the same camera as annotated pictures of the scene, so that pixels of both correspond.
+// Views use the same camera as annotated pictures of the scene, so that a point has the same pixel in both.
 annotations::Camera default_view(const Geometry& geometry, const scene::Scene& scene, int width, int height,
                                  double fov_degrees, bool parallel, const std::optional<BoundingBox>& of) {
     annotations::AnnotatedPicture picture;

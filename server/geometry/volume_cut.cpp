@@ -11,14 +11,16 @@
 namespace ciel::geometry {
 namespace {
 
-// Number of slices while moving. Software draws `most_slices` about ten times a second if each has a few thousand
-// triangles. Slices of larger meshes have more triangles, in proportion to the number of vertices to the power of 2/3.
-// So fewer are drawn, but not so few that a thick slab loses detail of the mesh.
+// Number of slices in an interactive picture. Software rendering draws `most_slices` slices of a few thousand triangles
+// about ten times a second. The number of triangles in a slice grows with the number of vertices to the power of 2/3.
+// Therefore a mesh with more than `usual_vertices` gets fewer slices. It gets at least `least_slices`, because thicker
+// slabs would lose detail of the mesh.
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
-// If a slab had more optical depth than usual_loss, up to `times_more` times as many slices are drawn. A small mesh
-// has more, because its slices have fewer triangles, but at most `most_of_all`.
+// If a slab had an optical depth above usual_loss, more slices are drawn: up to `times_more` times as many. A small
+// mesh may have even more slices, because they have fewer triangles, but at most `most_of_all`.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
-// Slices of a still.
+// Number of slices in a still picture: from `fewest_in_all` to `most_in_all`. A mesh below `large_mesh` vertices gets
+// more slices if the steepness of the opacity is above `steep` (usual_slices).
 constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
 
 double moving_slices(std::size_t vertices, double loss) {
@@ -53,7 +55,7 @@ double steepness(std::span<const std::array<double, 2>> opacity_points) {
         const auto& [from, low] = opacity_points[i - 1];
         const auto& [to, high] = opacity_points[i];
         const double rise = std::abs(color::extinction_of(high) - color::extinction_of(low));
-        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite at a step
+        if (rise > 0) steepest = std::max(steepest, rise / (to - from)); // infinite at a step of the opacity
     }
     return steepest;
 }
@@ -66,7 +68,7 @@ double largest_loss(std::span<const std::array<double, 2>> opacity_points, doubl
 
 std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss) {
     const double fitting = static_cast<double>(slices) / moving_slices(vertices, loss);
-    return 2 * static_cast<std::size_t>(std::ceil((fitting - 1) / 2)) + 1; // the next odd number
+    return 2 * static_cast<std::size_t>(std::ceil((fitting - 1) / 2)) + 1; // `fitting` rounded up to an odd number
 }
 
 VolumeCut::VolumeCut() : identity(unique_number()) {}
@@ -136,8 +138,9 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 
 namespace {
 
-// Returns whether a corner ray of a picture of at most 16 : 9 makes more than 85 degrees with the slabs' normal. This
-// cannot happen for the axis nearest to the view and a field of view of 30 degrees.
+// Returns whether a camera ray through a corner of a 16 : 9 picture may make an angle of more than 85 degrees with the
+// normal of the slabs. This cannot happen if the axis is nearest to the viewing direction and the field of view is 30
+// degrees.
 bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
@@ -156,7 +159,8 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Ca
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // Not while the camera moves: planes across the view would have to be cut again for each picture.
+    // While the camera moves, an axis is used instead. Otherwise the slices would have to be cut again for each
+    // picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

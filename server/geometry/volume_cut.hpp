@@ -1,4 +1,5 @@
-// The kept state behind a volume layer: its property with gradients, and the slices of the current direction.
+// The state that is kept between updates for a volume layer: its property with gradients, and the slices in the current
+// direction.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -10,66 +11,69 @@
 
 namespace ciel::geometry {
 
-// Parallel slabs of equal thickness that cover the mesh. Slice i is the cut by the middle plane of slab i. Places are
-// values of dot(normal, offset from Geometry::origin).
+// Parallel slabs of equal thickness that cover the mesh. Slice i is the cut by the middle plane of slab i. Positions
+// along the normal are values of dot(normal, offset from Geometry::origin).
 struct Slabs {
     Vec3d normal{};
-    double first = 0, thickness = 1; // start of slab 0
-    std::vector<SlabMesh> slices;    // a slice is empty if not cut yet
+    double first = 0, thickness = 1; // position of the start of slab 0; thickness of a slab
+    std::vector<SlabMesh> slices;    // a slice is empty if it is not cut yet
     std::shared_ptr<const SlabMesh> boundary;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the optical depth of `length` at the largest opacity.
+// Returns the optical depth of a camera ray of length `length` at the greatest opacity of the points. `unit_length`:
+// length after which a ray has the opacity of the points.
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
-// Returns the number of slices for a scene that gives none. Slabs have the same thickness in all directions, so that
-// pictures from all sides have equal detail and cost. `length`: of all slabs; `mean_edge`: of the mesh's bounds;
-// `steepest`: from steepness. If opacity rises steeply and the mesh is not too large, slabs are thinner: a steep rise
-// looks like a surface, with a step per slab.
+// Returns the number of slices in a still picture, for a scene that does not give it. Slabs have about the same
+// thickness in all directions, so that pictures from all sides have equal detail and cost. If the opacity rises steeply
+// and the mesh is not too large, slabs are thinner, because a steep rise looks like a surface with a visible step at
+// each slab. `length`: thickness of all slabs together; `mean_edge`: mean edge length of the mesh's bounds; `steepest`:
+// result of steepness().
 [[nodiscard]] std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest);
-// Returns the steepest slope of the extinction per unit length. The range of the property counts as 1.
+// Returns the greatest slope of the extinction (per unit length) over the property. The property is scaled so that its
+// range is 0 to 1.
 [[nodiscard]] double steepness(std::span<const std::array<double, 2>> opacity_points);
 
-// Returns the stride of the slices that are drawn while something moves; each stands for a slab `stride` times as
-// thick.
-// The stride is odd: the middle plane of a thick slab is then that of a thin one, and slices of a still are reused.
-// It is larger for a mesh of more vertices, to keep drawing interactive. It is smaller where a thick slab would absorb
-// much light: only the front of such a slab should be visible, but its whole extent is averaged. `loss`: optical depth
-// of all slabs together (largest_loss).
+// Returns the stride of the slices that are drawn in an interactive picture. Each drawn slice replaces `stride` slabs
+// by one thick slab. The stride is odd, so that the middle plane of a thick slab is also the middle plane of a thin
+// slab, and slices of a still picture can be reused. The stride is greater for a mesh with more vertices, to keep
+// drawing fast. It is smaller if a thick slab would absorb much light. Only the front of such a slab should be visible,
+// but the slice averages over its whole thickness. `loss`: optical depth of all slabs together (largest_loss).
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
-    std::string key;      // of the property: array, step
+    std::string key;      // identifies the property: step and array
     store::Values values; // floats, relative to value_origin
     double value_origin = 0;
     std::vector<Vec3f> gradients;
-    std::vector<std::array<float, 2>> limits; // by cell
+    std::vector<std::array<float, 2>> limits; // by cell (cell_limits in ciel/slab.hpp)
     std::shared_ptr<const SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
-    std::size_t stride = 1; // of the slices present: 1, or that of moving pictures
+    std::size_t stride = 1; // of the slices that are cut: 1, or the stride of interactive pictures
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
     // Loads the property and its gradients. `origin`: point to which positions are relative.
     void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded, const Vec3d& origin);
-    // Cuts one in `every` of `slices` slices, unless they are present. `place`: key of the planes. Returns false if
-    // stopped; the earlier slices are kept then.
+    // Cuts every `every`-th of `slices` slices, unless these slices are already cut. `place`: identifies the planes
+    // (plane_name). Returns false if `stop` was requested; the earlier slices are then kept.
     bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
              std::size_t every, Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
 // Returns the direction of the first visible volume. All volumes use it, because slabs of two directions cannot be
-// sorted together.
+// sorted together by depth.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
-// Returns the unit normal of the slabs. Takes the requested axis, unless some ray of the picture runs nearly along its
-// slabs: of a ray that stays within one slab, only the end is known. Otherwise takes the axis nearest to the view, in
-// its positive direction. A still takes the view's own direction for `screen`, and also if some ray runs nearly along
-// the slabs of the chosen axis.
+// Returns the unit normal of the slabs. It is the requested axis, unless some camera ray is nearly parallel to the
+// slabs of this axis. Such a ray may stay within one slab, where values are known only at its end. In this case, and if
+// no axis is requested, the normal is the axis nearest to the viewing direction. An axis is taken in its positive
+// direction. In a still picture, the normal is the viewing direction itself for `screen`, and also if some camera ray
+// is nearly parallel to the slabs of the chosen axis.
 [[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera,
                                 bool moving);
 

@@ -23,8 +23,9 @@ public:
         : source_(source), options_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    // Returns nothing, and leaves no dataset, if most steps have an array with other components than the chosen ones.
-    // components() then returns the components of most steps.
+    // Each array has the same components at all steps of the dataset (values/field_components.hpp). If most steps have
+    // other components than the chosen components, returns nullopt and writes no dataset. components() then returns the
+    // components that most steps have.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -41,7 +42,7 @@ public:
     [[nodiscard]] ComponentsOf components() const { return arrays_.components().of_most_steps(); }
 
 private:
-    // `phase_share`: share of the current step that is done, in [0, 1].
+    // `phase_share`: finished share of the current step, in [0, 1].
     void tell(double phase_share, const std::string& what) const {
         const auto steps = static_cast<double>(source_.times().size());
         const double done = std::min((static_cast<double>(step_) + phase_share) / steps, 1.0);
@@ -60,7 +61,7 @@ private:
             std::optional<std::vector<ArrayName>> listed;
             try {
                 listed = source_.listed_arrays(step);
-            } catch (const Error&) { // reported when the step is read
+            } catch (const Error&) { // add_step() reports the error when it reads the step
                 return;
             }
             if (!listed) return;
@@ -69,7 +70,8 @@ private:
         selection_.check();
     }
 
-    // Throws Error for an unknown --array if the input has one step. With several, a later step could have the array.
+    // If the input has a single step, throws Error for an unknown --array. If it has several steps, a later step could
+    // have the array.
     void check_only_step(const DataSets& data_sets) {
         if (source_.times().size() > 1) return;
         for (const FieldName& field : field_names(data_sets)) selection_.saw(field);
@@ -77,7 +79,9 @@ private:
     }
 
     void add_step(double time) {
-        if (!std::isfinite(time)) throw Error("time " + std::to_string(step_) + " of the input is not a finite number");
+        if (!std::isfinite(time))
+            throw Error("the time of step " + std::to_string(step_) +
+                        " is not a finite number; correct it in the input");
         if (last_time_ && time <= *last_time_) {
             note("A second step at time " + std::to_string(time) + " was left out.");
             return;
@@ -104,7 +108,8 @@ private:
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
-    // Builds and writes the step's mesh. Returns false if it cannot be built; the step is lost and the mesh stays.
+    // Builds and writes the mesh of a step. If the mesh cannot be built, returns false, reports the step as lost, and
+    // does not change mesh_.
     bool new_mesh(const DataSets& data_sets, double time) {
         tell(0.5, "building the mesh");
         try {
@@ -127,8 +132,8 @@ private:
         return true;
     }
 
-    // Updates the mesh to a step with the same cells. Returns false if welded or joined points differ at this step, so
-    // that it needs a new mesh.
+    // Updates mesh_ to a step with the same cells. Returns false if the step needs a new mesh: points that were welded
+    // or joined differ at this step, or the dataset stores positions as floats and the new positions need doubles.
     bool same_mesh(const DataSets& data_sets, bool moved, double time) {
         update_step_mesh(mesh_, data_sets, moved);
         if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
@@ -137,7 +142,7 @@ private:
                      << " differs across a seam that was welded at earlier times; from that time on the dataset has "
                         "another mesh.";
             note(sentence.str());
-            print_ = {}; // mesh_ no longer has the positions that were written
+            print_ = {}; // mesh_ no longer has the positions that are in the dataset
             return false;
         }
         if (!still_the_same(mesh_.joined_pieces, mesh_.parts)) {
@@ -151,7 +156,7 @@ private:
         }
         if (!moved) return true;
         const ValuesView positions = mesh_.view().positions;
-        if (!writer_->holds(mesh_index_, positions)) { // the mesh stores floats, which cannot hold these
+        if (!writer_->holds(mesh_index_, positions)) { // positions need doubles, but the dataset has floats
             print_ = {};
             return false;
         }
@@ -185,7 +190,7 @@ private:
         header.input_edges = mesh_.input_edges;
         header.input_cells = mesh_.input_cells;
         writer_.emplace(options_.output, header, options_.force);
-        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // of steps lost so far
+        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // earlier notes
         for (const std::string& sentence : source_.notes()) note(sentence);
     }
 

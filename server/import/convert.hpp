@@ -9,11 +9,10 @@
 
 namespace ciel::importer {
 
-// The options of ciel-import's command line.
 struct Options {
     std::vector<std::string> inputs;
     std::string output;
-    std::vector<std::string> arrays; // empty: all
+    std::vector<std::string> arrays; // names of arrays to import; empty: all arrays
     Weld weld = Weld::seams;
     bool list = false;
     bool allow_bad = false;
@@ -23,13 +22,13 @@ struct Options {
 
 struct ConvertResult {
     std::vector<std::string> notes;
-    std::vector<std::string> lost; // those notes that report data missing from the dataset
+    std::vector<std::string> lost; // the sentences in `notes` that report data missing from the dataset
     std::uint64_t cells = 0;
     std::uint64_t bad_cells = 0;
 };
 
-// Writes options.output without the steps that cannot be read. Throws Error, and leaves no dataset, if no step can be
-// read or the dataset cannot be written.
+// Writes the dataset options.output. Leaves out steps that cannot be read. Throws Error, and writes no dataset, if no
+// step can be read or the dataset cannot be written.
 [[nodiscard]] ConvertResult convert(Source& source, const Options& options);
 
 } // namespace ciel::importer

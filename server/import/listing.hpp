@@ -1,11 +1,11 @@
-// The answer to `ciel import --list`.
+// Prints the listing of `ciel import --list`.
 #pragma once
 
 #include "import/source/source.hpp"
 
 namespace ciel::importer {
 
-// Prints what the input holds: format, steps, blocks, arrays. Reads the first step only.
+// Prints the format, steps, blocks, surfaces, zones and arrays of the input. Reads only the first step.
 void print_listing(Source& source);
 
 } // namespace ciel::importer

@@ -1,5 +1,6 @@
-// ciel-import: reads simulation results with VTK and writes NAME.ciel. `ciel` starts and supervises it. Standard
-// output: "progress SHARE PHASE" and "note SENTENCE" lines, or a listing. Standard error: one sentence.
+// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts and supervises it as a child
+// process. On success it prints "progress SHARE PHASE" and "note SENTENCE" lines, or a listing, to standard output. On
+// failure it prints one sentence to standard error.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
 #include "import/listing.hpp"
@@ -29,7 +30,7 @@ enum ExitCode : int {
     something_lost = 3,
     out_of_memory = ciel::importing::import_out_of_memory,
 };
-constexpr double most_bad_cells = 0.001; // share of all cells; if more are bad, the exit code is something_lost
+constexpr double most_bad_cells = 0.001; // if the share of bad cells is larger, the exit code is something_lost
 
 // The options are declared once, in importing/import_options.hpp, for `ciel import` and for this program.
 void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
@@ -68,20 +69,22 @@ Options options_from(ciel::importing::ImportValues& values) {
     return options;
 }
 
-// Prints the sentence with a prefix by which the supervisor finds it, because libraries also write to standard error.
+// Prints the sentence with a prefix to standard error. The prefix lets the supervisor find the sentence, because
+// libraries also write to standard error.
 int fail(const std::string& sentence, ExitCode code = failed) {
     std::fprintf(stderr, "%s%s\n", ciel::importing::import_error_prefix.data(), sentence.c_str());
     return code;
 }
 
-// Writes a dataset of an earlier version again.
+// Writes a dataset of an earlier version of CIEL again, in the current format.
 int run_rewrite(const Options& options) {
     using namespace ciel::importer;
     const std::string& input = options.inputs.front();
-    if (options.list) throw ciel::Error(input + ": is a dataset; `ciel info` lists what is in a dataset");
+    if (options.list) throw ciel::Error(input + ": is a dataset; use `ciel info` to list the content of a dataset");
     if (!options.arrays.empty() || options.weld != Weld::seams)
-        throw ciel::Error(input +
-                          ": is a dataset, which is written again as a whole; give no option but -o and --force");
+        throw ciel::Error(
+            input +
+            ": is a dataset, and a dataset is written again as a whole; leave out --array, --weld and --no-weld");
     const std::vector<std::string> left_out =
         ciel::store::rewrite(input, options.output, options.force,
                              [](double share) { progress(0.98 * share, "writing the dataset again"); });
@@ -98,7 +101,7 @@ int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
     capture_vtk_errors();
-    if (!options.list) ciel::store::check_place(options.output, options.force); // fails before any reading
+    if (!options.list) ciel::store::check_place(options.output, options.force); // before any input is read
     if (options.inputs.size() == 1 && ciel::store::is_dataset(options.inputs.front())) return run_rewrite(options);
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
@@ -122,8 +125,8 @@ int run(const Options& options) {
                 something_lost);
 }
 
-// Prepends the first input to a sentence that names neither an input nor the output. Errors about the mesh name no
-// file.
+// Prepends the path of the first input to a sentence that contains neither the path of an input nor the path of the
+// output. For example, errors about the mesh contain no path.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
     const bool named =
@@ -157,7 +160,7 @@ int run_and_report(const Options& options) {
 
 } // namespace
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a fault of ours can throw before parsing
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug in CIEL can throw before parsing
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
     ciel::importing::ImportValues values;
     add_options(app, values);

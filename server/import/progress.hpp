@@ -1,22 +1,24 @@
-// Progress and cancelling: one line on standard output per percent or phase, in the form the supervisor parses.
+// Prints progress for the supervisor (importing/importer.hpp), and cancels the import after a signal.
 #pragma once
 
 #include <string>
 
 namespace ciel::importer {
 
-// Thrown by progress() after SIGINT or SIGTERM. Unwinding removes the unfinished dataset.
+// progress() throws this after SIGINT or SIGTERM. Stack unwinding then destroys the store::Writer, which removes the
+// unfinished dataset.
 struct Cancelled {};
 
-// From now on SIGINT and SIGTERM make progress() throw.
+// Installs signal handlers: after SIGINT or SIGTERM, the next call of progress() throws Cancelled.
 void install_cancel_handlers();
 
-// From now on progress() does not throw, even if a signal has already arrived. Call when the dataset is complete.
+// After this call, progress() never throws, even if a signal arrived before the call. Call it when the dataset is
+// complete.
 void ignore_cancelling();
 
-// Prints "progress SHARE PHASE" if the percentage grew or the phase changed; SHARE in [0, 1]. A reader that starts over
-// prints nothing until it gets further than before, so that the supervisor sees that the import stalls. Throws
-// Cancelled after a signal.
+// Prints "progress SHARE PHASE" if the phase changed or the percentage is larger than in the last line. `share` is in
+// [0, 1]. If a reader starts again, nothing is printed until `share` is larger than before, so that the supervisor can
+// notice a stall. Throws Cancelled after SIGINT or SIGTERM.
 void progress(double share, const std::string& phase);
 
 } // namespace ciel::importer

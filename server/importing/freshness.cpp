@@ -10,14 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using Time = fs::file_time_type;
-constexpr std::string_view grid_ending = "xyz"; // NASA names a grid "bluntfinxyz.bin", its solution "bluntfinq.bin"
+constexpr std::string_view grid_ending = "xyz"; // NASA's names: grid "bluntfinxyz.bin", solution "bluntfinq.bin"
 
 bool is_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error);
 }
 
-// Returns the modification time. On an error returns Time::min(), since a running simulation may remove the file.
+// Returns the modification time. Returns Time::min() on an error, because a running simulation may remove the file.
 Time time_of(const fs::path& path) {
     std::error_code error;
     const Time time = fs::last_write_time(path, error);
@@ -48,7 +48,7 @@ Time newest_mesh(const fs::path& constant) {
     return newest;
 }
 
-// `directory`: an OpenFOAM case, or a processor directory in it.
+// `directory`: an OpenFOAM case, or a processor directory in a case.
 Time newest_of_case(const fs::path& directory) {
     Time newest = std::max(time_of(directory / "system" / "controlDict"), newest_mesh(directory / "constant"));
     std::error_code error;

@@ -6,15 +6,17 @@
 
 namespace ciel::importing {
 
-// Returns the newest modification time of the files that an import of `input` reads. Opens no file.
-// - OpenFOAM case (its directory, .foam file or controlDict): the control dictionary, meshes and time directories.
-// - Other file: the file itself, and the PLOT3D grid or solutions beside it.
-// - Index of other files (PVD, .series, PVTU, EnSight case): only the index, since programs rewrite it with each step.
+// Returns the newest modification time of the files that an import of `input` reads. Opens no file. The files are:
+// - For an OpenFOAM case (its directory, .foam file or controlDict): the controlDict, the meshes and the time
+//   directories.
+// - For an index of other files (PVD, .series, PVTU, EnSight case): only the index, because programs rewrite the index
+//   at each step.
+// - For any other file: the file itself, and the PLOT3D grid or the PLOT3D solutions in the same directory.
 [[nodiscard]] std::filesystem::file_time_type last_change(const std::filesystem::path& input);
 
-// Returns the existing PLOT3D solutions beside a grid: NAME.q, NAME.Q, and for NAMExyz.EXT also NAMEq.EXT.
+// Returns the existing PLOT3D solutions in the directory of a grid: NAME.q, NAME.Q, and for NAMExyz.EXT also NAMEq.EXT.
 [[nodiscard]] std::vector<std::filesystem::path> plot3d_solutions(const std::filesystem::path& grid);
-// Returns the first existing PLOT3D grid beside a solution; empty if there is none.
+// Returns the first existing PLOT3D grid in the directory of a solution; empty if there is none.
 [[nodiscard]] std::filesystem::path plot3d_grid(const std::filesystem::path& solution);
 
 [[nodiscard]] bool is_openfoam_case(const std::filesystem::path& directory);

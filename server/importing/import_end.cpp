@@ -19,8 +19,8 @@ std::string number(double value) {
 }
 
 struct Words {
-    std::string own;   // the importer's sentence
-    std::string other; // last line by a library, the dynamic loader or the C++ runtime
+    std::string own;   // the last error sentence of ciel-import
+    std::string other; // the last line printed by a library, the dynamic loader or the C++ runtime
 };
 
 Words last_words(const std::string& errors) {
@@ -35,7 +35,8 @@ Words last_words(const std::string& errors) {
     return words;
 }
 
-// Whether the import ran out of memory: by its exit code, or by messages of the dynamic loader or the C++ runtime.
+// Returns whether the import ran out of memory. The exit code shows this, or a message of the dynamic loader or of the
+// C++ runtime.
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;
@@ -85,7 +86,7 @@ std::string describe_end(const processes::ChildEnd& end, const std::string& inpu
     if (end.signal != 0) return describe_signal(end.signal, input, limits);
     if (!last.own.empty()) return last.own;
     if (!last.other.empty()) return input + ": the reader failed: " + last.other;
-    return input + ": ciel-import ended with code " + std::to_string(end.exit_code) + " without a reason";
+    return input + ": ciel-import ended with exit code " + std::to_string(end.exit_code) + " and printed no reason";
 }
 
 } // namespace ciel::importing

@@ -1,4 +1,4 @@
-// Explains to the user how ciel-import ended.
+// Explains to the user why ciel-import failed.
 #pragma once
 
 #include "importing/importer.hpp"
@@ -6,7 +6,8 @@
 
 namespace ciel::importing {
 
-// Returns one sentence for an end without success. `input`: the first input, which names the import.
+// Returns one sentence that explains the failure. `end`: the end of a ciel-import without success. `input`: the path of
+// the first input, which the sentence names.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const std::string& input,
                                        const ImportLimits& limits);
 

@@ -25,7 +25,7 @@ fs::path without_slash(const fs::path& path) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// Returns "run" for "run.vtu" and "run.vtu.series". Returns the whole name of a directory, dots included.
+// Returns "run" for "run.vtu" and "run.vtu.series". For a directory, returns the whole name, including dots.
 std::string dataset_name(const fs::path& input) {
     if (fs::is_directory(input)) return input.filename().string();
     fs::path name = input.stem();
@@ -33,20 +33,22 @@ std::string dataset_name(const fs::path& input) {
     return name.string();
 }
 
-// Returns folder/KEY/NAME.ciel. KEY is a checksum of the input's path, so that inputs of the same name do not collide.
+// Returns folder/KEY/NAME.ciel. KEY is a checksum of the input's path, so that inputs with the same name have different
+// targets.
 fs::path target_of(const fs::path& input, const fs::path& folder) {
     const std::string path = fs::weakly_canonical(input).string();
     const std::string sum = store::checksum(std::as_bytes(std::span(path)));
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
-// Returns whether `target` is as new as `input`. import_one sets the time of its commit marker to that of the input.
+// Returns whether `target` is as new as `input`. import_one() sets the time of the commit marker to the time of the
+// last change of the input.
 bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Adds the file that names a copy's input, which copies by earlier versions of CIEL lack. Ignores errors: appends to an
-// unwritable copy fail anyway.
+// Adds the file that records the input of an imported copy. Earlier versions of CIEL did not write this file. Ignores
+// errors, because appending to a copy in an unwritable directory fails anyway.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);
@@ -55,12 +57,13 @@ void complete_sign(const fs::path& input, const fs::path& target) {
     }
 }
 
-// Imports `input` to `target`. Returns the importer's error; empty on success. Throws Error if `cancel` is set.
+// Imports `input` to `target`. Returns the error sentence of the import; empty on success. Throws Error if `cancel` is
+// set.
 std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
     store::make_directory(target.parent_path());
     listener.line("importing " + input.string());
-    const auto imported = last_change(input); // before the import: later changes may not be imported
+    const auto imported = last_change(input); // read before the import, because the import may miss later changes
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
     if (end.exit_code == 1 || end.exit_code == 2) {

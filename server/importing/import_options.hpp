@@ -1,4 +1,5 @@
-// The options of an import, declared once: `ciel import` shows and forwards them, ciel-import obeys them.
+// The options of an import. Two programs use this table: `ciel import` shows and forwards the options, and ciel-import
+// obeys them.
 #pragma once
 
 #include <map>
@@ -10,8 +11,8 @@ namespace ciel::importing {
 
 struct ImportOption {
     std::string_view name;  // the key in ImportValues
-    std::string_view names; // on the command line, such as "-o,--output"
-    std::string_view value; // placeholder of the value in --help; empty: a flag
+    std::string_view names; // names on the command line, such as "-o,--output"
+    std::string_view value; // placeholder of the value in --help; empty: the option is a flag
     bool required;          // required options are positional
     bool several;
     std::string_view help;
@@ -38,13 +39,14 @@ inline constexpr ImportOption import_options[] = {
      "multi, single, records, stream, iblank, no-iblank, float32, float64, text."},
 };
 
-// Prefix of the sentence on standard error with which ciel-import ends when it fails.
+// If ciel-import fails, it prints one sentence with this prefix to standard error.
 inline constexpr std::string_view import_error_prefix = "ciel-import: ";
 
-// Exit code of ciel-import when an allocation failed; the caller adds the memory limit to the message.
+// Exit code of ciel-import if an allocation failed. The caller then writes the error sentence, because it knows the
+// memory limit.
 inline constexpr int import_out_of_memory = 4;
 
-// Values by ImportOption::name. A given flag has one value.
+// Values by ImportOption::name. A flag on the command line has one value.
 using ImportValues = std::map<std::string, std::vector<std::string>>;
 
 } // namespace ciel::importing

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr const char* program = "ciel-import";
 constexpr double gigabyte = 1e9;
-constexpr double default_share = 0.8; // of the machine's memory
+constexpr double default_share = 0.8; // share of the machine's memory
 
 std::vector<std::string> command_line(const ImportValues& values) {
     std::vector<std::string> arguments{find_import_program().string()};
@@ -33,7 +33,7 @@ std::vector<std::string> command_line(const ImportValues& values) {
                 arguments.push_back("--" + std::string(option.name) + "=" + value);
         }
     }
-    arguments.emplace_back("--"); // an input may begin with a dash
+    arguments.emplace_back("--"); // allows an input that begins with a dash
     arguments.insert(arguments.end(), positional.begin(), positional.end());
     return arguments;
 }

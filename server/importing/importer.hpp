@@ -1,5 +1,5 @@
-// Runs imports in the separate process ciel-import. If a file crashes it, the caller gets a sentence, and no partial
-// dataset remains.
+// Runs imports in the separate process ciel-import. If a file crashes this process, the caller gets an error sentence,
+// and no partial dataset remains.
 #pragma once
 
 #include "importing/import_options.hpp"
@@ -10,13 +10,14 @@
 
 namespace ciel::importing {
 
-// Returns four fifths of machine_memory(), in GB, so that a damaged file cannot exhaust the memory.
+// Returns four fifths of machine_memory(), in GB. With this limit, a damaged file cannot exhaust the memory.
 [[nodiscard]] double default_memory_gigabytes();
 
 struct ImportLimits { // 0: no limit
     double memory_gigabytes = default_memory_gigabytes();
     double seconds = 0;
-    // Time without progress (child_process.hpp). A valid import is silent for longest while it builds a huge mesh.
+    // Longest time without progress (child_process.hpp), in seconds. A valid import has its longest time without
+    // progress while it builds a huge mesh.
     double stalled_seconds = 1800;
 };
 
@@ -30,12 +31,13 @@ struct ImportEnd {
     std::string problem; // a sentence; empty for exit code 0
 };
 
-// `values`: options by their names in import_options. Removes leftovers at values["output"] after a failure. Throws
-// Error if the program cannot be found or started. Thread-safe.
+// `values`: options by ImportOption::name. After a failure, removes unfinished files at values["output"]. Throws Error
+// if ciel-import cannot be found or started. Thread-safe.
 [[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 
-// Returns the path of ciel-import, beside this program or on PATH. Throws Error when there is none.
+// Returns the path of ciel-import, which is in the directory of this program or on PATH. Throws Error if it is not
+// found.
 [[nodiscard]] std::filesystem::path find_import_program();
 
 } // namespace ciel::importing

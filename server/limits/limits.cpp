@@ -104,9 +104,9 @@ std::uint64_t number_of(const LimitRow& row, std::string_view text) {
         const auto shift = 10 * (letter + 1);
         return value > most_bytes >> shift ? most_bytes + 1 : value << shift;
     }
-    const char* expected = " is not a whole number";
-    if (is_bytes(row)) expected = " is not a whole number, such as 64M";
-    if (row.unit == Unit::memory) expected = " is not a whole number, such as 64M or 25%";
+    const char* expected = " is not a whole number; give a whole number";
+    if (is_bytes(row)) expected = " is not a whole number; give a size such as 64M";
+    if (row.unit == Unit::memory) expected = " is not a whole number; give a size such as 64M or 25%";
     throw Error(printable(text) + expected);
 }
 
@@ -144,7 +144,7 @@ std::string limit_text(const LimitRow& row, std::uint64_t value) {
     if (row.unit == Unit::pixels) return std::to_string(value) + " pixels";
     if (!is_bytes(row)) return std::to_string(value);
     std::size_t power = 0;
-    // Rounds large sizes down: a share of the machine's memory is not a multiple of 1024.
+    // Rounds large sizes down, because a share of the machine's memory need not be a multiple of 1024.
     while (power < size_letters.size() && value >= 1024 && (value % 1024 == 0 || value >= 100 * 1024)) {
         value /= 1024;
         ++power;

@@ -1,5 +1,5 @@
 // Every limit of a server, in one table. Each row is an option and an environment variable of `ciel serve`, and a
-// member of server.info. tests/unit/methods tests each limit, tests/unit/gateway those of sockets.
+// member of server.info. tests/unit/methods tests each limit; tests/unit/gateway tests the limits of sockets.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace ciel::limits {
 // Returns `percent` of the bytes of machine_memory().
 [[nodiscard]] std::uint64_t memory_share(unsigned percent);
 
-// To add a limit, add a member here and its row in limits.cpp.
+// To add a limit, add a member here and a row in limits.cpp.
 struct Limits {
     std::uint64_t message_bytes = 1 << 20;
     std::uint64_t json_depth = 32;
@@ -64,7 +64,7 @@ struct Limits {
 struct LimitRow {
     // memory: bytes, or a share of the machine's memory such as "25%"
     enum class Unit { count, bytes, memory, pixels, seconds };
-    std::string_view name; // of the member of Limits, and in server.info
+    std::string_view name; // name of the member of Limits, also in server.info
     std::uint64_t Limits::*member;
     Unit unit;
     std::string_view description;

@@ -50,9 +50,9 @@ std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory
 
 void give_back_free_memory() {
     constexpr std::uint64_t worth_it = std::uint64_t{32} << 20;
-    // malloc counts returned memory as free. So memory that was in use at the last call and freed since raises only the
-    // count of free bytes. Memory that was returned at the last call, then used and freed, raises only the resident
-    // size.
+    // malloc also counts memory as free that is already returned to the system. Therefore two numbers are compared with
+    // their values after the last return. If memory in use at that time has been freed, the number of free bytes is
+    // higher. If memory returned at that time has been used and freed again, only the resident size is higher.
     static std::atomic<std::uint64_t> free_after{0}, size_after{0};
     const auto free_bytes = []() -> std::uint64_t { return ::mallinfo2().fordblks; };
     const std::uint64_t free_now = free_bytes(), size_now = private_resident_memory();

@@ -28,7 +28,7 @@ void Memory::add_or_throw(Held held, std::uint64_t more) {
 }
 
 bool Memory::add(Held held, std::uint64_t more) {
-    const std::uint64_t datasets = dataset_bytes_(); // takes other locks, so it is called without mutex_
+    const std::uint64_t datasets = dataset_bytes_(); // called without mutex_, because it takes other locks
     const std::scoped_lock lock(mutex_);
     if (charged() + datasets + more > most_) return false;
     bytes_[static_cast<std::size_t>(held)] += more;

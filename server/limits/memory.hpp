@@ -1,4 +1,4 @@
-// Counts the memory that is held for clients and datasets, and keeps all of it below one total.
+// Counts the memory that is held for clients and datasets, and keeps the total below a limit.
 #pragma once
 
 #include <array>
@@ -36,7 +36,8 @@ public:
         Charge(const Charge&) = delete;
         Charge& operator=(const Charge&) = delete;
 
-        // Call before the allocation. Throws LimitReached and keeps the old count if the total would be exceeded.
+        // Call this before the allocation. If the total would exceed the limit, throws LimitReached and keeps the old
+        // count.
         void change(std::size_t bytes);
         void note(std::size_t bytes); // for memory already allocated; never throws LimitReached
         [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -47,7 +48,7 @@ public:
         std::size_t bytes_ = 0;
     };
 
-    // Returns the error message for a client whose request would exceed the total.
+    // Returns the error message for a client whose request would exceed the limit.
     [[nodiscard]] std::string refusal() const;
     [[nodiscard]] std::uint64_t room() const;
     [[nodiscard]] std::uint64_t most() const { return most_; }
@@ -55,7 +56,7 @@ public:
 
 private:
     [[nodiscard]] std::uint64_t charged() const; // the caller holds mutex_
-    // Adds nothing and returns false if the total would be exceeded.
+    // Adds nothing and returns false if the total would exceed the limit.
     [[nodiscard]] bool add(Held held, std::uint64_t more);
     void add_or_throw(Held held, std::uint64_t more);
     void replace(Held held, std::size_t before, std::size_t after);

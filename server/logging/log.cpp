@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_text = 400; // bytes logged of a value, which may quote a client's text
-constexpr char separator = '\x1f';        // between the event and its fields of the form NAME=JSON
+constexpr std::size_t longest_text = 400; // bytes; a longer value is cut, because it may quote a client's text
+constexpr char separator = '\x1f';        // separates the event and its fields of the form NAME=JSON
 
 std::string json_of(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 

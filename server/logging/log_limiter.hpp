@@ -1,4 +1,4 @@
-// Rate limit for log lines that any client can trigger: one per minute and topic.
+// Rate limit for log lines that any client can trigger: one line per minute and topic.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class LogLimiter {
 public:
     using Clock = std::chrono::steady_clock;
 
-    // Returns whether a line on the topic may be logged now, and remembers that it was.
+    // Returns whether a line on the topic may be logged now. If so, remembers the time.
     [[nodiscard]] bool allows(const std::string& topic, Clock::time_point now = Clock::now());
 
 private:

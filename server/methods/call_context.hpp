@@ -1,4 +1,4 @@
-// The objects that a method may use, and its exceptions.
+// The objects that a method may use, and the exceptions of methods.
 #pragma once
 
 #include "engine/server.hpp"
@@ -18,7 +18,7 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     engine::Server& server;
     sessions::Connection& connection;
     std::stop_token stop{};   // requested when the connection has ended or the server cancels the call
-    std::string request_id{}; // of the call in progress, for the log and for errors
+    std::string request_id{}; // id of the call in progress, for the log and for errors
     std::chrono::steady_clock::time_point begun{};
     // Counts the result of the call in progress until its text is counted.
     limits::Memory::Charge making{server.memory(), limits::Held::answers};
@@ -34,11 +34,12 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
-    // Returns the connection as a pointer that views and subscriptions keep; null over HTTP, which has no frames.
+    // Returns a shared pointer to the connection, which views and subscriptions keep. Returns null over HTTP, because
+    // HTTP has no frames.
     [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 
-// Thrown for params that satisfy the schema but not the method. `path` is a JSON pointer into the params.
+// Thrown for params that violate the schema or a rule of the method. `path` is a JSON pointer into the params.
 class InvalidParams : public std::runtime_error {
 public:
     InvalidParams(std::string path_, const std::string& reason) : std::runtime_error(reason), path(std::move(path_)) {}

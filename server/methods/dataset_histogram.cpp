@@ -6,7 +6,8 @@ protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
                                                    const protocol::DatasetHistogramParams& params) {
     const std::size_t limit = context.server.limits().histogram_bins;
     if (params.bins > static_cast<std::int64_t>(limit))
-        throw limits::LimitReached("a histogram may have at most " + std::to_string(limit) + " bins");
+        throw limits::LimitReached("a histogram may have at most " + std::to_string(limit) +
+                                   " bins; ask for fewer bins");
     if (params.range && !((*params.range)[0] < (*params.range)[1]))
         throw InvalidParams("/range", "/range must be [minimum, maximum] with minimum < maximum");
     const auto loaded = context.dataset(params.dataset);

@@ -42,11 +42,11 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
     return false;
 }
 
-// Returns an answer as text. Invalid UTF-8 is replaced: a name from a file system may contain it.
+// Returns an answer as text. Invalid UTF-8 is replaced, because a name from a file system may contain it.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Returns an answer as text. `id`: literal text of the request's id, which replaces the parsed id; empty if the parser
-// has not changed the id.
+// Returns an answer as text. `id`: literal text of the request's id, which replaces the parsed id. It is empty if the
+// parser has not changed the id.
 std::string text_of(const json& answer, const std::string& id) {
     if (id.empty() || !answer["id"].is_number()) return text_of(answer);
     json rest = answer;
@@ -66,7 +66,8 @@ struct Read { // NOLINT(bugprone-exception-escape): moving a string does not thr
     std::vector<std::string> ids; // result of raw_ids(); empty if the parser changed no id
 };
 
-// Handles the requests of one text in order: quick ones on the current thread, slow ones in the queue of slow calls.
+// Handles the requests of one text in order. Quick requests run on the current thread, slow requests in the queue of
+// slow calls.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
@@ -134,7 +135,8 @@ private:
         }
     }
 
-    // Adds an answer to text_. Converts it to text at once, so that a batch holds no second copy of its answers.
+    // Adds an answer to text_. Converts the answer to text at once, so that a batch holds no second copy of its
+    // answers.
     void add(std::optional<json> one) {
         if (!one) return context_.making.note(0);
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
@@ -168,8 +170,8 @@ private:
         answer_(std::move(text_));
     }
 
-    // Replaces every answer by an error when their text is too long for a WebSocket message. Knowing which answer of a
-    // batch made it too long would not help the client.
+    // Replaces every answer by an error, because the text of all answers is too long for a WebSocket message. The error
+    // does not name the answer that made a batch too long, because this would not help the client.
     void refuse_as_too_long(std::size_t bytes) {
         const std::string reason = "the answer is " + std::to_string(bytes) +
                                    " bytes long, and a message on a WebSocket may have at most " +
@@ -232,9 +234,11 @@ void read_requests(const limits::Limits& limits, std::string_view text, Read& re
 // Parses `text` into `read`. Returns the error of an invalid text, or nothing.
 std::optional<json> refusal(const limits::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
-        return limit_error("a message may have at most " + std::to_string(limits.message_bytes) + " bytes");
+        return limit_error("a message may have at most " + std::to_string(limits.message_bytes) +
+                           " bytes; send a shorter message");
     if (is_deeper_than(text, limits.json_depth))
-        return limit_error("JSON may be at most " + std::to_string(limits.json_depth) + " levels deep");
+        return limit_error("JSON may be at most " + std::to_string(limits.json_depth) +
+                           " levels deep; send a flatter message");
     try {
         read_requests(limits, text, read);
     } catch (const scene::TwiceNamed& error) {
@@ -246,9 +250,10 @@ std::optional<json> refusal(const limits::Limits& limits, std::string_view text,
     }
     const json& requests = read.requests;
     if (!requests.is_array()) return {};
-    if (requests.empty()) return invalid_request("a batch must not be empty");
+    if (requests.empty()) return invalid_request("a batch must not be empty; send at least one request");
     if (requests.size() > limits.batch_requests)
-        return limit_error("a batch may have at most " + std::to_string(limits.batch_requests) + " requests");
+        return limit_error("a batch may have at most " + std::to_string(limits.batch_requests) +
+                           " requests; send smaller batches");
     return {};
 }
 

@@ -1,4 +1,5 @@
-// JSON-RPC 2.0 text in, text out: the only entry to all methods, for WebSocket, HTTP POST and tests.
+// Takes a JSON-RPC 2.0 text and returns the answer. All methods are called only through dispatch(): from WebSockets,
+// HTTP POST and tests.
 #pragma once
 
 #include "sessions/connection.hpp"
@@ -14,7 +15,7 @@ class Server; // datasets, sessions, limits: everything a method may use
 
 namespace ciel::methods {
 
-// Receives the answer; an empty text if there is none, because the text has only notifications. Must not throw.
+// Callback for the answer. The answer is an empty text if the text has only notifications. Must not throw.
 using Answer = std::function<void(std::string text)>;
 
 // Handles a JSON-RPC text: a single request, a notification or a batch, as JSON-RPC 2.0 specifies. Thread-safe. Never

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 struct ParamsSchema { // NOLINT(bugprone-exception-escape): moving a json does not throw
     std::vector<std::string> order;
-    json schema; // of the params as one object
+    json schema; // schema of the params as one object
 };
 
 std::map<std::string, ParamsSchema> make_schemas() {
@@ -37,7 +37,7 @@ std::map<std::string, ParamsSchema> make_schemas() {
 json by_name(const json& params, const std::vector<std::string>& order) {
     if (params.size() > order.size())
         throw InvalidParams("/" + std::to_string(order.size()), "the call has " + std::to_string(params.size()) +
-                                                                    " params; the method has at most " +
+                                                                    " params; the method takes at most " +
                                                                     std::to_string(order.size()));
     json named = json::object();
     for (std::size_t i = 0; i < params.size(); ++i) named[order[i]] = params[i];

@@ -1,4 +1,4 @@
-// Tells clients how far a long call is, by the notification call.progress.
+// Notifies clients of the progress of a long call, by the notification call.progress.
 #pragma once
 
 #include "methods/call_context.hpp"
@@ -12,13 +12,14 @@ namespace ciel::methods {
 // Used by one thread at a time. A Progress without a name sends nothing.
 class Progress {
 public:
-    // `name`: the call's parameter `progress`, which the notifications repeat. `session`: the call's parameter; if the
-    // call came by POST, the connections of this session are notified, or none without a session. Borrows `context`.
+    // `name`: the call's parameter `progress`, which the notifications repeat. `session`: the call's parameter
+    // `session`. A call on a WebSocket notifies its own connection. A call by POST notifies the connections of
+    // `session`; without a session it notifies no connection. Does not own `context`, which must outlive this object.
     // Throws NotFound.
     Progress(const CallContext& context, std::optional<std::string> name, const std::optional<std::string>& session);
 
     void begin(const char* stage); // one of the stages of call.progress in the contract
-    // Sends that `done` of `of` parts of the stage are done, at most five times a second.
+    // Notifies clients that `done` of `of` parts of the stage are done, at most five times a second.
     void count(const char* stage, std::size_t done, std::size_t of);
 
 private:

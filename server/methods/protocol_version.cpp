@@ -11,7 +11,7 @@ bool is_of_later_minor(const nlohmann::json& request) {
     const auto number = [&](const char* name) -> std::int64_t {
         const auto member = declared->find(name);
         if (member == declared->end() || !member->is_number_unsigned())
-            throw InvalidRequest(R"(protocol is of the form {"major": 1, "minor": 0})");
+            throw InvalidRequest(R"(protocol must be of the form {"major": 1, "minor": 0})");
         return member->get<std::int64_t>();
     };
     const std::int64_t major = number("major"), minor = number("minor");

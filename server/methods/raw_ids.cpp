@@ -41,8 +41,8 @@ public:
         return false;
     }
 
-    // Returns the id that stopped the parser because a double cannot hold it: the offset of its end in the text, and
-    // its token. An empty token means that there is no such id.
+    // Returns the id that stopped the parser because a double cannot hold the id: the offset of the id's end in the
+    // text, and the id as written. The second member is empty if there is no such id.
     [[nodiscard]] const std::pair<std::size_t, std::string>& large() const { return large_; }
     [[nodiscard]] std::size_t request() const { return ids_.size() - 1; }
 

@@ -45,13 +45,13 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// Calls the method of a request and returns its result. `ignored`: receives the JSON pointers of unknown members, if
-// the request declares a later minor version.
+// Calls the method of a request and returns its result. `ignored`: receives the JSON pointers of unknown members if the
+// request declares a later minor version.
 json call(CallContext& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
     context.server.counters().count_request(method == nullptr ? "unknown" : name);
-    if (method == nullptr) throw MethodNotFound("there is no method " + name + "; rpc.discover lists them");
+    if (method == nullptr) throw MethodNotFound("there is no method " + name + "; rpc.discover lists the methods");
     const auto count = [&] { context.server.counters().count_call(name, context.milliseconds() / 1000); };
     try {
         std::vector<std::string>* const dropped = is_of_later_minor(request) ? &ignored : nullptr;
@@ -64,15 +64,15 @@ json call(CallContext& context, const json& request, std::vector<std::string>& i
     }
 }
 
-// Returns the log level of an error: failures of the server are warnings or errors, mistakes of a client are
+// Returns the log level of an error. Failures of the server are warnings or errors. Mistakes of a client are
 // information.
 logging::LogLevel level_of(int code) {
     if (code == internal_error) return logging::LogLevel::error;
     return code == protocol::Failed || code == protocol::Limit ? logging::LogLevel::warning : logging::LogLevel::info;
 }
 
-// Returns the method of a request for the log. A name outside the contract is arbitrary text of the client, so
-// "unknown" replaces it.
+// Returns the method of a request for the log. Returns "unknown" for a name outside the contract, because such a name
+// is arbitrary text of the client.
 std::string method_of(const json& request) {
     if (!is_request(request)) return {};
     const auto& name = request["method"].get_ref<const std::string&>();

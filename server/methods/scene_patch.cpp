@@ -4,7 +4,7 @@ namespace ciel::methods {
 
 protocol::ScenePatchResult scene_patch(CallContext& context, const protocol::ScenePatchParams& params) {
     const std::string gesture = params.gesture.value_or("");
-    if (gesture.size() > scene::most_name_bytes) // the contract's limit counts characters
+    if (gesture.size() > scene::most_name_bytes) // the contract limits characters, not bytes
         throw InvalidParams("/gesture",
                             "/gesture may have at most " + std::to_string(scene::most_name_bytes) + " bytes of UTF-8");
     const auto status = context.session(params.session)->patch(params.patch, gesture, context.connection.id);

@@ -12,7 +12,7 @@ SceneSource::SceneSource(const CallContext& context, const std::optional<std::st
         version_ = session_->status().version;
     else
         throw InvalidParams("/session", "give a session or a scene");
-    if (scene) session_ = nullptr; // a given scene gets its own geometry, so that it does not replace the session's
+    if (scene) session_ = nullptr; // a given scene gets its own geometry, and the session's geometry is kept
 }
 
 std::shared_ptr<const geometry::Geometry> SceneSource::geometry(const geometry::LayersMade& layers_made) {

@@ -1,4 +1,4 @@
-// The scene of a picture, probe or export: a session's, or one given in the call.
+// The scene of a picture, probe or export: the scene of a session, or a scene in the call.
 #pragma once
 
 #include "methods/call_context.hpp"
@@ -9,15 +9,15 @@ namespace ciel::methods {
 
 class SceneSource {
 public:
-    // Takes the given scene, or else the session's. Throws InvalidParams when there is neither, scene::Invalid,
-    // NotFound. Borrows `context`.
+    // Uses `scene` if it is given, else the scene of the session. Throws InvalidParams if neither is given,
+    // scene::Invalid, NotFound. Does not own `context`, which must outlive this object.
     SceneSource(const CallContext& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
-    // Returns the geometry of the scene. A session's geometry is shared with its views. The geometry of a given scene
-    // is made for this call, and its memory is counted as long as the SceneSource lives. `layers_made`: see
-    // SceneGeometry. Throws LimitReached, and Error if the connection ends meanwhile.
+    // Returns the geometry of the scene. The geometry of a session is shared with the views of the session. The
+    // geometry of a given scene is made for this call, and its memory is counted until the SceneSource is destroyed.
+    // `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection ends during the call.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const geometry::LayersMade& layers_made = {});
 
 private:

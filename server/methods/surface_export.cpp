@@ -12,7 +12,7 @@
 namespace ciel::methods {
 namespace {
 
-// The part of a drawable inside the clip planes; the whole surface if the scene has none.
+// The part of a drawable inside the clip planes, or the whole surface if the scene has no clip planes.
 struct Shown {
     ClippedSurface cut;
     bool is_cut = false;
@@ -37,7 +37,7 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     return shown;
 }
 
-// Joins the drawables of a layer to one surface, in order. Throws LimitReached if the file would exceed
+// Joins the drawables of a layer to a single surface, in order. Throws LimitReached if the file would exceed
 // Limits::export_bytes.
 wire::JoinedSurface joined(const CallContext& context, const geometry::Geometry& geometry,
                            const store::Dataset& dataset, const std::string& layer, wire::SurfaceFormat format,
@@ -66,8 +66,8 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// Memory for an answer, as a multiple of the size of the file: the stream, the file, and three base64 copies (result,
-// JSON, text), each 4/3 of its size.
+// Memory for an answer, as a multiple of the size of the file. It consists of the stream, the file, and three base64
+// copies (result, JSON, text), each 4/3 as large as the file.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

@@ -1,5 +1,5 @@
-// What the page asks of the server's own code: the layout of annotations, and numbers as text. Each function
-// reads its arguments from a message and appends its results to another, in the order of its comment.
+// Functions of the server that the page calls: the layout of annotations, and numbers as text. Each function reads its
+// arguments from one message and appends its results to another message, in the order that its comment gives.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -7,35 +7,39 @@
 
 namespace ciel::page {
 
+// Lays out the triad and the axes. They do not cover the taken boxes.
 // Arguments: width, height (CSS pixels); text size (CSS pixels); camera: position (3), target (3), up (3), field of
 // view (degrees), parallel (0 or 1), parallel height; bounds: low corner (3), high corner (3), in world coordinates;
 // background: RGB at the top, RGB at the bottom (0 to 1); triad, axes (0 or 1); length units (text); number of taken
-// boxes, then left, top, right and bottom of each. The layout keeps off the taken boxes.
-// Results: the overlay of the triad, then that of the axes. An overlay has six lists, each after its length: plates
-// (box, edge, ink), fills (box, ink at the top, ink at the bottom), strokes (from, to, width, ink), triangles (three
-// corners, ink), labels (text, size, x and y of the base line's start, ink, box), handles (id, box); then the halo's
-// ink. Ink: red, green, blue and opacity, 0 to 1. A plate has the ink of its middle. An unusable camera (see
-// view_transform) has an empty layout.
+// boxes, then left, top, right and bottom of each box.
+// Results: the overlay of the triad, then the overlay of the axes. An overlay has six lists, each after its length:
+// plates (box, edge, ink), fills (box, ink at the top, ink at the bottom), strokes (from, to, width, ink), triangles
+// (three corners, ink), labels (text, size, x and y of the start of the base line, ink, box), handles (id, box). The
+// ink of the halo follows. An ink has red, green, blue and opacity, 0 to 1. The ink of a plate is the mean of its inks
+// at the top and at the bottom. For an unusable camera (see view_transform), both overlays are empty.
 void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
 
-// Arguments: width, height (CSS pixels); text size (CSS pixels); background as above; title (text); captions: number,
-// then each text; legends: number, then for each its name, its units (texts); a color scale, map (text), color points
-// (number, then position and color of each), reverse (0 or 1), colors of missing values, below and above the range
-// (each of the latter after 1, or only 0); the name of its layers (text); missing, both ends (0 or 1); more lines
-// (number, then each text); width and height kept for controls. A color is red, green and blue, 0 to 255. Results: the
-// overlay of title, captions and legends, then the taken boxes (number, then each).
+// Lays out the title, the captions and the legends.
+// Arguments: width, height (CSS pixels); text size (CSS pixels); background as in lay_out(); title (text); captions:
+// number, then each text; legends: number, then each legend. A legend has: name, units (texts); a color scale (see
+// below); map (text); color points (number, then position and color of each point); reverse (0 or 1); color of missing
+// values; colors below and above the range (for each: 1 and the color, or only 0); name of its layers (text); missing,
+// both ends (0 or 1); more lines (number, then each text); width and height of the room for controls. A color is red,
+// green and blue, 0 to 255.
+// Results: the overlay of title, captions and legends, then the taken boxes (number, then each box).
 void lay_texts(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
 
-// A color scale, above and below: lower end, upper end, log (0 or 1), steps.
-// color scale -> exponent. See exponent_of.
+// In the comments of this file, a color scale consists of: lower end, upper end, log (0 or 1), steps. The comments
+// below have the form: arguments -> results.
+// color scale -> exponent. See annotations::exponent_of.
 void exponent_of(Reader& arguments, Writer& results);
-// color scale, value -> text. See label_on.
+// color scale, value -> text. See annotations::label_on.
 void label_on(Reader& arguments, Writer& results);
-// value, digits -> text. See number_label.
+// value, digits -> text. See annotations::number_label.
 void number_alone(Reader& arguments, Writer& results);
-// exponent -> text. See times_power_of_ten.
+// exponent -> text. See annotations::times_power_of_ten.
 void times_power_of_ten(Reader& arguments, Writer& results);
-// text -> text. See pretty_units.
+// text -> text. See annotations::pretty_units.
 void pretty_units(Reader& arguments, Writer& results);
 
 } // namespace ciel::page

@@ -1,5 +1,6 @@
-// The messages between the page and this module: doubles in a row. A text is its number of bytes, then its UTF-8 bytes,
-// padded with zeros to whole doubles. webclient/src/wasm/message.ts writes and reads the same.
+// Messages between the page and this module. A message is an array of doubles. A text is stored as its number of bytes,
+// then its UTF-8 bytes, padded with zeros to whole doubles. webclient/src/wasm/message.ts writes and reads the same
+// format.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace ciel::page {
 
-// Reads a message. Numbers beyond its end are 0, texts beyond its end are empty.
+// Reads a message. Beyond the end of the message, numbers are 0 and texts are empty.
 class Reader {
 public:
     explicit Reader(std::span<const double> message) : message_(message) {}

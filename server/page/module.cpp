@@ -1,8 +1,8 @@
-// The exports and imports of the WebAssembly module. The page writes arguments to `room(doubles)`, calls a function,
-// and reads that many doubles from `results()`. One call at a time.
+// The exports and imports of the WebAssembly module. The page writes arguments to `room(doubles)` and calls a function.
+// The function returns the number of doubles to read from `results()`. The page must read them before its next call.
 #include "page/functions.hpp"
 
-// Functions of the page. Sizes are CSS pixels per em; results are CSS pixels.
+// Functions that the page provides. Sizes are CSS pixels per em; results are CSS pixels.
 [[clang::import_module("page"), clang::import_name("text_width")]] double
 page_text_width(const char* utf8, std::size_t bytes, int pixels);
 [[clang::import_module("page"), clang::import_name("ascent")]] int page_ascent(int pixels);
@@ -13,7 +13,7 @@ namespace {
 
 using ciel::annotations::FontMetrics;
 
-// The page's own font.
+// Measures text in the font of the page.
 class PageText final : public ciel::annotations::TextMeasure {
 public:
     FontMetrics metrics(int pixels) override {

@@ -1,4 +1,4 @@
-// Values at a point.
+// Finds the values of all arrays at a point.
 #pragma once
 
 #include "store/loaded.hpp"
@@ -11,14 +11,14 @@ namespace ciel::probe {
 
 struct Probed {
     Vec3d position{};
-    Index cell = none, vertex = none;                       // ids of the imported file; none outside of the mesh
-    std::optional<std::int64_t> solver_cell, solver_vertex; // ids that the solver gave, if the source has them
-    std::map<std::string, std::optional<double>> values;    // nullopt: not written at this step, or not finite
+    Index cell = none, vertex = none;                       // ids of the imported file; `none` outside the mesh
+    std::optional<std::int64_t> solver_cell, solver_vertex; // ids of the solver, if the imported file has them
+    std::map<std::string, std::optional<double>> values; // by scalar; nullopt if not written at this step or not finite
 };
 
 // Returns the ids and values at a position. Point scalars are interpolated in the cell; a cell scalar has the value of
-// the cell. Reads only the pages with these values. `locator`: for the mesh and the coordinates of the step. Throws
-// Error when a file is damaged.
+// the cell. Reads only the pages that have these values. `locator`: locator of the mesh with the coordinates of the
+// step. Throws Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

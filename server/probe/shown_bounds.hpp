@@ -1,4 +1,5 @@
-// Boxes that a camera is fitted to, to show "everything": around the remaining mesh, or around the drawn geometry.
+// Boxes to which a camera is fitted: around the part of the mesh that the clip planes keep, or around the drawn
+// geometry.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -8,19 +9,21 @@
 
 namespace ciel::probe {
 
-// Returns the box of all visible layers together, cut by the clip planes. A layer with a threshold counts with the
-// cells that it keeps. Any other counts with the whole box: a moving iso-surface or plane must not move the view.
-// Outlines count if nothing else is shown. Returns the mesh's bounds if nothing is left. Reads all points of layers
-// with thresholds.
+// Returns the box of all visible layers together, cut by the clip planes. If every visible layer has a threshold, it is
+// the box of the cells that the thresholds keep. Otherwise it is the box of the mesh, because the view must not move
+// when an iso-surface or a plane moves. Outlines and clip layers are ignored. Returns the bounds of the mesh if nothing
+// is left. Reads all points of layers with thresholds.
 [[nodiscard]] geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
-// Returns the box of the drawn geometry, cut by the clip planes. If a part of the boundary is drawn (patches, or cells
-// within a threshold), only that part and iso-surfaces count: a slice through the far field would make a body a speck.
-// Volumes count with the whole box. If nothing is drawn but outlines, returns shown_bounds. Reads all drawn points.
+// Returns the box of the drawn geometry, cut by the clip planes. If some layers show only a part of the mesh (patches,
+// or the cells of a threshold), the box is around these layers and iso-surfaces. A slice through the far field is not
+// included, because a body would then be too small to see. A volume has the box of the mesh. If only outlines are
+// drawn, returns shown_bounds. Reads all drawn points.
 [[nodiscard]] geometry::BoundingBox drawn_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
-// Returns the box of the drawn points in a picture of this size, hidden or not; nothing if there are none. If a part of
-// the boundary is in view, only that part counts. Outlines and volumes do not count.
+// Returns the box of the drawn points that are inside a picture of this size, including points that are hidden. Returns
+// nothing if there are no such points. If layers that show only a part of the mesh are in view, the box is around the
+// points of these layers only. Outlines and volumes are ignored.
 [[nodiscard]] std::optional<geometry::BoundingBox> bounds_in_view(const geometry::Geometry& geometry,
                                                                   const scene::Scene& scene, geometry::ViewSize size);
 

@@ -15,10 +15,11 @@
 namespace ciel::probe {
 namespace {
 
-// Fraction of the bounds' diagonal: the depth buffer's error, with a margin for surfaces seen at a grazing angle.
+// Positions within this distance are treated as the same; a fraction of the diagonal of the bounds. It covers the error
+// of the depth buffer, with a margin for surfaces that are seen at a grazing angle.
 constexpr double same_place = 2e-3;
 
-struct Ray { // starts at the nearest drawn depth; `along` leads to the farthest. Offsets from the geometry's origin.
+struct Ray { // from the near plane to the far plane; `from` is an offset from the geometry's origin
     Vec3d from{}, along{};
 };
 
@@ -39,8 +40,8 @@ Ray ray_through(const annotations::Viewpoint& viewpoint, std::array<double, 2> p
 
 Vec3d between(const Vec3f& from, const Vec3d& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
 
-// Returns the share of the ray, from 0 to 1, at which the ray meets the triangle; nothing if it misses the triangle
-// (Moeller and Trumbore 1997).
+// Returns the parameter, from 0 to 1 along the ray, at which the ray meets the triangle. Returns nothing if the ray
+// misses the triangle (Moeller and Trumbore 1997).
 std::optional<double> met(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
     const Vec3d ab = arm(a, b);
     const Vec3d ac = arm(a, c);
@@ -127,7 +128,7 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     std::array<Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) {
         const EdgePoint& point = drawable.shape->surface.points[crossing.corners[i]];
-        if (point.a != point.b) return {}; // a point on an edge: the polygon is of a cap
+        if (point.a != point.b) return {}; // a point on an edge: the polygon is part of a cap
         vertices[i] = point.a;
     }
     for (const store::Group& group : dataset.groups(step.mesh)) {

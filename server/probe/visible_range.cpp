@@ -11,9 +11,9 @@
 namespace ciel::probe {
 namespace {
 
-constexpr int frame_height = 1000; // arbitrary: only the aspect counts
+constexpr int frame_height = 1000; // pixels; arbitrary, because only the aspect is used
 
-// Range of the values at places in view that are not clipped. Without an aspect, all places count.
+// The range of the values at positions that are in view and not clipped. Without an aspect, all positions are used.
 class SeenValues {
 public:
     SeenValues(const geometry::Geometry& geometry, const scene::Scene& scene, std::optional<double> aspect)

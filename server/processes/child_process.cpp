@@ -26,7 +26,7 @@ constexpr std::chrono::seconds patience{5};
 constexpr std::size_t max_errors = 64 * 1024;
 constexpr std::size_t max_line = 1024 * 1024;
 constexpr int could_not_start = 127;
-constexpr double silent_factor = 8; // times stalled_seconds: longest time without a line of output
+constexpr double silent_factor = 8; // longest time without a line of output, as a multiple of stalled_seconds
 
 struct Pipe {
     store::Descriptor read, write;
@@ -43,7 +43,7 @@ void limit(int resource, rlim_t value) {
     ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-// Runs between fork and exec: only async-signal-safe calls, since the parent has threads.
+// Runs between fork and exec. Makes only async-signal-safe calls, because the parent has threads.
 [[noreturn]] void become(char* const* arguments, const ChildLimits& limits, int output, int errors, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(could_not_start); // the parent died before prctl
@@ -95,7 +95,8 @@ public:
         return output_.read.get() >= 0 || errors_.read.get() >= 0;
     }
 
-    // Returns the bytes that the child has read and written so far (rchar and wchar of the kernel); 0 if unavailable.
+    // Returns the number of bytes that the child has read and written so far (rchar and wchar of the kernel); 0 if the
+    // number is not available.
     [[nodiscard]] std::uint64_t transferred() const {
         std::ifstream counters("/proc/" + std::to_string(pid_) + "/io");
         std::uint64_t total = 0, count = 0;
@@ -121,7 +122,7 @@ private:
         if (count > 0)
             to.append(buffer.data(), static_cast<std::size_t>(count));
         else if (count == 0 || errno != EINTR)
-            from = store::Descriptor(); // closes it; poll ignores a negative descriptor
+            from = store::Descriptor(); // closes the descriptor; poll ignores a negative descriptor
     }
 
     Pipe output_, errors_;
@@ -131,7 +132,7 @@ private:
 
 double seconds_since(Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); }
 
-// Ends the child on cancel, at a time limit, or when it stalls.
+// Ends the child if `cancel` is set, a time limit is over, or the child stalls.
 class Watch {
 public:
     Watch(const Child& child, const ChildLimits& limits, const std::atomic<bool>& cancel)
@@ -182,7 +183,7 @@ void pass_lines(std::string& text, const std::function<void(std::string_view)>& 
         begin = end + 1;
     }
     text.erase(0, begin);
-    if (text.size() > max_line) text.clear(); // not a line: no valid line is that long
+    if (text.size() > max_line) text.clear(); // drops the text, because no valid line is that long
 }
 
 } // namespace
@@ -200,7 +201,7 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
     while (child.read(output, end.errors)) {
         if (end.errors.size() > max_errors) end.errors.resize(max_errors);
         pass_lines(output, take_line);
-        watch.look(end); // after on_line, which may set `cancel`
+        watch.look(end); // called after on_line, because on_line may set `cancel`
     }
     pass_lines(output, take_line);
     std::optional<int> status = child.reap(WNOHANG);

@@ -17,8 +17,8 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// Returns whether the plain program can draw the mesh. A software rasterizer also spends time on unused features of the
-// full program.
+// Returns whether the plain program can draw the mesh. The plain program is faster, because a software rasterizer also
+// spends time on unused features of the full program.
 bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
@@ -41,7 +41,7 @@ const Image& Painter::draw(const Frame& frame, const AfterStage& after) {
         const Image& image = draw_paced(frame, after);
         pacing_.end();
         return image;
-    } catch (...) { // the exception may have left any GL state
+    } catch (...) { // the GL state is unknown after an exception
         pacing_.end();
         set_first_state();
         throw;
@@ -79,7 +79,8 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     transform_ = annotations::view_transform(frame);
     clip_planes_ = frame.clip.size();
     if (clip_planes_ > most_clip_planes)
-        throw Error("a frame cannot be cut by more than " + std::to_string(most_clip_planes) + " clip planes");
+        throw Error("a picture can have at most " + std::to_string(most_clip_planes) +
+                    " clip planes; remove some of them");
     origin_ = frame.origin;
     remarks_.clear();
     width_ = height_ = 0; // pick() finds nothing after a failed draw
@@ -113,8 +114,8 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     return image;
 }
 
-// Switches the clip distances of the frame's planes. They must be off for shaders that write no gl_ClipDistance, such
-// as the background's.
+// Switches the clip distances of the frame's clip planes on or off. They must be off for shaders that write no
+// gl_ClipDistance, for example the shader of the background.
 void Painter::enable_clip_planes(bool on) {
     for (std::size_t i = 0; i < clip_planes_; ++i) {
         const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
@@ -157,8 +158,9 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// Assigns buffers to each mesh except transparent triangles and points. A mesh keeps the buffers that hold its
-// identity, at any index in the frame. Other meshes get buffers of meshes that are no longer in the frame, or new ones.
+// Assigns buffers to each mesh, except to meshes of transparent triangles or transparent points. A mesh gets the
+// buffers that hold its identity, even if its index in the frame has changed. Other meshes get the buffers of meshes
+// that are no longer in the frame, or new buffers.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -180,8 +182,8 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-// Returns the tiles that the frame draws on. For volumes and multisampled frames it returns all tiles: clearing and
-// reading take little of their time.
+// Returns the tiles on which the frame draws. Returns all tiles for frames with volumes or several samples, because
+// clearing and reading are only a small part of the time of such frames.
 TouchedTiles Painter::touched_by(const Frame& frame) const {
     TouchedTiles touched(frame.width, frame.height);
     if (frame.samples > 1 || !frame.volumes.empty()) {
@@ -203,8 +205,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     gl_.Uniform1f(program.scale, static_cast<float>(transform_.scale));
     gl_.Uniform1f(program.parallel, frame.camera.parallel ? 1.0F : 0.0F);
     gl_.Uniform3f(program.lights, frame.lighting.ambient, frame.lighting.headlight, frame.lighting.key_light);
-    // The plane (0, 0, 0, 1) clips nothing. llvmpipe may still clip by a plane after glDisable, so unused planes are
-    // set to it.
+    // Unused planes are set to (0, 0, 0, 1), which clips nothing. llvmpipe may still clip by a plane after glDisable.
     std::array<std::array<float, 4>, most_clip_planes> planes{};
     planes.fill({0, 0, 0, 1});
     std::copy(frame.clip.begin(), frame.clip.end(), planes.begin());
@@ -215,8 +216,8 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-// Sets the plain program's uniforms for one mesh. Its vertices have only position and normal, so color and lighting are
-// uniforms.
+// Sets the plain program's uniforms for one mesh. The vertices of the plain program have only position and normal, so
+// color and lighting are uniforms.
 void Painter::use_look(const Frame& frame, const Primitives& mesh) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
@@ -260,9 +261,9 @@ void Painter::use_line(const Program& program, const Primitives& mesh, float fac
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
-// Draws lines. If sorted transparent triangles follow, a partly covered pixel of a line that wrote depth would hide the
-// triangles behind it. So pixels that a line covers by less than half write no depth, and the others are drawn fully
-// covered.
+// Draws lines. If sorted transparent triangles are drawn after the lines, a partly covered pixel that wrote depth would
+// hide the triangles behind it. Therefore a pixel that a line covers by less than half writes no depth. All other
+// pixels of the line are drawn as fully covered.
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
@@ -287,7 +288,7 @@ void Painter::draw_opaque(const Frame& frame) {
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);
 }
 
-// Finds the depth of opaque surfaces and the slopes of transparent ones, for lines and points that lie on them.
+// Finds the depth of opaque surfaces and the slopes of transparent surfaces, for lines and points that lie on them.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
     if (std::ranges::none_of(frame.primitives, is_overlay)) return;

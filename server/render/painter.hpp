@@ -1,4 +1,5 @@
-// Draws frames with the GL objects of one context. The objects are freed only with the context.
+// Draws frames with the GL objects of one context. The destructor does not delete the GL objects. They exist until the
+// GL context is destroyed.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -27,8 +28,8 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Returns the picture, valid until the next draw. Throws like Renderer::draw, but does not check the memory. After
-    // an exception, the next draw works as usual.
+    // Draws the frame, and returns the picture, which is valid until the next draw. Throws the same errors as
+    // Renderer::draw, but does not check the memory. After an exception, the next draw works as usual.
     const Image& draw(const Frame& frame, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
@@ -81,8 +82,9 @@ private:
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
-    std::list<PrimitiveBuffers> buffers_;  // as many as the largest frame so far needed
-    std::vector<PrimitiveBuffers*> slots_; // buffers of each mesh; null for transparent triangles and points
+    std::list<PrimitiveBuffers> buffers_; // grows to the largest number that one frame has needed
+    // Buffers of each mesh; null for meshes of transparent triangles or transparent points.
+    std::vector<PrimitiveBuffers*> slots_;
     TransparentTriangles transparent_;
     TransparentPoints transparent_points_;
     DepthPeeling peeling_;
@@ -91,7 +93,7 @@ private:
     annotations::ViewTransform transform_;
     std::size_t clip_planes_ = 0; // number of clip planes of the last frame
     Vec3d origin_{};
-    int width_ = 0, height_ = 0;           // pixels of the last picture; 0 if there is none to pick from
+    int width_ = 0, height_ = 0;           // size of the last picture in pixels; 0 if there is no picture for pick()
     bool transparent_depth_drawn_ = false; // whether the target has the depth of transparent triangles, for pick()
 };
 

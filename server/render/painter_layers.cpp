@@ -5,8 +5,8 @@
 namespace ciel::render {
 namespace {
 
-// Returns the uniform `line_reach` of point_shaders.cpp: half the width of the widest line and half a pixel, in
-// framebuffer pixels. `factor`: framebuffer pixels per picture pixel along a side.
+// Returns the uniform `line_reach` of point_shaders.cpp: half the width of the widest line plus half a pixel, in
+// framebuffer pixels; 0 without lines. `factor`: framebuffer pixels per picture pixel along a side.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -48,10 +48,10 @@ void Painter::draw_opaque_points_with(const Frame& frame) {
         if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
 }
 
-// Draws the volumes over the lines, then the lines in front of the volumes once more. Rays of volumes do not end on
-// lines: the soft edges of a line would cut a fringe out of the volume.
+// Draws the volumes over the lines. Then draws the lines in front of the volumes again. Rays of volumes do not end on
+// lines, because then the soft edges of lines would have a border without volume.
 void Painter::draw_volumes(const Frame& frame) {
-    enable_clip_planes(false); // programs of volumes clip rays and write no gl_ClipDistance
+    enable_clip_planes(false); // programs of volumes clip rays themselves and write no gl_ClipDistance
     volumes_.draw(frame, transform_, target_);
     enable_clip_planes(true);
     draw_meshes(frame, lines_, true);
@@ -75,7 +75,7 @@ void Painter::draw_transparent(const Frame& frame) {
     gl_.DepthMask(GL_TRUE);
 }
 
-// Draws the depth of lines and points for pick(): peeled layers write no depth to the target.
+// Draws the depth of lines and points for pick(), because peeled layers write no depth to the target.
 void Painter::draw_depth_of_overlays(const Frame& frame) {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_meshes(frame, lines_);
@@ -135,8 +135,8 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(true);
 }
 
-// Sets the uniforms of a peeling program of lines or points. Returns layer pixels per picture pixel along a side, by
-// which the caller multiplies line widths and point sizes.
+// Sets the uniforms of a peeling program of lines or points. Returns the number of layer pixels per picture pixel along
+// a side. The caller multiplies line widths and point sizes by this number.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
@@ -147,8 +147,8 @@ float Painter::use_in_layers(const Frame& frame, const Program& program, bool jo
     return factor;
 }
 
-// Draws lines as a part of the layer. If lines were drawn before all layers, their soft edges would hide transparent
-// surfaces behind them.
+// Draws the lines of a layer. If lines were drawn before all layers, their soft edges would hide transparent surfaces
+// behind them.
 void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
@@ -161,8 +161,8 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     }
 }
 
-// Draws the opaque points, and with volumes also the transparent ones. Without volumes, draw_points_between_layers()
-// blends the transparent points.
+// Draws the opaque points. With volumes, also draws the transparent points. Without volumes,
+// draw_points_between_layers() blends the transparent points.
 void Painter::draw_points_of_layer(const Frame& frame) {
     const Program& program = peeling_.points();
     use_for_points(frame, program);

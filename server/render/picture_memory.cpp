@@ -8,7 +8,7 @@
 namespace ciel::render {
 namespace {
 
-// Memory of a picture in bytes per pixel.
+// Memory in bytes per pixel.
 constexpr std::uint64_t color_and_depth = 8;
 constexpr std::uint64_t image = 6;      // RGB image and its encoded copy
 constexpr std::uint64_t layers = 36;    // depth peeling: color, two layer depths, sum, three opaque depths

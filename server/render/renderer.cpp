@@ -13,17 +13,20 @@
 namespace ciel::render {
 namespace {
 
-// Number of pixels. A context that drew a larger picture is destroyed before a picture of less than half that size, to
-// free its memory. Stills of a large screen are smaller, so they do not wait for a new context.
+// A limit for the number of pixels of a picture. If the last picture was larger, and the next picture has less than
+// half as many pixels, the context is destroyed to free its memory. Still pictures of a large screen are smaller, so
+// they do not wait for a new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
-// Bytes kept free for the rest of the process during a draw, and for shaders compiled for the picture.
+// Bytes that must stay free for the rest of the process during a draw, and for shaders that are compiled for the
+// picture.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// Returns the bytes of address space that a new llvmpipe context reserves, mostly for stacks and heaps of its threads.
-// Little of this space is used.
+// Returns the bytes of address space that a new llvmpipe context reserves, mostly for the stacks and heaps of its
+// threads. Only a small part of this space is used.
 std::uint64_t addresses_of_a_context() {
-    constexpr std::uint64_t whole = 240, of_thread = 136; // MB, per context and per thread; 463 measured with 2 threads
+    // MB, per context and per thread; 463 MB were measured with 2 threads.
+    constexpr std::uint64_t whole = 240, of_thread = 136;
     return (whole + of_thread * std::min(32U, std::max(1U, std::thread::hardware_concurrency()))) << 20;
 }
 
@@ -56,7 +59,8 @@ struct Renderer::State {
     void start() {
         if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
             throw Error("drawing needs about " + megabytes(addresses_of_a_context()) + " of address space, but " +
-                        megabytes(left) + " are left to the server; raise the limit on its address space (ulimit -v)");
+                        megabytes(left) +
+                        " are left to the server; raise the server's limit on address space (ulimit -v)");
         ChosenContext chosen = make_context(wanted);
         wanted = chosen.backend;
         selection = std::move(chosen.selection);
@@ -81,8 +85,8 @@ struct Renderer::State {
         return !painter || !make_current(*context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
     }
-    // Returns whether to recreate the context before this frame. GL objects are freed only with their context, so this
-    // frees the memory of a very large picture.
+    // Returns whether the context must be recreated before this frame, to free the memory of a very large picture. GL
+    // objects exist until their context is destroyed.
     [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
         return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
@@ -130,7 +134,7 @@ struct Renderer::State {
             refused = std::current_exception();
         }
         if (failed || ran_out_of_memory()) {
-            stop(); // destroys the context: some of its buffers were not allocated
+            stop(); // destroys the context, because some of its buffers were not allocated
             throw Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
                         "; ask for a smaller picture, or show fewer layers");
         }
@@ -154,7 +158,7 @@ const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     if (const std::uint64_t needed = picture_memory(frame); needed > state_->kept) state_->keep(needed);
     const Image& image = state_->draw(frame, after);
     if (!state_->is_lost()) return image;
-    state_->stop(); // lost while drawing: the image is invalid
+    state_->stop(); // the context was lost while drawing, so the image is invalid
     state_->start();
     return state_->draw(frame, after);
 }

@@ -19,9 +19,9 @@ struct Spare {
     std::uint64_t allowed = UINT64_MAX;       // left below a limit on what the program counts itself
 };
 
-// Owns one GL context. Must be created and used on one thread. The constructor throws Error naming the back ends that
-// were tried and why each failed, or when the address space does not suffice for a context. The next draw recreates a
-// context that is lost or ran out of memory.
+// Owns one GL context. A Renderer must be created and used on the same thread. The constructor throws Error if no back
+// end can create a context, or if the address space does not suffice for a context. If the context is lost or runs out
+// of memory, the next draw creates a new context.
 class Renderer {
 public:
     // `spare` returns the memory left to the process. It is called before a context is created, and with a software GL
@@ -33,28 +33,29 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    // Throws Error when arrays of a mesh do not fit together, a color map does not exist, the camera is not finite,
+    // Throws Error if the arrays of a mesh do not fit together, a color map does not exist, the camera is not usable,
     // there are too many clip planes, the GL cannot draw this size, or the memory does not suffice
-    // (picture_memory.hpp). Passes on exceptions of check_wanted. After an exception, the next draw works as usual.
-    // `after` is called after each stage, for benchmarks, once the GL has finished the stage.
+    // (picture_memory.hpp). Propagates exceptions of check_wanted. After an exception, the next draw works as usual.
+    // `after`: called after each stage, for benchmarks, when the GL has finished the stage.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
-    // Like the other draw, but without a copy: the renderer owns the image, which is valid until its next draw.
+    // Draws as the function above, but without a copy of the image. The renderer owns the image, which is valid until
+    // the next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const;
-    // Finds the world position of the nearest mesh at a pixel of the last picture, counted from the top left. Returns
-    // false where there is no mesh.
+    // Finds the world position of the nearest primitive at pixel (x, y) of the last picture, counted from the top left.
+    // Returns false if there is no primitive at this pixel.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;
     [[nodiscard]] Backend backend() const;
-    // For logs: the chosen back end and device, and why the back ends tried before failed.
+    // For logs: the chosen back end and device, and the reasons why earlier back ends failed.
     [[nodiscard]] const std::string& selection() const;
-    // Throws Error when there is no memory for this frame; draws nothing.
+    // Throws Error if there is not enough memory for this frame. Draws nothing.
     void check_memory(const Frame& frame) const;
-    // Returns the estimated bytes that the context keeps allocated: those of its largest picture.
+    // Returns the estimated memory in bytes that the context keeps allocated: the memory of its largest picture.
     [[nodiscard]] std::uint64_t kept_memory() const;
-    void give_back_memory(); // destroys the context; the next draw recreates it in a few tenths of a second
+    void give_back_memory(); // destroys the context; the next draw creates a new one in a few tenths of a second
     // Destroys the GL context as a GPU reset would; for tests.
     void simulate_context_loss();
 
@@ -63,7 +64,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Returns the back ends that can create a context on this machine. The first call tries them. Thread-safe.
+// Returns the back ends that can create a context on this machine. The first call tries all of them. Thread-safe.
 [[nodiscard]] const std::vector<Backend>& available_backends();
 
 } // namespace ciel::render

@@ -13,8 +13,9 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // JSON pointer of the layer
 
-    // Throws Invalid unless the layer can use the array. `why_points`: reason to refuse cell arrays; empty if they are
-    // allowed. `has_faces`: the layer shows boundary faces, so arrays on them are allowed.
+    // Throws Invalid unless the layer can use the array. `why_points`: reason to refuse cell arrays; empty if cell
+    // arrays are allowed. `has_faces`: whether the layer shows boundary faces, so that arrays on boundary faces are
+    // allowed.
     void scalar(const std::string& name, const std::string& place, const char* why_points,
                 bool has_faces = false) const {
         try {
@@ -38,7 +39,8 @@ struct Check {
         if (std::find(maps.begin(), maps.end(), color.map) != maps.end()) return;
         std::string known;
         for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
-        throw Invalid(path + place + "/map", "there is no color map " + printable(color.map) + "; there are " + known);
+        throw Invalid(path + place + "/map",
+                      "there is no color map " + printable(color.map) + "; choose one of " + known);
     }
 
     void operator()(const IsoLayer& iso) const {
@@ -82,7 +84,7 @@ struct Check {
             }
         throw Invalid(path + "/groups/" + std::to_string(index),
                       "there is no patch " + printable(name) +
-                          (known.empty() ? "; the dataset has none" : "; there are " + known));
+                          (known.empty() ? "; the dataset has no patches" : "; choose one of " + known));
     }
 };
 

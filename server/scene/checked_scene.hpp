@@ -8,12 +8,12 @@
 
 namespace ciel::scene {
 
-// A scene with its dataset at the time of the check. Immutable, so thread-safe. Steps that are appended later are not
-// visible in dataset().
+// A scene with its dataset at the time of the check. Immutable and therefore thread-safe. Steps that are appended later
+// are not visible in dataset().
 class CheckedScene {
 public:
-    // loaded: scene.dataset, opened by the caller. Throws Invalid when the scene names an array, patch or color map
-    // that does not exist, or an array with an association that its layer cannot show.
+    // `loaded`: the dataset that the scene names, opened by the caller. Throws Invalid if the scene names an array,
+    // patch or color map that does not exist, or an array with an association that its layer cannot show.
     CheckedScene(Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }

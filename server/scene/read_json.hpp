@@ -1,4 +1,3 @@
-// Reads hand-written JSON text (RFC 8259) and refuses duplicate members.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,8 +6,8 @@
 
 namespace ciel::scene {
 
-// Thrown if a JSON object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them, so a
-// layer could be lost silently.
+// Thrown if a JSON object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them, so
+// that a layer could be lost silently.
 struct TwiceNamed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

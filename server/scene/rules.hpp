@@ -16,8 +16,8 @@ struct Plane {
 [[nodiscard]] Plane plane_of(const SliceLayer& slice);
 [[nodiscard]] Plane plane_of(const ClipLayer& clip);
 
-// Throws Invalid for a document with the member /legend, which annotations.legend has replaced. Called before the
-// schema is checked, because the schema's error would not name the replacement.
+// Throws Invalid for a document with the member /legend, which annotations.legend has replaced. Must be called before
+// the schema is checked, because the error of the schema would not name the replacement.
 void refuse_old_legend(const nlohmann::json& document);
 
 // Sorts the layers by (order, id) and removes edges, contours and thresholds that are switched off. Throws Invalid when

@@ -1,6 +1,6 @@
 // The scene document: everything that a view shows, as one JSON document. components/schemas/Scene in
-// protocol/openrpc.json states its form, defaults and limits; the structures are generated from it. A change is an RFC
-// 7396 merge patch.
+// protocol/openrpc.json defines its form, defaults and limits. The structures are generated from this schema. A change
+// is an RFC 7396 merge patch.
 #pragma once
 
 #include "protocol/scene.hpp"
@@ -10,7 +10,7 @@
 
 namespace ciel::scene {
 
-// Most bytes of a layer id, a title or a gesture. The contract's limits count characters instead.
+// Maximum number of bytes of a layer id, a title or a gesture. The limits in the contract count characters instead.
 inline constexpr std::size_t most_name_bytes = 256;
 
 // Thrown when a document breaks a rule. `path` is a JSON pointer (RFC 6901) to the offending member.
@@ -22,10 +22,10 @@ public:
 
 // Returns the scene of a document that satisfies its schema and the rules of rules.hpp. Its layers are sorted by
 // (order, id), without edges, contours and thresholds that are switched off. Throws Invalid. Does not check that arrays
-// exist: that needs the dataset (checked_scene.hpp).
+// exist, because this check needs the dataset (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// Returns `document` with a merge patch (RFC 7396) applied. A null in the patch removes its member: null and absent
-// mean the same in a scene. The caller must check the result with parse before it replaces the scene.
+// Returns `document` with a merge patch (RFC 7396) applied. A null in the patch removes its member, because null and
+// absent mean the same in a scene. The caller must check the result with parse() before it replaces the scene.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
 // Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);

@@ -13,11 +13,11 @@ namespace ciel::scene {
 
 struct Violation {
     std::string path;   // JSON pointer (RFC 6901) into the value
-    std::string reason; // the rest of a sentence: "must be a number"
+    std::string reason; // end of a sentence that begins with the path: "must be a number"
 };
 
 // Checks a value. Returns the first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in
-// schema_keywords() are ignored. Thread-safe. Recursion follows the schema, not the depth of the value.
+// schema_keywords() are ignored. Thread-safe. The depth of the recursion depends on the schema, not on the value.
 [[nodiscard]] std::optional<Violation> check_schema(const nlohmann::json& schema, const nlohmann::json& value,
                                                     const std::string& path = "");
 

@@ -14,17 +14,19 @@ using Document = std::shared_ptr<const nlohmann::json>;
 // History is not thread-safe; the session's mutex guards it. Copies share the documents.
 class History {
 public:
-    // The history keeps at most `steps` documents and at most `bytes` of heap. It drops the oldest documents.
+    // The history keeps at most `steps` documents, which use at most `bytes` of heap memory. It drops the oldest
+    // documents.
     History(std::size_t steps, std::size_t bytes) : steps_(steps), most_bytes_(bytes) {}
 
     // Adds `before`, the document that is about to be replaced, as an undo step and drops all redo steps. Consecutive
     // changes with the same non-empty gesture are one step.
     void record(Document before, const std::string& gesture);
-    // append_undo adds a step before the oldest undo step, append_redo one after the last redo step. They return false
-    // if the limits leave no room.
+    // append_undo() adds a step before the oldest undo step. append_redo() adds a step after the last redo step. They
+    // return false if the limits leave no room.
     bool append_undo(Document document);
     bool append_redo(Document document);
-    // undo and redo replace the current document `now`. They return the document to show, or null if there is no step.
+    // undo() and redo() take the current document `now` and return the document that replaces it. They return null if
+    // there is no step.
     [[nodiscard]] Document undo(Document now);
     [[nodiscard]] Document redo(Document now);
     [[nodiscard]] bool can_undo() const { return !undo_.empty(); }
@@ -46,7 +48,7 @@ private:
 
     std::size_t steps_, most_bytes_, bytes_ = 0;
     Steps undo_, redo_;
-    std::string gesture_; // of the last recorded change; empty: the next change is a separate step
+    std::string gesture_; // gesture of the last recorded change; empty: the next change is a separate step
 };
 
 } // namespace ciel::sessions

@@ -1,4 +1,3 @@
-// Notifications as JSON-RPC text.
 #pragma once
 
 #include "protocol/json.hpp"

@@ -16,12 +16,12 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     note.scene.emplace(*version.document);
     std::string text = notification_text(note);
     if (text.size() <= wire::longest_message) return text;
-    note.scene.reset(); // too long for one message: the client asks for the scene
+    note.scene.reset(); // too long for one message; the client calls scene.get
     return notification_text(note);
 }
 
-// Applies the patches one after the other and passes each document to `take`. Stops when `take` returns false or a
-// document exceeds most_bytes of text.
+// Applies the patches one after the other and passes each document to `take`. Stops when `take` returns false, or when
+// the text of a document has more than `most_bytes` bytes.
 template <class Take>
 void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
     for (const nlohmann::json& patch : patches) {
@@ -31,7 +31,8 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
     }
 }
 
-// Sends a text to the connections `to` except one (0: to all). Makes the text only if one of them is open.
+// Sends a text to all connections of `to` except the connection `except` (0: no exception). Calls make_text() only if
+// one of these connections is open.
 void send(const OpenConnections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
           const std::function<std::string()>& make_text) {
     std::string text;
@@ -112,14 +113,14 @@ SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&Hist
 
 SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    History after = history_; // a copy: history_ stays unchanged if no step can be shown
+    History after = history_; // a copy, so that history_ stays unchanged if no step can be shown
     std::exception_ptr refused;
     Document document = version_->document;
     while ((document = (after.*move)(document))) {
         try {
             auto next = make_version(services_, *document, version_->revision + 1);
             return change(std::move(next), after, author);
-        } catch (const std::exception&) { // the step's dataset is gone or has changed: tries the next step
+        } catch (const std::exception&) { // the step's dataset was removed or has changed; tries the next step
             if (!refused) refused = std::current_exception();
         }
     }
@@ -173,8 +174,8 @@ void Session::dataset_changed() {
     try {
         version_ = make_version(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
-        // The scene does not fit the changed dataset. The session keeps its version, whose data is still mapped and can
-        // be shown. The next patch reports the error.
+        // The scene does not fit the changed dataset. The session keeps its version, because the data of this version
+        // is still mapped and can be shown. The next patch reports the error.
     }
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
 }

@@ -1,4 +1,4 @@
-// A session: one scene with its history, kept between connections and shared by any number of them.
+// A session is one scene with its history. It is kept between connections, and any number of connections may share it.
 #pragma once
 
 #include "sessions/history.hpp"
@@ -22,13 +22,14 @@ struct SessionStatus {
     bool can_undo = false, can_redo = false;
 };
 
-// Undo and redo steps of a new session, as merge patches. The step next to the scene is the first (session.open in the
-// contract).
+// Undo and redo steps of a new session, as merge patches. The first step of each list is the step next to the scene
+// (session.open in the contract).
 struct Steps {
     std::vector<nlohmann::json> undo, redo;
 };
 
-// A view that shows the session's scene. Both callbacks run under the session's lock and must not call the session.
+// A view that shows the session's scene. Both callbacks are called while the session is locked, and must not call the
+// session.
 struct Viewer {
     std::uint64_t connection = 0;
     std::function<void(std::shared_ptr<const SceneVersion>)> offer; // gives the newest version to the view
@@ -39,28 +40,29 @@ struct Viewer {
 // sent to all subscribed connections except the author of the change, and offered to all viewers.
 class Session {
 public:
-    // Drops `steps` beyond the history's limits. Throws LimitReached when there is no memory for the documents.
+    // Drops `steps` beyond the history's limits. Throws LimitReached if there is no memory for the documents.
     Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
             const Steps& steps = {});
 
     [[nodiscard]] const std::string& id() const { return id_; }
     [[nodiscard]] Clock::time_point opened() const { return opened_; }
-    [[nodiscard]] SessionStatus status() const; // counts as a use of the session
+    [[nodiscard]] SessionStatus status() const; // also marks the session as used
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
     // patch, replace, undo and redo change the scene. `author`: connection that made the change; it gets the answer
-    // instead of a notification. They throw what make_version throws, and LimitReached; the session is then unchanged.
+    // instead of a notification. They throw LimitReached and the exceptions of make_version(); the session is then
+    // unchanged.
     SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
     SessionStatus replace(nlohmann::json document, std::uint64_t author);
     SessionStatus undo(std::uint64_t author); // returns the current status if there is nothing to undo
     SessionStatus redo(std::uint64_t author);
 
-    void tell(const std::string& notification) const; // sends it to all subscribed connections
+    void tell(const std::string& notification) const; // sends the notification to all subscribed connections
     void subscribe(std::uint64_t connection);
-    void add_viewer(std::uint32_t id, Viewer viewer); // offers it the newest version; throws LimitReached
+    void add_viewer(std::uint32_t id, Viewer viewer); // offers the viewer the newest version; throws LimitReached
     void remove_viewer(std::uint32_t id);
-    void disconnect(std::uint64_t connection); // closes its viewers, ends its subscription
+    void disconnect(std::uint64_t connection); // closes the connection's viewers, ends its subscription
     void close();                              // closes all viewers, ends all subscriptions
-    void dataset_changed();                    // the dataset has grown or was replaced: offers the scene again
+    void dataset_changed(); // call when the dataset has grown or was replaced; offers the scene again
 
     // Returns whether the session has no subscriber and no viewer, and has not been used since `time`.
     [[nodiscard]] bool is_idle_since(Clock::time_point time) const;

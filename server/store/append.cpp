@@ -20,8 +20,8 @@ bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
     return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });
 }
 
-// Throws Error when a new array cannot have this name. Arrays are never deleted, so a misspelt name would stay. Names
-// of arrays that the dataset has already are not checked.
+// Throws Error if a new array must not have this name. A misspelled name could not be removed, because arrays are never
+// deleted. Names of arrays that are already in the dataset are not checked.
 void check_new_name(const std::string& name) {
     const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
     const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
@@ -33,7 +33,7 @@ void check_new_name(const std::string& name) {
     else if (plain.size() > longest_name)
         problem = "is longer than " + std::to_string(longest_name) + " bytes";
     else if (std::ranges::any_of(plain, is_bad))
-        problem = "holds a '/', '\\', ':' or control character (only 'cell:' may stand before it)";
+        problem = "holds a '/', '\\', ':' or control character (the only allowed prefix is 'cell:')";
     if (!problem.empty())
         throw Error("array '" + name + "' is not in the dataset, and a new array cannot have a name that " + problem);
 }
@@ -44,8 +44,8 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
     const auto usual = known == nullptr ? std::size_t{1} : static_cast<std::size_t>(known->components);
     const std::size_t components = wanted.components.value_or(usual);
     if (known != nullptr && components != usual)
-        throw Error("array '" + wanted.name + "' has " + std::to_string(usual) + " components, not " +
-                    std::to_string(components));
+        throw Error("array '" + wanted.name + "' has " + std::to_string(usual) +
+                    " components in the dataset, but the values have " + std::to_string(components));
     if (components < 1 || components > most_components)
         throw Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) + " components");
     if (known != nullptr && known->association == Association::boundary_face)
@@ -76,8 +76,8 @@ PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedAr
     return planned;
 }
 
-// Returns the point array to make from the cell array `cells`, by the rules of an import. Returns nullopt if the step
-// brings an array of that name, or if the dataset has the cell array but no such point array.
+// Returns the point array that an import would interpolate from the cell array `cells`. Returns nullopt if the step
+// itself has an array of that name, or if the dataset has the cell array but no such point array.
 std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan, const ArrayInfo& cells) {
     if (cells.association != Association::cell || !cells.name.starts_with(cell_prefix)) return std::nullopt;
     ArrayInfo made = cells;
@@ -101,8 +101,8 @@ void check_time(const Dataset& dataset, double time) {
     if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
     if (dataset.steps().empty() || time > dataset.steps().back().time) return;
     std::ostringstream sentence;
-    sentence << "time " << time << " is not later than the last step of " << dataset.info().name << ", "
-             << dataset.steps().back().time;
+    sentence << "time " << time << " is not later than the last step of " << dataset.info().name
+             << ", which is at time " << dataset.steps().back().time;
     throw Error(sentence.str());
 }
 
@@ -111,7 +111,8 @@ Values to_stored_order(ValuesView values, std::span<const Index> original, std::
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> stored(original.size() * components);
         for (std::size_t i = 0; i < original.size(); ++i) {
-            const std::size_t from = original[i] * components; // read once: the mapped file can change at any time
+            // Reads the id only once, because the mapped file can change at any time.
+            const std::size_t from = original[i] * components;
             if (from >= all.size()) throw Error("the dataset's original ids are damaged; import the data again");
             std::copy_n(&all[from], components, &stored[i * components]);
         }
@@ -121,13 +122,14 @@ Values to_stored_order(ValuesView values, std::span<const Index> original, std::
 
 void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
     const Dataset& dataset = *writer.before();
-    std::optional<PointInterpolation> points; // made once for all arrays of the step
+    std::optional<PointInterpolation> points; // made once and used for all arrays of the step
     for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
         const PlannedArray& array = plan.arrays[i];
         const auto values = values_of(i);
         if (values.size() != array.values())
-            throw Error("array '" + array.info.name + "' has " + std::to_string(values.size()) + " values where " +
-                        std::to_string(array.tuples) + " x " + std::to_string(array.info.components) + " are needed");
+            throw Error("array '" + array.info.name + "' has " + std::to_string(values.size()) +
+                        " values, but must have " + std::to_string(array.tuples) + " x " +
+                        std::to_string(array.info.components) + ", one for each point or cell and component");
         const auto ids = original_ids(dataset, plan.mesh, array.info.association);
         const Values stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
         writer.add_values({array.info, stored});
@@ -139,7 +141,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
-// Returns whether both meshes have the same faces in the same order, as arrays on boundary faces need.
+// Returns whether both meshes have the same faces in the same order. The order matters for arrays on boundary faces.
 bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
     bool same = std::ranges::equal(a.owner, b.owner);
     for (Index face = 0; same && face < a.face_count(); ++face) same = std::ranges::equal(a.loop(face), b.loop(face));
@@ -155,11 +157,13 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t
                 "; only steps on the same mesh can be appended");
 }
 
-// Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. Adds a set if none has them.
+// Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. If there is no such set, adds a
+// new set with these positions.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
     const FaceMeshView known = writer.before()->points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);
-    if (known.origin != wanted.origin) { // one dataset is of an earlier version and has an origin that is not zero
+    // In a dataset of an earlier version, the origin can be different from zero.
+    if (known.origin != wanted.origin) {
         std::vector<double> moved(wanted.positions.begin(), wanted.positions.end());
         for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += wanted.origin[i % 3] - known.origin[i % 3];
         positions = converted(moved, known.positions.has_doubles());
@@ -180,7 +184,7 @@ StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedAr
     }
     std::set<std::string> names;
     for (const WantedArray& each : wanted) {
-        if (!names.insert(each.name).second) throw Error("array '" + each.name + "' is given twice");
+        if (!names.insert(each.name).second) throw Error("array '" + each.name + "' is given twice; give it once");
         plan.arrays.push_back(plan_array(dataset, plan.mesh, each));
     }
     std::vector<ArrayInfo> written;
@@ -213,7 +217,7 @@ AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, s
 std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source) {
     Writer writer = Writer::append(dataset);
     const Dataset& target = *writer.before();
-    std::map<std::size_t, std::size_t> mesh_of; // mesh of `source` -> the same mesh of `dataset`
+    std::map<std::size_t, std::size_t> mesh_of; // index of a mesh in `source` -> its index in `dataset`
     std::size_t appended = 0;
     for (std::size_t step = 0; step < source.steps().size(); ++step) {
         const Step& at = source.steps()[step];

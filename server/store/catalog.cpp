@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Inode, size and modification time of a dataset's commit marker. Changes whenever the marker is replaced.
+// Inode, size and modification time of a dataset's commit marker. The stamp changes whenever the marker is replaced.
 using Stamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
 
 Stamp stamp_of(const fs::path& dataset) {
@@ -49,11 +49,11 @@ bool is_intact(const LoadedDataset& loaded) {
 struct Known {
     fs::path directory;
     std::string problem;
-    bool failed = false; // set by add_failed; cleared when the commit marker no longer has the stamp `examined`
+    bool failed = false; // true after add_failed, until the stamp of the commit marker differs from `examined`
     Stamp examined{};    // stamp of the commit marker when `problem` was determined
     std::shared_ptr<LoadedDataset> loaded;
-    // State after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() failed after
-    // that. came_back: open() has succeeded since, so poll() must call on_change again.
+    // Set after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() has failed since
+    // then. came_back: open() has then succeeded, so that poll() must call on_change again.
     enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
     Catalog::Clock::time_point used{};
@@ -79,7 +79,8 @@ struct Catalog::State {
         return known[name];
     }
 
-    // Updates `known` from the disk. A directory keeps its name as long as it exists.
+    // Adds datasets that are new on the disk to `known`, and removes datasets that no longer exist. A directory keeps
+    // its name in `known` as long as it exists.
     void scan() {
         std::erase_if(known, [](const auto& entry) {
             return !entry.second.failed && !looks_like_dataset(entry.second.directory);
@@ -128,7 +129,7 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, st
         path = fs::absolute(path).lexically_normal();
         if (!path.has_filename()) path = path.parent_path();
         std::error_code error;
-        if (!fs::exists(path, error)) refuse(path, "does not exist");
+        if (!fs::exists(path, error)) refuse(path, "does not exist; check the path");
         if (!fs::is_directory(path, error)) refuse(path, "is a file; make a dataset from the file with 'ciel import'");
     }
     state_->roots = std::move(paths);
@@ -145,7 +146,7 @@ void Catalog::add_failed(const fs::path& directory, const std::string& problem) 
     Known& entry = state_->learn(directory);
     entry.problem = problem;
     entry.failed = true;
-    entry.examined = stamp_of(directory); // an older import in `directory` must not be opened instead
+    entry.examined = stamp_of(directory); // so that an older import in `directory` is not opened instead
 }
 
 std::vector<CatalogEntry> Catalog::list() const {
@@ -182,7 +183,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (const auto found = state_->known.find(name); found != state_->known.end() && found->second.loaded)
             return found->second.loaded;
     }
-    give_back({}); // drops unused datasets while more than most_bytes are in use
+    give_back({}); // drops unused datasets while all datasets need more than most_bytes
     const Stamp stamp = stamp_of(directory);
     std::shared_ptr<LoadedDataset> loaded;
     std::string problem;
@@ -216,10 +217,10 @@ std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
 }
 
 std::size_t Catalog::give_back(Clock::time_point unused_since) {
-    std::vector<std::shared_ptr<LoadedDataset>>
-        forgotten; // destroyed after `lock`: unmapping is slow and needs no lock
+    // Destroyed after `lock`, because unmapping is slow and needs no lock.
+    std::vector<std::shared_ptr<LoadedDataset>> forgotten;
     const std::lock_guard lock(state_->mutex);
-    std::vector<Known*> unused; // held by the catalog alone; open() cannot hand them out while `lock` is held
+    std::vector<Known*> unused; // only the catalog holds them; open() cannot return them while `lock` is held
     std::size_t bytes = 0;
     for (auto& [name, entry] : state_->known) {
         if (!entry.loaded) continue;
@@ -257,14 +258,14 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         }
     }
     for (const auto& [name, loaded, has_new_marker, came_back] : all) {
-        if (!has_new_marker && is_intact(*loaded)) { // reads the disk, which may be slow, without the lock
+        if (!has_new_marker && is_intact(*loaded)) { // reads the disk, which may be slow, while `mutex` is not locked
             if (came_back) on_change(name);
             continue;
         }
         bool tell = true;
         try {
             tell = loaded->refresh();
-        } catch (const std::exception&) { // the next open() opens the dataset's successor or throws the reason
+        } catch (const std::exception&) { // the next open() opens the new dataset or throws the reason
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
                 found->second.loaded = nullptr;

@@ -1,5 +1,5 @@
-// Catalog: the datasets that a server offers, by name. A name in a request is never used as a path. It is looked up in
-// a table of the datasets at the paths that the administrator gave on the command line.
+// Catalog: the datasets that a server offers, by name. A name in a request is never used as a path. Instead, the
+// catalog looks the name up in a table of the datasets at the paths that were given on the command line.
 #pragma once
 
 #include "store/loaded.hpp"
@@ -20,15 +20,15 @@ struct CatalogEntry {
 class Catalog {
 public:
     // Each path is a NAME.ciel directory, or a folder that every list() searches for such directories. Throws Error for
-    // a path that does not exist or is a file. Datasets of the same name get numbers. field_budget_bytes: size of each
-    // dataset's cache of fields. most_bytes: memory of all datasets above which unused ones are dropped. access: as for
-    // Dataset::open.
+    // a path that does not exist or is a file. If several datasets have the same name, numbers are appended: NAME-2,
+    // NAME-3. field_budget_bytes: size of each dataset's cache of fields. most_bytes: if all datasets together need
+    // more memory, unused datasets are dropped. access: as for Dataset::open.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
                      std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt);
     ~Catalog();
 
-    // Lists a dataset that could not be imported, with the reason `problem`, until another dataset is put into
-    // `directory`.
+    // Adds a dataset that could not be imported to the list, with the reason `problem`. open() refuses it until another
+    // dataset is written to `directory`.
     void add_failed(const std::filesystem::path& directory, const std::string& problem);
 
     [[nodiscard]] std::vector<CatalogEntry> list() const;
@@ -36,16 +36,16 @@ public:
     [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);
 
     using Clock = std::chrono::steady_clock;
-    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const; // all in memory
-    // Drops datasets that only the catalog holds: those not used since `unused_since`. While all datasets together
-    // have more than most_bytes, also drops the longest unused one, but not the one used last. Returns the number
-    // dropped.
+    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const; // all datasets in memory
+    // Drops the datasets that only the catalog holds and that were not used since `unused_since`. While all datasets
+    // together need more than most_bytes, also drops other datasets that only the catalog holds, the least recently
+    // used first. The most recently used of them is kept. Returns the number of dropped datasets.
     std::size_t give_back(Clock::time_point unused_since);
 
-    // Starts a thread that looks once a second for steps appended by other processes and for replaced datasets. For
-    // each dataset that changed it calls on_change(dataset name); open() then returns a replaced dataset's successor.
-    // The thread ends when the returned handle is destroyed. Destroy the handle before the catalog, and not within
-    // on_change. on_change must not throw.
+    // Starts a thread that checks once a second whether other processes have appended steps or replaced datasets. For
+    // each dataset that changed, the thread calls on_change(dataset name). If the dataset was replaced, open() then
+    // opens the new dataset. The thread ends when the returned handle is destroyed. Destroy the handle before the
+    // catalog, and not within on_change. on_change must not throw.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

@@ -1,4 +1,4 @@
-// Computes the positions of single cells of a mesh.
+// Computes the center positions of selected cells of a mesh.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -7,9 +7,9 @@
 
 namespace ciel::store {
 
-// Returns for each of `cells` the mean of its corners, in the dataset's coordinates. points: positions of the
-// topology's vertices. Reads the blocks of the cells. Throws Error when the mesh has no such cell or a record is
-// damaged.
+// Returns for each cell of `cells` the mean position of its corners, in dataset coordinates. points: positions of the
+// topology's vertices. Reads only the blocks of these cells. Throws Error when the mesh has no such cell, or when a
+// record is damaged.
 [[nodiscard]] std::map<Index, Vec3d> cell_places(const Topology& topology, const FaceMeshView& points,
                                                  const std::vector<Index>& cells);
 

@@ -11,7 +11,7 @@ namespace ciel::store {
 namespace {
 
 constexpr std::size_t most_steps_in_marker = 64;
-constexpr std::size_t most_id_bytes = 32; // a binary file has no room for a longer id
+constexpr std::size_t most_id_bytes = 32; // size of the id in the head of a binary file (file_head.hpp)
 
 } // namespace
 
@@ -34,7 +34,7 @@ void Commit::read_table_again(Marker& marker) const noexcept {
         const auto file = directory / layout::commit_marker;
         Marker now = parse_marker(read_text(file, layout::marker_bytes), file);
         if (now.table.steps > marker.table.steps) marker = std::move(now);
-    } catch (const std::exception&) { // `marker` then stays the one of the last step
+    } catch (const std::exception&) { // `marker` is then unchanged
     }
 }
 

@@ -1,5 +1,5 @@
-// Commits the steps of a dataset that is being written: replaces the commit marker, and moves steps from it to the
-// table of steps.
+// Commits the steps of a dataset that is being written. Replaces the commit marker, and moves steps from the marker to
+// the table of steps.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel::store {
 
-// One writer at a time: the caller holds the lock of the dataset, or the dataset is new.
+// Only one writer may use a dataset at a time: the caller holds the lock of the dataset, or the dataset is new.
 struct Commit {
     std::filesystem::path directory;
     std::string dataset_id;
@@ -17,11 +17,11 @@ struct Commit {
 
     // Replaces the marker. Throws FileError when it cannot be written.
     void put(const Marker& marker) const;
-    // If the marker has many steps, moves them to the table and replaces the marker, which stays small. Returns whether
-    // it moved them. Throws Error, with `marker` unchanged, when a file cannot be written.
+    // If the marker has more than 64 steps, moves all of them to the table and replaces the marker. Returns true if it
+    // moved steps. Throws Error when a file cannot be written; `marker` is then unchanged.
     bool move_steps_to_table(Marker& marker) const;
-    // Reads the marker from the disk again. Call it when move_steps_to_table has failed, possibly after it has replaced
-    // the marker.
+    // Reads the marker from the disk again. Call it after move_steps_to_table has thrown, because that function may
+    // have replaced the marker on the disk before it failed. If the marker cannot be read, `marker` is unchanged.
     void read_table_again(Marker& marker) const noexcept;
 };
 

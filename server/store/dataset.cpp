@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the solver's id; nullopt for a negative one, because -1 stands for no id.
+// Returns `id`, or nullopt if it is negative: -1 in the file means that the solver gave no id.
 std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id && *id >= 0 ? id : std::nullopt; }
 
 class MappedDataset final : public Dataset {
@@ -80,7 +80,9 @@ public:
         const FaceMeshView view = points(mesh, coordinates);
         try {
             return at(mesh)->all_faces(view);
-        } catch (const Error&) { // check_unchanged names the damaged file, which the kernel does not know
+        } catch (const Error&) {
+            // The message of the kernel names no file. If a file has changed, check_unchanged throws an Error that
+            // names the file.
             check_unchanged();
             throw;
         }
@@ -190,8 +192,8 @@ private:
         return view;
     }
 
-    // Returns the loader of a coordinate set. Fields on the same positions share it, because it knows which blocks are
-    // loaded.
+    // Returns the loader of a coordinate set. All fields on the same positions share one loader, because the loader
+    // records which blocks are loaded.
     std::shared_ptr<const PositionsLoader> loader_of(const PagedValues& positions, std::size_t mesh,
                                                      std::size_t coordinates) const {
         const std::lock_guard lock(loaders_mutex_);
@@ -210,7 +212,8 @@ private:
     PagedValues paged_positions(std::size_t mesh, std::size_t coordinates) const {
         (void)at(mesh); // throws for an unknown mesh
         const ArrayLayout& shape = positions_[mesh];
-        if (coordinates >= shape.chunks) refuse(shape.directory, "has no coordinates " + std::to_string(coordinates));
+        if (coordinates >= shape.chunks)
+            refuse(shape.directory, "has no coordinate set " + std::to_string(coordinates));
         const fs::path file = shape.chunk(coordinates);
         const auto checks = [&] {
             const auto& sums = coordinate_checksums_[mesh];
@@ -261,8 +264,8 @@ private:
         return fs::exists(layouts_[step.mesh].at(array).chunk(step.arrays.at(array).chunk), error);
     }
 
-    // Returns the checksums of the mesh's coordinate sets. A refresh reads the mesh's attributes again, because sets
-    // may have been added.
+    // Returns the checksums of the mesh's coordinate sets. A refresh reads the mesh's attributes again, because new
+    // coordinate sets may have been added.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
             return meshes_[mesh]->attributes().coordinate_checksums;
@@ -270,7 +273,7 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
-    // Returns a step as the commit marker or the table has it.
+    // Returns a step as it is stored in the commit marker or in the table of steps.
     MarkedStep marked(std::size_t step) const {
         return step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
     }
@@ -280,7 +283,8 @@ private:
         for (std::size_t step = 0; step < table_->size(); ++step) times.push_back(table_->time(step));
         for (const MarkedStep& step : marker_.steps) times.push_back(step.time);
         if (table_->size() > 0 && !marker_.steps.empty() && !(times[table_->size()] > times[table_->size() - 1]))
-            refuse(directory_ / layout::commit_marker, "has a step that is not later than those in the table of steps");
+            refuse(directory_ / layout::commit_marker,
+                   "has a step that is not later than the last step in the table of steps");
         return times;
     }
 
@@ -298,7 +302,7 @@ private:
     void check_coordinates(std::size_t index, const MarkedStep& step) const {
         if (step.coordinates >= positions_[step.mesh].chunks)
             refuse(directory_ / layout::commit_marker,
-                   "step " + std::to_string(index) + " names coordinates that do not exist");
+                   "step " + std::to_string(index) + " uses a coordinate set that does not exist");
     }
 
     void learn_arrays(std::size_t index, const MarkedStep& step) {
@@ -316,7 +320,8 @@ private:
         const auto directory = layout::values(meshes_[mesh]->directory(), name);
         const auto document = directory / layout::attributes_document;
         ArrayInfo array = parse_array_attributes(read_text(document, layout::document_bytes), document);
-        if (array.name != name) refuse(document, "is named '" + array.name + "', not '" + name + "'");
+        if (array.name != name)
+            refuse(document, "is named '" + array.name + "', but the commit marker lists the array as '" + name + "'");
         const std::uint64_t items = items_of(meshes_[mesh]->attributes().info, array.association);
         array.doubles =
             layouts_[mesh].emplace(name, read_layout(directory, items, array.components)).first->second.doubles;
@@ -331,10 +336,10 @@ private:
         const auto layout = layouts_[mesh].find(name);
         if (layout == layouts_[mesh].end())
             refuse_damage(directory_, "has no array '" + name + "' on mesh " + std::to_string(mesh) +
-                                          ", which the table of steps names");
+                                          ", but the table of steps lists it");
         if (chunk >= layout->second.chunks)
             refuse(layout->second.directory / layout::array_document,
-                   "declares " + std::to_string(layout->second.chunks) + " steps, but the commit marker names step " +
+                   "declares " + std::to_string(layout->second.chunks) + " steps, but the commit marker lists step " +
                        std::to_string(chunk));
     }
 
@@ -350,7 +355,7 @@ private:
             !std::all_of(extremes.begin(), extremes.end(), exists))
             refuse(directory_ / layout::commit_marker,
                    "'extremes' of '" + array.name +
-                       "' must name cells of the mesh, for the array's range and then for each component");
+                       "' must be cells of the mesh, first for the array's range and then for each component");
     }
 
     ArrayStep array_step(const MarkedStep& step, const std::string& name, const MarkedArray& entry,
@@ -368,7 +373,7 @@ private:
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             result = statistics(loaded(paged_values(step.mesh, name, entry)), array);
-            result.extremes.clear(); // left empty, because finding their places would read blocks
+            result.extremes.clear(); // left empty, because computing the positions of the cells would read blocks
         }
         result.lazy = entry.lazy;
         result.has_checksum = !entry.checksum.empty();
@@ -379,14 +384,15 @@ private:
     DatasetInfo info_;
     Marker marker_;
     std::unique_ptr<const StepTable> table_;
-    std::unique_ptr<const Steps> steps_; // those of the table, then those of the marker
+    std::unique_ptr<const Steps> steps_; // steps of the table, then steps of the marker
     std::vector<std::shared_ptr<MappedMesh>> meshes_;
     std::vector<ArrayLayout> positions_;                         // per mesh
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
-    AnyLost any_lost_ = none_lost();                             // shared with all refreshes, like the mapped files
+    AnyLost any_lost_ = none_lost(); // shared with refreshed versions, like the mapped files
     mutable std::mutex loaders_mutex_;
-    mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_; // mesh, set
+    // Key: mesh, coordinate set.
+    mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_;
     FileAccess access_;
     std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_, access_);
 };

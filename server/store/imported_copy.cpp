@@ -6,7 +6,8 @@ namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
-// Lies beside the dataset, so that it is not copied with it: a dataset that a user copies may be appended to.
+// Name of the file that marks a copy. The file is beside the dataset and not inside, so that it is not copied with the
+// dataset: steps may be appended to a dataset that a user has copied.
 constexpr const char* sign = ".imported-by-ciel-serve";
 constexpr std::size_t longest_sign = 1 << 16;
 

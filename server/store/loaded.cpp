@@ -12,13 +12,14 @@
 namespace ciel::store {
 namespace {
 
-// A cached Field with its topology, which must outlive it.
+// A cached Field and its topology. The topology must outlive the field.
 struct KeptField {
     std::shared_ptr<const Topology> topology;
     Field field;
 };
 
-// Estimates the size of a Field: values in block order, which repeat some vertices in several blocks, and gradients.
+// Estimates the size of a Field in bytes: the gradients, and the values in block order, in which a vertex of several
+// blocks is repeated.
 std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
     return vertices * (2 * value_bytes + sizeof(Vec3f));
 }
@@ -35,8 +36,8 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
-// Returns the cell array that belongs to a point array or to an array on patches; null if there is none. Its values
-// tell which cells have NaN or infinite results.
+// Returns the cell array that belongs to a point array or to an array on patches; null if there is none. The values of
+// the cell array show which cells have NaN or infinite results.
 const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
     constexpr std::string_view patch = "patch:";
     const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
@@ -87,8 +88,8 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // A slice that turns needs another plane for each picture, and earlier planes are hardly ever needed again. Planes
-    // that are shown live as long as their pictures.
+    // Largest number of cached planes. A slice that turns needs another plane for each picture, and earlier planes are
+    // rarely needed again. A plane that a picture uses exists as long as the picture, even if it is not cached.
     static constexpr std::size_t most_planes = 4;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget)
@@ -98,7 +99,7 @@ struct LoadedDataset::State {
     struct MeshSlot {
         std::mutex making;
         std::shared_ptr<const Topology> topology;
-        // By index of the coordinate set:
+        // Keys of both maps: index of the coordinate set.
         std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric;
         std::map<std::size_t, std::shared_ptr<const BlockBoxes>> boxes;
     };
@@ -115,7 +116,8 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // Returns the values of an array at a step. Throws NotWritten when there are none, Error for another association.
+    // Returns the values of an array at a step. Throws NotWritten when the array has no values at this step, and Error
+    // when its association is not `wanted`.
     [[nodiscard]] static PagedValues written(const Dataset& dataset, const std::string& array, std::size_t step,
                                              Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
@@ -137,7 +139,8 @@ struct LoadedDataset::State {
         return dataset.steps()[step];
     }
 
-    // Returns the vertices at which slices in any direction can begin. They are found once per coordinate set.
+    // Returns the vertices at which slices in any direction can begin (GeometricVertices). They are found once for each
+    // coordinate set.
     [[nodiscard]] std::shared_ptr<const GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
                                                                      const Step& at) {
         const auto kept = slot(at.mesh);
@@ -155,7 +158,7 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // Returns the boxes of the mesh's blocks, which are read or made once per coordinate set.
+    // Returns the boxes of the mesh's blocks. They are read or computed once for each coordinate set.
     [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(const Dataset& of, const Step& at, const Topology& topology) {
         const auto kept = slot(at.mesh);
         const std::lock_guard making(kept->making);
@@ -166,8 +169,8 @@ struct LoadedDataset::State {
         return found = std::make_shared<const BlockBoxes>(*std::move(stored));
     }
 
-    // Returns the fits (CellFits) that the fields at a coordinate set share. Forgets those of the set before, because a
-    // moving mesh would otherwise keep fits for each step.
+    // Returns the fits (CellFits) that the fields on one coordinate set share. Discards the fits of the previous
+    // coordinate set, because a moving mesh would otherwise keep fits for each step.
     [[nodiscard]] std::shared_ptr<CellFits> cell_fits(const Step& at, const std::shared_ptr<const Topology>& topology) {
         const std::lock_guard lock(mutex);
         const std::array<std::size_t, 2> place{at.mesh, at.coordinates};
@@ -178,7 +181,8 @@ struct LoadedDataset::State {
         return fits = std::make_shared<CellFits>(*topology, most_fit_bytes);
     }
 
-    // Returns the field cached under `key`, or makes it. `bytes`: its size with all that it keeps alive.
+    // Returns the cached field of `key`. If there is none, makes and caches it. `bytes`: size of the field and of all
+    // data that it keeps alive.
     [[nodiscard]] static ScalarField field(Cache& cache, const std::shared_ptr<Dataset>& of, std::size_t step,
                                            const std::string& key, const std::shared_ptr<const Topology>& topology,
                                            std::size_t bytes, const std::function<Field()>& make) {
@@ -187,7 +191,7 @@ struct LoadedDataset::State {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
-        // Returns the topology of the field, not `topology`: an earlier refresh may have cached the field.
+        // Returns kept->topology, not `topology`, because the field may have been cached before a refresh.
         return {kept->topology, {kept, &kept->field}, of->points_to_load(at.mesh, at.coordinates), of, step};
     }
 
@@ -196,7 +200,7 @@ struct LoadedDataset::State {
     std::map<std::size_t, std::shared_ptr<MeshSlot>> meshes;
     std::mutex refreshing;
     const std::size_t most_fit_bytes;
-    std::shared_ptr<CellFits> fits; // of the mesh and the coordinate set in `fitted`
+    std::shared_ptr<CellFits> fits; // fits for the mesh and the coordinate set in `fitted`
     std::array<std::size_t, 2> fitted{};
     std::shared_ptr<const Topology> fitted_topology;
     Cache fields, planes;
@@ -233,7 +237,9 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     std::shared_ptr<const Topology> made;
     try {
         made = std::make_shared<const Topology>(of->topology(mesh));
-    } catch (const Error&) { // check_unchanged names the damaged file, which the kernel does not know
+    } catch (const Error&) {
+        // The message of the kernel names no file. If a file has changed, check_unchanged throws an Error that names
+        // the file.
         of->check_unchanged();
         throw;
     }
@@ -369,7 +375,7 @@ std::size_t LoadedDataset::memory_bytes() const {
     const std::lock_guard lock(state_->mutex);
     if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {
-        // try_lock: does not wait for a topology under construction, and does not count it.
+        // Uses try_lock, so that it does not wait while a topology is made. Such a topology is not counted.
         const std::unique_lock made(slot->making, std::try_to_lock);
         if (made && slot->topology) bytes += slot->topology->memory_bytes();
     }

@@ -6,11 +6,12 @@
 
 namespace ciel::store {
 
-// topology: of this mesh.
+// Returns the numbers of elements, the bounds and the cell types of a mesh. topology: the topology of the same mesh.
 [[nodiscard]] MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology);
-// Extends bounds [xmin xmax ymin ymax zmin zmax] to contain these positions too, which are offsets from `origin`.
+// Extends `bounds` (xmin xmax ymin ymax zmin zmax) so that they also contain `positions`, which are offsets from
+// `origin`.
 void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView positions);
-// Returns the length of all records of the topology. Reads every record that the topology has not read yet.
+// Returns the size of all records of the topology in bytes. Reads every record that the topology has not read yet.
 [[nodiscard]] std::uint64_t record_bytes(const Topology& topology);
 
 } // namespace ciel::store

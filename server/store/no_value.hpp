@@ -1,5 +1,5 @@
-// no_value: the NaN that marks a missing value, such as in a block without the array or in a piece that could not be
-// read. Every other NaN and the infinities are results of the solver, which count as wrong.
+// no_value: the NaN that marks a missing value. A value is missing if a part of the input does not have the array or
+// could not be read. Every other NaN and every infinity is treated as a wrong result of the solver.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,8 @@
 
 namespace ciel::store {
 
-// A quiet NaN. Converted to double it has the bits no_value_bits. That double, converted to float, is no_value again.
+// A quiet NaN. If it is converted to double, the double has the bits no_value_bits. If this double is converted to
+// float, the result is no_value again.
 inline constexpr float no_value = std::bit_cast<float>(std::uint32_t{0x7fc0ce1e});
 inline constexpr std::uint64_t no_value_bits = 0x7ff819c3c0000000;
 

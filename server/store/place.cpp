@@ -35,7 +35,8 @@ Place::Place(const fs::path& target, bool overwrite)
     check_target();
     remove_left_behind(target_);
     make_temporary();
-    if (!lock_directory(temporary_, lock_)) refuse(temporary_, "is in use by another process");
+    if (!lock_directory(temporary_, lock_))
+        refuse(temporary_, "is in use by another process; wait until the process ends");
 }
 
 void check_place(const fs::path& target, bool overwrite) { const Place place(target, overwrite); }
@@ -47,7 +48,7 @@ void Place::make_temporary() {
         refuse(target_, "cannot be written: there is no folder " + folder.string() + "; make the folder first");
     const std::string name = temporary_prefix(target_) + std::to_string(::getpid());
     temporary_ = folder / name;
-    // The name exists already if this process has another writer of the same target.
+    // The name already exists if this process has another writer of the same target.
     for (int attempt = 1; !fs::create_directory(temporary_, error); ++attempt) {
         if (error)
             refuse(target_,
@@ -72,11 +73,12 @@ void Place::check_target() const {
 
 void Place::commit() {
     sync_filesystem(temporary_);
-    check_target(); // again: the target may have been created meanwhile
+    check_target(); // checked again, because the target may have been created meanwhile
     const auto rename = [&](unsigned flags) {
         return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags) == 0;
     };
-    // Some file systems do not support flags. A rename without flags never replaces a directory that is not empty.
+    // Some file systems do not support the flags of renameat2. A rename without flags never replaces a directory that
+    // is not empty.
     const bool exists = fs::exists(target_);
     bool done = rename(exists ? RENAME_EXCHANGE : RENAME_NOREPLACE);
     if (!done && errno == EINVAL) {
@@ -86,7 +88,7 @@ void Place::commit() {
     if (!done) refuse_errno(target_, "cannot be replaced by the new dataset");
     sync_directory(target_.parent_path());
     std::error_code error;
-    if (exists) fs::remove_all(temporary_, error); // after the exchange it holds the old dataset
+    if (exists) fs::remove_all(temporary_, error); // after the exchange, it has the files of the old dataset
     temporary_.clear();
 }
 

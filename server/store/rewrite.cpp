@@ -34,14 +34,14 @@ std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& m
     return key;
 }
 
-// Returns for each numbered face its id among all faces. Among all faces, boundary faces have the order of their
-// numbers.
+// Returns for each numbered face its id in the list of all faces. The boundary faces have the same order in both lists.
 std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& numbered) {
     std::vector<Index> ids;
-    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner; // face inside the mesh -> its number
+    // Result of key_of for a face inside the mesh -> number of the face.
+    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner;
     for (Index number = 0; number < numbered.face_count(); ++number)
         if (numbered.neighbour[number] != none) inner.emplace(key_of(numbered, number), number);
-    std::set<std::array<Index, 2>> cells; // on both sides of these faces
+    std::set<std::array<Index, 2>> cells; // the two cells of each of these faces
     for (const auto& [key, number] : inner) cells.insert(key.first);
     for (Index face = 0; face < all.face_count(); ++face)
         if (all.neighbour[face] == none) ids.push_back(face);
@@ -90,7 +90,8 @@ private:
 
     void add_step(std::size_t index) {
         const Step& step = from_.steps()[index];
-        std::size_t& sets = sets_.try_emplace(step.mesh, 1).first->second; // coordinate sets that are written
+        // Number of coordinate sets of the mesh that are written.
+        std::size_t& sets = sets_.try_emplace(step.mesh, 1).first->second;
         for (; sets <= step.coordinates; ++sets)
             (void)to_.add_coordinates(step.mesh, from_.points(step.mesh, sets).positions);
         to_.begin_step(step.time, step.mesh, step.coordinates);
@@ -103,7 +104,7 @@ private:
         try {
             values = from_.values(name, step);
         } catch (const Error& error) {
-            if (!array.lazy) throw; // a lazy array need not be written yet
+            if (!array.lazy) throw; // the chunk of a lazy array may not be written yet
             left_out_.push_back(std::string("An array was left out: ") + error.what() + ".");
             return;
         }

@@ -1,5 +1,5 @@
-// Rewrites a dataset of an earlier version in the current format. Earlier versions stored the faces of all cells, and
-// no blocks and ranges.
+// Rewrites a dataset of an earlier version in the current format. Earlier versions stored the faces of all cells, but
+// no blocks and no ranges.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,13 @@
 
 namespace ciel::store {
 
-// Returns whether `path` is a directory that holds a dataset, whatever its version.
+// Returns whether `path` is a directory that holds a dataset of any format version.
 [[nodiscard]] bool is_dataset(const std::filesystem::path& path);
 
-// Reads the dataset `from`, writes it as `to`, which may be the same path, and returns sentences on arrays whose values
-// are not in `from` and are left out. The new dataset has another id. Throws Error as Dataset::open and Writer do, and
-// leaves no dataset then. `progress` is called with the share that is done, 0 to 1, and may throw to cancel.
+// Reads the dataset `from` and writes it to the path `to`, which may be the same. Returns a sentence about each array
+// that is left out because its values are not in `from`. The new dataset has another id. Throws Error as Dataset::open
+// and Writer do; no new dataset exists then. `progress` is called with the completed share, 0 to 1, and may throw to
+// cancel.
 [[nodiscard]] std::vector<std::string> rewrite(const std::filesystem::path& from, const std::filesystem::path& to,
                                                bool overwrite, const std::function<void(double share)>& progress);
 

@@ -1,4 +1,5 @@
-// Makes and parses names of scalars: an array, or one component or the magnitude of a vector or tensor.
+// Makes and parses the names of scalars. A scalar is an array of one component, or one component or the magnitude of a
+// vector or tensor.
 #include "ciel/printable.hpp"
 #include "store/dataset.hpp"
 #include "store/no_value.hpp"
@@ -14,8 +15,8 @@ std::string component_name(const ArrayInfo& array, int component) {
     return std::to_string(component);
 }
 
-// Parses the part of a scalar's name after the colon. Named components have no numbers, because file formats order the
-// components of tensors differently.
+// Parses the part of a scalar's name after the colon. Components that have names cannot be chosen by number, because
+// file formats order the components of tensors differently.
 std::optional<ScalarName> parse_suffix(const ArrayInfo& array, const std::string& suffix) {
     if (suffix == "magnitude" && has_magnitude(array)) return ScalarName{array.name, std::nullopt, true};
     for (int c = 0; c < array.components; ++c)
@@ -30,7 +31,8 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-// Splits "NAME:SUFFIX" into the array NAME and the suffix. Returns null if no array NAME has several components.
+// Splits "NAME:SUFFIX" into the array NAME and the suffix. Returns a null array if there is no array NAME with several
+// components.
 std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std::string& name) {
     if (const auto colon = name.rfind(':'); colon != std::string::npos)
         if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
@@ -38,8 +40,8 @@ std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std
     return {nullptr, {}};
 }
 
-// Weight of a component's square in the Frobenius norm. An off-diagonal component of a symmetric tensor, which has six
-// components, stands for two entries of its matrix.
+// Returns the weight of a component's square in the Frobenius norm. A symmetric tensor is stored in six components. The
+// weight of an off-diagonal component is 2, because it appears twice in the matrix.
 double weight(const ArrayInfo& array, std::size_t component) {
     if (array.component_names.size() != 6) return 1;
     const std::string& name = array.component_names[component];

@@ -9,7 +9,7 @@
 namespace ciel::store {
 namespace {
 
-// [min, max] of the added values, each with the first item that has it.
+// [min, max] of the added values. For each end, also the first item with this value.
 class Range {
 public:
     void add(double value, Index item) {
@@ -31,8 +31,9 @@ private:
     Index lowest_ = 0, highest_ = 0;
 };
 
-// Returns the extremes of all values, then those of each of several components. Returns none if a component has no
-// finite value, because entries are found by position and none can be left out.
+// Returns the extremes of all values. If there are several components, the extremes of each component follow. Returns
+// an empty list if a component has no finite value, because entries are identified by their index and none can be left
+// out.
 std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>& of_component) {
     const auto is_empty = [](const Range& range) { return range.empty(); };
     if (all.empty() || std::ranges::any_of(of_component, is_empty)) return {};
@@ -61,7 +62,7 @@ ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
             if (!by_magnitude) all.add(value, item);
         }
         if (!by_magnitude) continue;
-        // Rounded as in scalars_in.
+        // Rounds the magnitude to T, as scalars_in does.
         const auto magnitude = static_cast<T>(magnitude_of(array, values.subspan(at, width)));
         if (std::isfinite(magnitude)) all.add(magnitude, item);
     }

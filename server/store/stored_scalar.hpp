@@ -1,5 +1,5 @@
-// StoredScalar: a scalar at one step, read from the dataset where it is needed. Has one number per vertex, or per cell
-// or boundary face if its array is on these.
+// StoredScalar: a scalar at one step. Its values are read from the dataset when they are needed. It has one value for
+// each item. An item is a vertex, a cell or a boundary face, as in the scalar's array.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -11,10 +11,11 @@
 
 namespace ciel::store {
 
-// Thread-safe. If another process rewrites the file, reads return other numbers; no index depends on them.
+// Thread-safe. If another process rewrites the file, reads return other values. This is safe, because values are never
+// used as indices.
 class StoredScalar final : public ValueSource {
 public:
-    // An item is a vertex, a cell or a boundary face. values: all components of `array`.
+    // values: all components of `array`, for all items.
     StoredScalar(ArrayInfo array, ScalarName scalar, PagedValues values)
         : array_(std::move(array)), scalar_(std::move(scalar)), values_(std::move(values)),
           width_(static_cast<std::size_t>(array_.components)) {}
@@ -26,17 +27,17 @@ public:
     void read(std::span<const Index> vertices, std::span<float> out) const override;
     void read(std::span<const Index> vertices, std::span<double> out) const override;
 
-    // Return numbers of the scalar in the array's type. at: at the points of a surface, interpolated along their edges.
-    // of: of `items`, no_value for `none`. all: of all items. Throw Error when the points or items are of another mesh,
-    // and when the file was truncated meanwhile.
+    // Return values of the scalar in the array's type. at: the values at the points of a surface, interpolated along
+    // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items. Throw Error
+    // when the points or items are of another mesh, and when the file was truncated meanwhile.
     [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
     [[nodiscard]] Values of(std::span<const Index> items) const;
     [[nodiscard]] Values all() const;
-    // Calls f(numbers) for one piece of all numbers after another, so that only a piece is in memory. Throws Error when
-    // the file was truncated meanwhile.
+    // Splits all values into pieces and calls f(piece) for one piece after another. Only one piece is in memory at a
+    // time. Throws Error when the file was truncated meanwhile.
     void for_pieces(const std::function<void(ValuesView)>& f) const;
-    // Counts all numbers. `range`: the range of the bins; nullopt: that of the finite numbers, for which all are read
-    // twice.
+    // Returns the histogram of all values. `range`: the range of the bins. nullopt: the range of the finite values; all
+    // values are then read twice.
     [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const;
 
 private:
@@ -51,7 +52,7 @@ private:
     ArrayInfo array_;
     ScalarName scalar_;
     PagedValues values_;
-    std::size_t width_; // numbers per item
+    std::size_t width_; // number of components of an item
 };
 
 } // namespace ciel::store

@@ -49,8 +49,8 @@ void check_solver_ids(const SolverIds& solver, std::size_t vertices, std::size_t
 void check_group(const NamedGroup& group, std::size_t limit) {
     for (const Index id : group.ids)
         if (id >= limit)
-            throw Error("group '" + group.name + "' names id " + std::to_string(id) + ", but ids must be less than " +
-                        std::to_string(limit));
+            throw Error("group '" + group.name + "' contains id " + std::to_string(id) +
+                        ", but ids must be less than " + std::to_string(limit));
 }
 
 void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& ranges, const std::string& dataset_id,
@@ -75,7 +75,7 @@ void check_finite(ValuesView positions) {
         const auto bad = std::find_if(all.begin(), all.end(), [](auto v) { return !std::isfinite(v); });
         if (bad != all.end())
             throw Error("vertex " + std::to_string((bad - all.begin()) / 3) +
-                        " has a coordinate that is not a finite number");
+                        " has a coordinate that is not a finite number; correct the coordinate");
     });
 }
 

@@ -8,22 +8,22 @@
 
 namespace ciel::store {
 
-// Writes the faces, the blocks, the groups and the positions of a mesh to `directory`. Returns its attributes with
-// checksums; the caller writes them, and the .zarray of the positions. Throws Error when an array has a wrong size, a
-// group has an id out of range, or a coordinate is not finite.
+// Writes the faces, the blocks, the groups and the positions of a mesh to `directory`. Returns the mesh's attributes
+// with the checksums. The caller must write the attributes, and the .zarray of the positions. Throws Error when an
+// array has a wrong size, when a group has an id out of range, or when a coordinate is not finite.
 [[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const FaceMesh& mesh,
                                         std::span<const Index> original_vertex, std::span<const Index> original_cell,
                                         std::span<const NamedGroup> groups, const SolverIds& solver,
                                         const std::string& dataset_id);
 
-// Writes the boxes of the blocks for one coordinate set to the mesh's directory.
+// Writes the bounding boxes of the blocks for one coordinate set to `directory`, the directory of the mesh.
 void write_boxes(const std::filesystem::path& directory, const Topology& topology, const std::string& dataset_id,
                  std::size_t coordinates, ValuesView positions);
 
-void check_finite(ValuesView positions);
+void check_finite(ValuesView positions); // throws Error if a coordinate is not finite
 
-// Return the shape and chunks of a mesh's positions with `sets` coordinate sets, and of an array with `steps` steps of
-// `items` vertices, cells or boundary faces.
+// Return the shape, the chunks and the type of a mesh's positions, which have `sets` coordinate sets, and of an array
+// with `steps` steps of `items` vertices, cells or boundary faces.
 [[nodiscard]] ZarrArray positions_shape(std::uint64_t sets, const MeshInfo& mesh);
 [[nodiscard]] ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo& of);
 

@@ -100,9 +100,9 @@ struct Writer::State {
     std::shared_ptr<Dataset> before;
     DatasetInfo info;
     Marker marker;
-    std::optional<double> last_time; // of the last step
+    std::optional<double> last_time; // time of the last step; nullopt if there is none
     std::vector<WrittenMesh> meshes;
-    std::map<std::size_t, std::optional<Topology>> topologies; // by mesh; empty until its first use
+    std::map<std::size_t, std::optional<Topology>> topologies; // by mesh; nullopt until it is first used
     std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
@@ -157,14 +157,14 @@ struct Writer::State {
             throw Error("array '" + array.info.name + "' must have 1 to 64 components");
         if (array.values.size() != items * static_cast<std::uint64_t>(array.info.components))
             throw Error("array '" + array.info.name + "' has " + std::to_string(array.values.size()) +
-                        " values where " + std::to_string(items) + " x " + std::to_string(array.info.components) +
-                        " are needed");
+                        " values, but must have " + std::to_string(items) + " x " +
+                        std::to_string(array.info.components) + ", one for each item and component");
         if (const ArrayInfo* known = find(array.info.name); known != nullptr && !known->has_shape_of(array.info))
             throw Error("array '" + array.info.name +
-                        "' has another association or number of components than at earlier steps");
+                        "' has another association or number of components than at earlier steps; use a new name");
     }
 
-    // Returns an array of an earlier step; null if there is none of the name.
+    // Returns the array of this name from an earlier step; null if no earlier step has it.
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const {
         for (const WrittenMesh& mesh : meshes)
             if (const auto known = mesh.arrays.find(array); known != mesh.arrays.end()) return &known->second;
@@ -205,7 +205,7 @@ struct Writer::State {
     [[nodiscard]] bool has_blocks(std::size_t mesh) const {
         return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
     }
-    // Returns the topology of a mesh of the dataset, which is built here if the mesh was stored without blocks.
+    // Returns the topology of a mesh of the dataset. If the mesh was stored without blocks, builds the topology.
     [[nodiscard]] const Topology& topology_of(std::size_t mesh) {
         std::optional<Topology>& found = topologies[mesh];
         const bool is_ours = !appending() || mesh >= marker.meshes;
@@ -220,7 +220,7 @@ struct Writer::State {
         if (info_changed) put_root();
     }
 
-    // Sets the places of all extremes of a step.
+    // Sets CellExtreme::place of all extremes of a step.
     void place_extremes(MarkedStep& step) {
         std::vector<Index> cells;
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
@@ -247,8 +247,8 @@ struct Writer::State {
 
 namespace {
 
-// Opens the new dataset as a check before it is renamed. An error names files by their final paths, because the
-// temporary directory will be deleted.
+// Checks that the new dataset can be opened before it is renamed. An error names files by their final paths, because
+// the temporary directory will be deleted.
 void read_again(const Place& place) {
     try {
         const auto dataset = Dataset::open(place.temporary());
@@ -333,7 +333,7 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
                              const SolverIds& solver) {
     const std::size_t index = state_->meshes.size();
     const fs::path path = layout::mesh(state_->directory, index);
-    fs::remove_all(path); // left by an append that did not reach its commit
+    fs::remove_all(path); // may remain from an append that was not committed
     state_->topologies.erase(index);
     std::vector<NamedGroup> named(groups.begin(), groups.end());
     for (NamedGroup& group : named) {
@@ -358,8 +358,8 @@ bool Writer::holds(std::size_t mesh, ValuesView positions) const {
 std::size_t Writer::add_coordinates(std::size_t mesh, ValuesView positions) {
     MeshAttributes& attributes = state_->mesh(mesh).attributes;
     if (positions.size() != 3 * attributes.info.vertices)
-        throw Error("new coordinates have " + std::to_string(positions.size() / 3) + " points where the mesh has " +
-                    std::to_string(attributes.info.vertices));
+        throw Error("new coordinates have " + std::to_string(positions.size() / 3) +
+                    " points, but the number of vertices of the mesh is " + std::to_string(attributes.info.vertices));
     if (!holds(mesh, positions))
         throw Error("the new coordinates are float64 and the mesh stores float32; import all steps again together");
     check_finite(positions);
@@ -391,7 +391,7 @@ std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, ValuesView
 void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays) {
     begin_step(time, mesh, coordinates);
     std::set<std::string> seen;
-    for (const ArrayValues& array : arrays) { // checks all arrays before the first is written
+    for (const ArrayValues& array : arrays) { // checks all arrays before it writes the first array
         const ArrayValues named{with_valid_text(array.info), array.values};
         state_->check_array(named, state_->mesh(mesh));
         if (!seen.insert(named.info.name).second) throw Error("array '" + named.info.name + "' is given twice");
@@ -406,10 +406,10 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
     const WrittenMesh& written = state.mesh(mesh);
     if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
     if (state.last_time && !(time > *state.last_time))
-        throw Error("time " + std::to_string(time) + " is not later than the last step, " +
+        throw Error("time " + std::to_string(time) + " is not later than the last step, which is at time " +
                     std::to_string(*state.last_time));
     if (coordinates >= written.attributes.coordinate_checksums.size())
-        throw Error("mesh " + std::to_string(mesh) + " has no coordinates " + std::to_string(coordinates));
+        throw Error("mesh " + std::to_string(mesh) + " has no coordinate set " + std::to_string(coordinates));
     state.under_way = std::make_unique<StepUnderWay>(StepUnderWay{{time, mesh, coordinates, {}}, {}, {}});
 }
 
@@ -456,7 +456,7 @@ void Writer::end_step() {
     }
     state.marker.meshes = state.meshes.size();
     state.marker.steps.push_back(state.under_way->step);
-    state.under_way.reset(); // keeps the chunks: put may throw after it has replaced the marker
+    state.under_way.reset(); // does not delete the chunks, because put may throw after it has replaced the marker
     try {
         state.commit().put(state.marker);
     } catch (...) {
@@ -466,7 +466,7 @@ void Writer::end_step() {
         throw;
     }
     state.last_time = time;
-    // The step is committed, so an error from here on is not reported. The next step tries to move the steps again.
+    // The step is committed. Therefore errors from here on are ignored. The next step tries again to move the steps.
     try {
         (void)state.commit().move_steps_to_table(state.marker);
     } catch (const std::exception&) {

@@ -10,7 +10,7 @@ namespace ciel::store {
 struct NamedGroup {
     Group::Of of = Group::Of::faces;
     std::string name;
-    std::vector<Index> ids; // of faces or cells of the mesh that is added
+    std::vector<Index> ids; // ids of faces or cells of the mesh that is added
     PatchFacts facts = {};
 };
 
@@ -20,23 +20,24 @@ struct DatasetHeader {
     std::vector<std::string> notes;
 };
 
-// Ids that the solver gave to vertices and cells, in stored order; -1 where it gave none. Empty if it gave none at all.
+// Ids that the solver gave to vertices and cells, in stored order. An id of -1 means that the solver gave no id. Empty
+// if the source has no solver ids.
 struct SolverIds {
     std::span<const std::int64_t> vertex, cell;
 };
 
 struct ArrayValues {
-    ArrayInfo info;    // a new array gets the type of its first values, whatever info.doubles is
+    ArrayInfo info;    // info.doubles is ignored: a new array gets the type of its first values
     ValuesView values; // in stored order
 };
 
 class Writer {
 public:
-    // Throws Error when `directory` exists and `overwrite` is false, or cannot be written.
+    // Throws Error when `directory` exists and `overwrite` is false, or when `directory` cannot be written.
     Writer(const std::filesystem::path& directory, const DatasetHeader& header, bool overwrite = false);
     // Opens an existing dataset to append steps to it, and locks it until the Writer is destroyed. Removes temporary
-    // files of killed writers. Throws Error when another writer has the lock, when the dataset is damaged, or when it
-    // is a copy that `ciel serve` made for itself (imported_copy.hpp).
+    // files of killed writers. Throws Error when another writer has the lock, when the dataset is damaged, or when the
+    // dataset is a copy that `ciel serve` made for itself (imported_copy.hpp).
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
     // Appends to a dataset that is open already. Reads only the steps that were committed since it was opened.
     [[nodiscard]] static Writer append(std::shared_ptr<Dataset> dataset);
@@ -47,20 +48,22 @@ public:
     std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
-    // Returns whether a mesh can store these positions without rounding. A mesh has floats if its first positions were
-    // floats, else doubles.
+    // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
+    // were floats, else doubles.
     [[nodiscard]] bool holds(std::size_t mesh, ValuesView positions) const;
-    // Adds a coordinate set to a mesh: new positions of all vertices, as offsets from its origin. Returns the index of
-    // the set. Throws Error on another number of positions, when one is not finite, or unless the mesh holds them.
+    // Adds a coordinate set to a mesh: new positions of all vertices, as offsets from the mesh's origin. Returns the
+    // index of the set. Throws Error when the number of positions is wrong, when a position is not finite, or when the
+    // mesh cannot store the positions without rounding.
     std::size_t add_coordinates(std::size_t mesh, ValuesView positions);
-    // Returns the index of the last coordinate set of the mesh that has the same bits; nullopt if there is none.
+    // Returns the index of the last coordinate set of the mesh that is bitwise equal to `positions`; nullopt if there
+    // is none.
     [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ValuesView positions) const;
-    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. If the array has
-    // values at earlier steps, the values are converted to their type. Throws Error on a wrong size, or when `time` is
-    // not later than the last step's.
+    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. If an array has
+    // values at earlier steps, the new values are converted to the type of the earlier values. Throws Error when an
+    // array has a wrong size, or when `time` is not later than the last step.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
-    // Add a step array by array, so that only one array must be in memory: call begin_step, add_values for each array,
-    // end_step. If add_values or end_step throws, the whole step is dropped.
+    // Add a step array by array, so that only one array must be in memory. Call begin_step, then add_values for each
+    // array, then end_step. If add_values or end_step throws, the whole step is dropped.
     void begin_step(double time, std::size_t mesh, std::size_t coordinates);
     void add_values(const ArrayValues& array);
     void end_step();
@@ -69,7 +72,7 @@ public:
     // Returns the dataset as it was when append() locked it; null for a new dataset.
     [[nodiscard]] const std::shared_ptr<Dataset>& before() const;
 
-    void finish(); // opens a new dataset as a check, then renames it to its path
+    void finish(); // checks that a new dataset can be opened, then renames it to its path
 
 private:
     struct State;

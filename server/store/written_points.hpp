@@ -1,4 +1,4 @@
-// WrittenPoints: the positions of a mesh on the disk, mapped without the checks of a reader.
+// WrittenPoints: the positions of a mesh on the disk. The file is mapped, and its checksum is not checked.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -10,8 +10,8 @@
 
 namespace ciel::store {
 
-// For a mesh of the dataset that a writer writes or has locked: its files cannot change meanwhile. `mesh`: its
-// directory.
+// Only for a dataset that this process writes or has locked, because no other process changes its files meanwhile.
+// `mesh`: directory of the mesh.
 class WrittenPoints {
 public:
     WrittenPoints(const std::filesystem::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)
@@ -19,7 +19,7 @@ public:
           positions_(layout::chunk(mesh / "positions", coordinates, 3),
                      3 * attributes.info.vertices * (double_positions_ ? sizeof(double) : sizeof(float))) {}
 
-    [[nodiscard]] FaceMeshView view() const { // without cells
+    [[nodiscard]] FaceMeshView view() const { // without cells and faces
         const ValuesView positions =
             double_positions_ ? ValuesView(positions_.as<double>()) : ValuesView(positions_.as<float>());
         return face_mesh_view(origin_, positions, {}, {}, {}, {}, {});

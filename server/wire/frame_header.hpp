@@ -1,16 +1,17 @@
-// The header of every binary WebSocket message from the server: 80 bytes, little-endian (protocol/frame.md). Its
-// structure, writer and reader are generated from protocol/frame_header.json.
+// The header of every binary WebSocket message from the server: 80 bytes, little-endian (protocol/frame.md). The
+// structure, its writer and its reader are generated from protocol/frame_header.json.
 #pragma once
 
 #include "protocol/frame_header.hpp"
 
 namespace ciel::wire {
 
-// Most bytes of a WebSocket message from the server, header included: proxies close a socket on longer messages.
+// Maximum number of bytes of a WebSocket message from the server, including the header. Proxies close a socket on
+// longer messages.
 inline constexpr std::size_t longest_message = 512 << 10;
 
 // Returns the header of the piece that begins at byte `offset` of the whole payload and has at most `most` payload
-// bytes. Only the first piece keeps first_of_frame, only the last keeps last_of_frame.
+// bytes. Only the first piece keeps first_of_frame. Only the last piece keeps last_of_frame.
 [[nodiscard]] FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32_t most);
 
 } // namespace ciel::wire

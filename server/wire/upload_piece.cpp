@@ -21,7 +21,8 @@ UploadPiece read_upload_piece(std::span<const std::uint8_t> message) {
     if (at[4] != version)
         throw Error("a binary message is of version " + std::to_string(at[4]) + "; this server reads version 1");
     if (at[5] != kind)
-        throw Error("a binary message is of kind " + std::to_string(at[5]) + "; this server takes 16 (upload)");
+        throw Error("a binary message is of kind " + std::to_string(at[5]) +
+                    "; this server accepts only kind 16 (upload)");
     if (get<std::uint16_t>(at + 6) != 0) throw Error("a piece of an upload has flags; set the flags to 0");
     UploadPiece piece;
     std::copy_n(at + 8, piece.upload.size(), piece.upload.begin());

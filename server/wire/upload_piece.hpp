@@ -13,11 +13,12 @@ struct UploadPiece {
     UploadId upload{};
     std::uint32_t array = 0;             // index of the array in the order of append.begin
     std::uint64_t offset = 0;            // byte offset of `bytes` in the array's values
-    std::span<const std::uint8_t> bytes; // borrowed from the message
+    std::span<const std::uint8_t> bytes; // part of the message, not owned
 };
 
 inline constexpr std::size_t upload_header_bytes = 40;
-// Parses an upload piece. Throws Error on a bad magic, version, kind or length, and when a reserved byte is not zero.
+// Parses an upload piece. The result refers to the bytes of `message`. Throws Error on a wrong magic number, version,
+// kind or length, and if a reserved byte is not zero.
 [[nodiscard]] UploadPiece read_upload_piece(std::span<const std::uint8_t> message);
 
 } // namespace ciel::wire

@@ -118,7 +118,7 @@ describe("framing", { skip }, () => {
     const client = await open({ layers: { all: { type: "surface" } } });
     const before = await cameraOf(client);
     await client.canvas.dblclick({ position: { x: 20, y: 300 } });
-    await client.toast(/Nothing is drawn at the cursor. A double click on a surface centres the surface/).waitFor();
+    await client.toast(/Nothing is drawn at the cursor. Double-click a surface to center the view on it/).waitFor();
     assert.deepEqual(await cameraOf(client), before);
     await client.close();
   });

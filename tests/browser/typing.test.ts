@@ -118,7 +118,7 @@ describe("typing", { skip }, () => {
 
   test("a number outside its limits becomes the nearest, which is said", async () => {
     await type("Number of slices", "1e30");
-    await client.toast("Number of slices goes from 0 to 1000; 1e30 became 1000").waitFor();
+    await client.toast("Number of slices must be from 0 to 1000; 1e30 was changed to 1000").waitFor();
     assert.equal(await field("Number of slices").inputValue(), "1000");
     await type("Number of slices", "20");
   });
@@ -127,14 +127,14 @@ describe("typing", { skip }, () => {
     await check("Colors of my own").first().check();
     const before = await values("Value of color 1", "Value of color 2");
     await type("Value of color 1", String(Number(before[1]) + 1));
-    await client.toast(/^Value of color 1 goes from .* became/).waitFor();
+    await client.toast(/^Value of color 1 must be from .* was changed to/).waitFor();
     assert.deepEqual(await values("Value of color 1"), [before[1]]);
     await check("Colors of my own").first().uncheck();
   });
 
   test("a logarithm over values below zero says what becomes of them", async () => {
     const hint = client.page.getByText(
-      /^U:x goes down to \u2212\d.*: what is not above zero has the color of the lower end/,
+      /^U:x goes down to \u2212\d.*: values up to zero have the color of the lower end/,
     );
     const section = client.page.locator(".section").filter({ has: client.button("Slices", true) });
     await section.getByLabel("Color by").selectOption("U:x");

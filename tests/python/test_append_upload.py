@@ -82,7 +82,7 @@ def test_a_socket_pushes_binary_pieces(server, box):
             await stream.append("box", 50, {"wide": vectors, "r": [2.0] * points(box)})
             with pytest.raises(RpcError, match="not later"):
                 await stream.append("box", 50, {"r": [2.0] * points(box)})
-            with pytest.raises(ValueError, match="has 3 values where"):
+            with pytest.raises(ValueError, match="has 3 values; it must have"):
                 await stream.append("box", 51, {"r": [1, 2, 3]})
 
     asyncio.run(asyncio.wait_for(attempt(), PATIENCE))

@@ -155,7 +155,7 @@ MALFORMED = [
     ("legacy without cells", lambda f: legacy(f, "POINTS 1 float\n0 0 0\n"), "no cells"),
     ("legacy out of range", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 9\nCELL_TYPES 1\n10\n"), "uses point 9"),
     ("legacy cut in the points", lambda f: legacy(f, "POINTS 400 float\n0 0 0 1 0 0\n"), ""),
-    ("legacy with too few nodes", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"), "needs 4"),
+    ("legacy with too few nodes", lambda f: legacy(f, "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"), "cell type is 4"),
     ("legacy with more cells than bytes", lambda f: legacy(f, f"POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 {HUGE}\n4 0 1 2 3\n"), f'declares "cells 1 {HUGE}"'),
     ("legacy with more points than bytes", lambda f: legacy(f, f"POINTS {HUGE} float\n0 0 0\n"), f'declares "points {HUGE} float"'),
     ("legacy with a negative count", lambda f: legacy(f, "POINTS -4 float\n0 0 0\n"), "a negative number"),

@@ -87,7 +87,7 @@ def test_a_field_that_is_cut_short_costs_itself(tmp_path):
     dataset = imported(tmp_path, case, code=3)
     assert dataset.times == [1, 2] and "p" not in dataset.steps[0]["arrays"] and "p" in dataset.steps[1]["arrays"]
     assert "The field p at time 1 could not be read and has no values: " in dataset.notes
-    assert "1/p: has a list of 9999 items, where at most 64 fit," in dataset.notes
+    assert "1/p: has a list of 9999 items; the number must be between 0 and 64," in dataset.notes
 
 
 ZONES = {"front": [c for c in range(N**3) if c % N < N // 2], "lid": list(range(N**3 - N * N, N**3))}

@@ -101,7 +101,7 @@ def test_macros_includes_and_patterns(tmp_path):
     ("internalField #calc \"1 + 1\";", "#calc cannot be evaluated outside OpenFOAM"),
     ('#include "gone"\ninternalField uniform 1;', "includes gone, which does not exist"),
     ('#include "p"\ninternalField uniform 1;', "#include directives are nested too deep"),
-    ("internalField uniform (1 2);", "has a uniform value of 2 numbers where 1 are needed"),
+    ("internalField uniform (1 2);", "has a uniform value with 2 numbers instead of 1,"),
     ("", "has no internalField"),
 ])
 def test_what_cannot_be_evaluated_costs_the_field(tmp_path, line, says):
@@ -204,8 +204,8 @@ def test_a_truncated_compressed_file_costs_itself(tmp_path):
 @pytest.mark.parametrize(("file", "damage", "says"), [
     ("points", lambda text: text[:400], "ends too early"),
     ("faces", lambda text: re.sub(r"\n4\(", "\n7(", text, count=1), "has no whole number where a whole number is needed"),
-    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n-7\n"), "names cell -7"),
-    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n99999\n"), "names more cells than its faces can close"),
+    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n-7\n"), "contains cell -7"),
+    ("owner", lambda text: text.replace("\n(\n0\n", "\n(\n99999\n"), "contains more cells than the mesh has faces"),
     ("boundary", lambda text: text.replace("nFaces 64", "nFaces 640"), "patch walls has faces that are not on the boundary"),
     ("neighbour", lambda text: text.replace("FoamFile", "FoamFil"), "has no whole number where a whole number is needed"),
 ])

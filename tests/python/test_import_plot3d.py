@@ -135,7 +135,7 @@ def test_refusals_say_why(tmp_path):
     alone.parent.mkdir()
     alone.write_bytes(q.read_bytes())
     for arguments, words in [
-        ((alone,), "name its grid"),
+        ((alone,), "give the file of its grid"),
         ((grid, q, "--plot3d", "little"), "of the layout --plot3d little"),
         ((grid, q, "--plot3d", "wide"), "has no word \"wide\""),
     ]:

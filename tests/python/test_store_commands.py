@@ -219,7 +219,7 @@ def test_appended_cell_values_have_point_values_as_imported_ones_do(tmp_path):
         (["--time", 5], "--array"),
         (["--time", 5, "--array", "p"], "NAME=FILE.npy"),
         (["--time", 5, "--array", "p=nothing.npy"], "nothing.npy"),
-        (["--time", 5, "--array", "tracer={few}"], "3 x 1 values where 'tracer' needs"),
+        (["--time", 5, "--array", "tracer={few}"], "3 x 1 values; 'tracer' must have"),
         (["--time", 5, "--array", "tracer={text}"], "not a .npy"),
         (["--time", 5, "--array", "tracer={integers}"], "float32"),
         (["--time", 0.1, "--array", "tracer={good}"], "not later"),

@@ -1,4 +1,4 @@
-// Creates the model, the server connection, the view and the commands, and passes each to the others.
+// Creates the model, the server connection, the view and the commands, connects them, and renders the shell.
 import { render } from "preact";
 import { Commands } from "./commands/commands";
 import layoutModule from "./generated/annotations.wasm?url";

@@ -35,7 +35,7 @@ describe("why no socket comes through", () => {
       status: 502,
       body: "<h1>Bad gateway</h1>",
       type: "text/html",
-      refusal: { kind: "refused", words: "example.org is not a CIEL server. Its answer was 502" },
+      refusal: { kind: "refused", words: "example.org is not a CIEL server; check the address. Its answer was 502" },
     },
   ])("$status means $refusal.kind", async ({ status, body, type, refusal }) => {
     expect(await askRefusal(BASE, answering(status, body, type))).toEqual(refusal);

@@ -229,7 +229,7 @@ describe("geometry", () => {
     decoder.decode(frameOf(whole, 1));
     decoder.decode(frameOf(geometryPayload({ batches: 0, base: 2 }, []), 3));
     const named = geometryPayload({ ...batch, mesh: meshKept, values: valuesKept, base: 2 }, []);
-    expect(() => decoder.decode(frameOf(named, 4))).toThrow("the arrays a1, which were not received before");
+    expect(() => decoder.decode(frameOf(named, 4))).toThrow("The arrays a1 of a geometry frame are missing");
   });
 
   test("a frame without polygons", () => {
@@ -241,7 +241,7 @@ describe("geometry", () => {
   test.each([
     { name: "no room for its description's length", payload: new Uint8Array(2), error: "cut off" },
     { name: "a description longer than itself", payload: longJson, error: "description is cut off" },
-    { name: "an array too few", payload: geometryPayload(batch, [vertices, corners]), error: "shorter than announced" },
+    { name: "an array too few", payload: geometryPayload(batch, [vertices, corners]), error: "arrays are too short" },
     { name: "four bytes too many", payload: Uint8Array.of(...whole, 0, 0, 0, 0), error: "4 bytes too long" },
     {
       name: "a damaged array",

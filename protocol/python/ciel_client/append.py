@@ -1,4 +1,4 @@
-"""Prepares a time step for upload to a server: its arrays as bytes, cut into pieces (append.begin in openrpc.json)."""
+"""Converts the arrays of a time step to bytes and splits them into pieces for upload (append.begin in openrpc.json)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FITS_FLOAT32 = {"f2", "f4", "b1", "i1", "i2", "u1", "u2"}
 
 @dataclass
 class Pushed:
-    """One array of an upload: its entry in the params of append.begin, and its values, little-endian."""
+    """One array of an upload. `wanted`: its entry in the params of append.begin. `data`: its values, little-endian."""
 
     wanted: dict[str, Any]
     data: memoryview
@@ -26,9 +26,9 @@ class Pushed:
 def pushed(name: str, values: Any) -> Pushed:
     """Converts an array for upload.
 
-    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers. Types whose
-    values all fit into float32 (float32, float16, bool, integers of 8 and 16 bits) are sent as float32, others as
-    float64.
+    `values`: a NumPy array of one or two dimensions (values x components), or any sequence of numbers. If float32 can
+    represent all values of the type (float32, float16, bool, integers of 8 and 16 bits), the array is sent as float32.
+    Arrays of all other types are sent as float64.
     """
     wanted: dict[str, Any] = {"name": name, "type": "float64"}
     if hasattr(values, "astype"):
@@ -52,8 +52,8 @@ def check_sizes(arrays: list[Pushed], upload: Mapping[str, Any]) -> None:
         if len(one.data) != expected["bytes"]:
             found = len(one.data) // int(ITEM_TYPE[one.wanted["type"]][2:])
             raise ValueError(
-                f"array '{expected['name']}' has {found} values where {expected['tuples']} x "
-                f"{expected['components']} are needed, in the order of the imported file"
+                f"array '{expected['name']}' has {found} values; it must have {expected['tuples']} x "
+                f"{expected['components']}, in the order of the imported file"
             )
 
 

@@ -21,7 +21,7 @@ from .frame_queue import FrameQueue
 from .frames import Frame, Pieces, read_frame
 from .types import PROTOCOL
 
-CLOSED = "the server has closed the connection"
+CLOSED = "the server has closed the connection; open a new Stream"
 MOST_NOTIFICATIONS = 1000
 
 
@@ -50,7 +50,7 @@ def _result(answer: dict[str, Any]) -> Any:
 
 
 def _parted(url: str) -> tuple[bool, str, str | None]:
-    """Splits the address of a server or of its WebSocket into: whether it uses TLS, host and path, token or None."""
+    """Splits the address of a server or WebSocket. Returns: whether it uses TLS, host and path, token or None."""
     parts = urllib.parse.urlsplit(url)
     if parts.scheme not in ("http", "https", "ws", "wss") or not parts.netloc:
         raise ValueError(f"{url!r} is not the address of a server; give an address such as http://127.0.0.1:8080")
@@ -79,7 +79,7 @@ class Client(Calls):
         return _result(self._post(_request(next(self._ids), method, params)))
 
     def batch(self, calls: list[tuple[str, dict[str, Any]]]) -> list[Any]:
-        """Sends calls in one request. Returns their results in order; the result of a failed call is an RpcError."""
+        """Sends calls in one request. Returns the results in order. The result of a failed call is an RpcError."""
         requests = [_request(i, method, params) for i, (method, params) in enumerate(calls)]
         results: list[Any] = [None] * len(calls)
         for answer in self._post(requests) if calls else []:
@@ -87,9 +87,10 @@ class Client(Calls):
         return results
 
     def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
-        """Appends a step. `arrays`: values by name, in the order of the imported file (of its cells for 'cell:NAME').
+        """Appends a time step. `arrays`: the values of each array by the name of the array.
 
-        The server must run with --allow-append, and the client must have its token. Returns append.commit's result.
+        Values are in the order of the imported file's points, or of its cells for an array 'cell:NAME'. The server
+        must run with --allow-append, and the client must have the server's token. Returns append.commit's result.
         """
         step = [pushed(name, values) for name, values in arrays.items()]
         upload = self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
@@ -110,7 +111,7 @@ class Client(Calls):
             with urllib.request.urlopen(request, timeout=self._timeout) as response:
                 return json.load(response)
         except urllib.error.HTTPError as error:
-            raise ConnectionError(f"{self._url}: {error.code} {error.reason}") from None
+            raise ConnectionError(f"{self._url}: {error.code} {error.reason}; check address and token") from None
 
 
 class Stream(AsyncCalls):
@@ -122,9 +123,10 @@ class Stream(AsyncCalls):
         async for frame in stream.frames():  # a frame is acknowledged when the next one is requested
             ...
 
-    Frames are acknowledged only after they are taken. If none is taken, the server stops after a few frames of each
-    view. `most_frame_bytes` limits the frames that wait to be taken, for scripts with many views: above the limit, the
-    connection is closed, and next_frame raises ConnectionError. `notifications` keeps the newest 1,000.
+    Frames are acknowledged only after they are taken. If a script takes no frames, the server stops after a few frames
+    of each view. `most_frame_bytes` limits the bytes of the frames that wait to be taken, for scripts with many views.
+    Above the limit, the connection is closed, and next_frame() raises ConnectionError. `notifications` keeps the newest
+    1,000 notifications.
     """
 
     def __init__(
@@ -139,7 +141,7 @@ class Stream(AsyncCalls):
         self._waiting: dict[int, asyncio.Future[Any]] = {}
         self._frames = FrameQueue(most_frame_bytes)
         self._pieces = Pieces()
-        self._ended: str | None = None  # why the connection has ended
+        self._ended: str | None = None  # reason; None while the connection is open
         self.notifications: asyncio.Queue[dict[str, Any]] = asyncio.Queue(MOST_NOTIFICATIONS)
 
     async def __aenter__(self) -> Stream:
@@ -156,7 +158,7 @@ class Stream(AsyncCalls):
         await self._reader
 
     async def call(self, method: str, **params: Any) -> Any:
-        """Calls a method. Pictures and exports are requested by POST: a WebSocket message has at most 512 KiB."""
+        """Calls a method. Requests pictures and exports by POST, because a WebSocket message has at most 512 KiB."""
         if method in ("picture.render", "surface.export"):
             return await asyncio.to_thread(self._by_post.call, method, **params)
         number = next(self._ids)
@@ -168,7 +170,7 @@ class Stream(AsyncCalls):
         await self._send(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
 
     async def append(self, dataset: str, time: float, arrays: Mapping[str, Any]) -> Any:
-        """Appends a step like Client.append. Sends binary messages: a quarter fewer bytes than base64."""
+        """Appends a step like Client.append(), but as binary messages, which are a quarter smaller than base64."""
         step = [pushed(name, values) for name, values in arrays.items()]
         upload = await self.call("append.begin", dataset=dataset, time=time, arrays=[one.wanted for one in step])
         try:
@@ -182,7 +184,7 @@ class Stream(AsyncCalls):
             raise
 
     async def next_frame(self) -> Frame:
-        """Returns the next frame, not yet acknowledged. Call `acknowledge` when it has been presented."""
+        """Returns the next frame, not yet acknowledged. Call acknowledge() after the frame has been presented."""
         return await self._frames.take()
 
     async def acknowledge(self, frame: Frame) -> None:

@@ -34,7 +34,7 @@ class Frame(FrameHeader):
 
 @dataclass
 class Batch:
-    """Polygons of one layer. `description`: the batch's JSON; its `values.of` says what `scalars` belong to."""
+    """Polygons of one layer. `description`: the batch's JSON. `values.of` in it tells what `scalars` belong to."""
 
     description: dict[str, Any]
     positions: array[float]
@@ -44,7 +44,7 @@ class Batch:
 
 
 def read_frame(message: bytes) -> Frame:
-    """Reads one message: a piece of a frame, or a whole one. Raises ValueError if its header is damaged."""
+    """Reads one message: a frame or a piece of a frame. Raises ValueError if its header is damaged."""
     return Frame(**vars(read_frame_header(message)), payload=message[FRAME_HEADER_BYTES:])
 
 
@@ -78,7 +78,7 @@ class Batches:
         self._kept: dict[str, tuple[int, Any]] = {}  # by id: last frame that had the arrays, and the arrays
 
     def read(self, frame: Frame) -> Batch:
-        """Returns the batch of a message. Raises ValueError if it contradicts its description or lacks arrays."""
+        """Returns the batch of a message. Raises ValueError if its sizes are wrong or earlier arrays are missing."""
         payload = frame.payload
         (json_bytes,) = struct.unpack_from("<I", payload)
         description = json.loads(payload[4 : 4 + json_bytes])
@@ -105,13 +105,13 @@ class Batches:
                 scalars = self._of(values["id"])
             self._kept[values["id"]] = frame.frame, scalars
         if rest:
-            raise ValueError("the batch's length does not fit its description")
+            raise ValueError("the batch is longer than its description says")
         positions, normals, indices = arrays
         return Batch(description, positions, normals, scalars, indices)
 
     def _of(self, key: str) -> Any:
         if key not in self._kept:
-            raise ValueError(f"a batch names the arrays {key}, which were not received before")
+            raise ValueError(f"the arrays {key} of a batch are missing; call view.resize to get all arrays again")
         return self._kept[key][1]
 
 

@@ -1,5 +1,6 @@
 """Decoders of meshoptimizer's bitstreams, as glTF's EXT_meshopt_compression describes them: vertices (0xA0), triangles
-(0xE1) and sequences of indices (0xD1). For checks and small scripts: a million triangles take about a minute."""
+(0xE1) and sequences of indices (0xD1). They are slow, for checks and small scripts: a million triangles take about a
+minute."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from array import array
 
 
 def vertices(data: bytes, count: int, stride: int) -> bytes:
-    """Decodes `count` records of `stride` bytes. Raises ValueError if the data is no such stream."""
+    """Decodes `count` records of `stride` bytes. Raises ValueError if the data is not such a stream."""
     if not data or data[0] != 0xA0:
         raise ValueError("the data is not a vertex stream of version 0")
     block_size = min(8192 // stride & ~15, 256)
@@ -34,9 +35,9 @@ def vertices(data: bytes, count: int, stride: int) -> bytes:
 
 
 def _deltas(data: bytes, at: int, size: int) -> tuple[list[int], int]:
-    """Decodes the deltas of one byte of each vertex of a block: groups of 16, with 0, 2, 4 or 8 bits per delta.
+    """Decodes the deltas of one byte position, for all vertices of a block. Deltas are in groups of 16.
 
-    Returns the deltas and the offset in `data` after them.
+    A group has 0, 2, 4 or 8 bits per delta. Returns the deltas, and the offset in `data` after the deltas.
     """
     groups = (size + 15) // 16
     modes = at
@@ -75,7 +76,7 @@ def _varint(data: bytes, at: int) -> tuple[int, int]:
 
 
 def sequence(data: bytes, count: int) -> array[int]:
-    """Decodes `count` indices of lines or points. Raises ValueError if the data is no such stream."""
+    """Decodes `count` indices of lines or points. Raises ValueError if the data is not such a stream."""
     if not data or data[0] != 0xD1:
         raise ValueError("the data is not a sequence of indices of version 1")
     out = array("I")
@@ -169,7 +170,7 @@ class _Triangles:
 
 
 def triangles(data: bytes, count: int) -> array[int]:
-    """Decodes `count` indices, three per triangle. Raises ValueError if the data is no such stream."""
+    """Decodes `count` indices, three per triangle. Raises ValueError if the data is not such a stream."""
     if not data or data[0] != 0xE1:
         raise ValueError("the data is not a triangle stream of version 1")
     out = array("I")

@@ -11,7 +11,7 @@ struct Grid {
     std::vector<std::int64_t> offsets{0}, connectivity;
 };
 
-// Returns n x n x n cells that fill [-1, 1] in each direction.
+// Returns a grid of n x n x n cells that fill the cube from -1 to 1.
 inline Grid make_grid(int n) {
     Grid grid;
     const int row = n + 1;

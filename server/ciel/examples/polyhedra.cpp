@@ -1,5 +1,5 @@
-// Example: makes a mesh from cells that are lists of faces, and prints its report. One of the two cubes lacks a face,
-// so it is left out.
+// Example: makes a mesh from two cubes that are lists of faces, and prints the report. One cube lacks a face and is
+// therefore left out.
 #include <ciel/contour.hpp>
 
 #include <cstdint>

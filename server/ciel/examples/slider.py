@@ -1,4 +1,4 @@
-"""Example: a slider over a polyhedral mesh. slider.py LEVEL... prints the surface's size at each level instead."""
+"""Example: a slider for iso-surfaces of a polyhedral mesh. With LEVEL... as arguments, it prints sizes instead."""
 
 import sys
 

@@ -6,7 +6,8 @@
 
 namespace ciel::engine {
 namespace {
-constexpr std::chrono::seconds patience{1}; // a job of post_later() that waits longer goes before jobs of post()
+// A job of post_later() that waits longer than this after it is due runs before jobs of post().
+constexpr std::chrono::seconds patience{1};
 // rest() frees the memory of a renderer that keeps more bytes than this.
 constexpr std::uint64_t worth_giving_back = std::uint64_t{64} << 20;
 
@@ -62,7 +63,7 @@ void FrameWorkers::rest() {
 }
 
 void FrameWorkers::drain() {
-    std::deque<Job> dropped_now; // destroyed after the lock is released: a job may hold the last reference to a view
+    std::deque<Job> dropped_now; // destroyed after `lock`, because a job may hold the last reference to a view
     std::multimap<Clock::time_point, Job> dropped_later;
     std::unique_lock lock(mutex_);
     draining_ = true;
@@ -133,10 +134,10 @@ void FrameWorkers::work(const std::stop_token& stop) {
         ++busy_;
         lock.unlock();
         job(worker);
-        job = nullptr; // destroys what the job holds before the lock is taken
+        job = nullptr; // destroys the objects of the job before the lock is taken
         lock.lock();
         --busy_;
-        rests = rests_; // skips a rest() asked for meanwhile: the worker has just drawn
+        rests = rests_; // ignores rest() calls during the job, because the worker has just drawn
         changed_.notify_all();
     }
 }

@@ -98,7 +98,7 @@ void SlowCalls::work(const std::stop_token& stop) {
         ++running_;
         lock.unlock();
         job(Turn::come);
-        job = nullptr; // destroys what the job holds before the lock is taken
+        job = nullptr; // destroys the objects of the job before the lock is taken
         lock.lock();
         --running_;
         changed_.notify_all();

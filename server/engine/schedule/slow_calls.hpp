@@ -1,4 +1,4 @@
-// Runs calls that draw, extract or export on separate threads, so that quick calls never wait for them.
+// Runs slow calls, which draw, extract or export, on separate threads, so that quick calls never wait for slow calls.
 #pragma once
 
 #include "limits/limits.hpp"
@@ -13,31 +13,35 @@
 
 namespace ciel::engine {
 
-// SlowCalls is thread-safe. Connections take turns: the calls of a connection with many calls do not delay other
+// SlowCalls is thread-safe. Connections take turns, so that a connection with many calls does not delay other
 // connections.
 class SlowCalls {
 public:
-    enum class Turn { come, given_up };    // given up: the connection has ended, or the server is about to stop
+    // come: the job runs now. given_up: the job must not run, because its connection has ended or the server is about
+    // to stop.
+    enum class Turn { come, given_up };
     using Job = std::function<void(Turn)>; // called exactly once; must not throw
 
     explicit SlowCalls(const limits::Limits& limits);
     ~SlowCalls(); // calls drain()
 
-    // Queues a job of a connection. Throws LimitReached when too many jobs wait already, Error once drained.
+    // Queues a job of a connection. Throws LimitReached if too many jobs wait already, and Error after drain().
     void post(std::uint64_t connection, Job job);
-    // Called from a job: queues the next job of the same request. It is not limited by the number of waiting jobs.
-    // Throws Error once drained.
+    // Queues the next job of a request; the previous job of the request calls this function. The limits on waiting jobs
+    // do not apply. Throws Error after drain().
     void post_next(std::uint64_t connection, Job job);
-    // Gives up the waiting jobs of a connection: calls them with Turn::given_up on the calling thread.
+    // Calls the waiting jobs of a connection with Turn::given_up on the calling thread.
     void drop(std::uint64_t connection);
-    void drain(); // gives up waiting jobs; returns when no job runs
+    // Calls all waiting jobs with Turn::given_up, and refuses new jobs. Returns when no job runs.
+    void drain();
 
     [[nodiscard]] std::size_t running() const;
     [[nodiscard]] std::size_t waiting() const;
 
 private:
     void work(const std::stop_token& stop);
-    void check_open() const; // requires mutex_ to be held, as add, take and count_waiting do
+    // The following four functions require mutex_ to be held.
+    void check_open() const;
     void add(std::uint64_t connection, Job job);
     [[nodiscard]] Job take();
     [[nodiscard]] std::size_t count_waiting() const;

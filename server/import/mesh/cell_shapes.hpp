@@ -1,4 +1,5 @@
-// Maps VTK cell types to CIEL cell types. Higher-order cells keep only their corners; prisms become polyhedra.
+// Maps VTK cell types to CIEL cell types. Higher-order cells keep only their corners. Pentagonal and hexagonal prisms
+// become polyhedra.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,7 +11,7 @@ namespace ciel::importer {
 struct CellShape {
     int vtk_type;
     CellType type;
-    int corners;              // number of corners: the first nodes of the VTK cell, the only ones kept
+    int corners;              // number of corners, the first nodes of the VTK cell; other nodes are dropped
     int least_nodes;          // a cell of this type with fewer nodes is damaged
     const char* reduced_from; // plural name for notes, such as "quadratic tetrahedra"; null if all nodes are kept
 };

@@ -1,4 +1,4 @@
-// Identifies cells and faces by the positions of their corners, independent of point ids and their order.
+// Identifies cells and faces by the positions of their corners. The ids and the order of the corners do not matter.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -12,7 +12,7 @@
 
 namespace ciel::importer {
 
-using Corners = std::vector<Index>; // vertices of a cell or face: one per position, sorted, distinct
+using Corners = std::vector<Index>; // sorted, distinct vertices of a cell or face; one vertex per position
 
 [[nodiscard]] Corners normalised(Corners corners); // sorts and removes duplicates
 
@@ -24,15 +24,16 @@ class CornerIndex {
 public:
     explicit CornerIndex(const FaceMeshView& mesh) : mesh_(mesh) {}
 
-    // Registers the positions of stored vertices and returns their corners. Vertices at one position are represented by
-    // the first one registered there.
+    // Registers the positions of vertices of the mesh. Returns the vertices as Corners: each vertex is replaced by the
+    // first vertex that was registered at the same position.
     [[nodiscard]] Corners learn(std::span<const Index> vertices);
-    // Returns the corners of a cell of the input. Skips points at positions that learn() has not registered (mid-side
-    // nodes). Returns nothing if points were skipped and fewer than three corners are left.
+    // Returns the corners of a cell of the input, as vertices that learn() has registered. Skips points at positions
+    // without such a vertex, for example mid-side nodes. Returns an empty list if points were skipped and fewer than
+    // three corners are left.
     [[nodiscard]] Corners find(vtkDataSet* data, vtkIdType cell);
 
 private:
-    using Place = std::array<std::uint64_t, 3>; // bits of x, y, z
+    using Place = std::array<std::uint64_t, 3>; // bits of the doubles x, y, z
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
     };

@@ -1,12 +1,14 @@
-// Reports collapsed cells: cells with a face that names a point twice. They are kept, because files often store a wedge
-// or pyramid as a collapsed hexahedron. Collapsed cells with fewer than four distinct corners have no volume.
+// Reports collapsed cells: cells with a face that uses a point more than once. The import keeps these cells, because
+// files often store a wedge or pyramid as a collapsed hexahedron. A collapsed cell with fewer than four distinct
+// corners has no volume.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
 
 namespace ciel::importer {
 
-// Returns one sentence on collapsed cells and one on those without volume, if any: their count and first ten ids.
+// Returns at most two sentences: one on collapsed cells with volume, and one on collapsed cells without volume. Each
+// sentence gives the number of cells and the first ten ids.
 [[nodiscard]] std::vector<std::string> degenerate_cells(const JoinedMesh& joined);
 
 } // namespace ciel::importer

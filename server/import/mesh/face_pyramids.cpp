@@ -9,7 +9,10 @@
 namespace ciel::importer {
 
 InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh) {
-    constexpr double least_cosine = -1e-6; // tolerance: the pyramids of collapsed cells are flat, not inverted
+    // A pyramid is inverted if the cosine of the angle between the outward normal of its face and the direction from
+    // the cell's center to the face's center is smaller than this value. The value is below 0, because the pyramids of
+    // collapsed cells are flat, but not inverted.
+    constexpr double least_cosine = -1e-6;
     const std::vector<FaceShape> faces = face_shapes(mesh);
     const std::vector<Vec3d> centres = cell_centres(mesh, faces);
     InvertedPyramids inverted;

@@ -1,5 +1,6 @@
-// Finds inverted face pyramids: the pyramid from a cell's center over one of its faces has negative volume. Cells with
-// inverted pyramids are kept, because their winding is consistent.
+// Finds inverted face pyramids. The base of a face pyramid is a face of a cell, and the apex is the center of the cell.
+// An inverted pyramid has negative volume. The import keeps cells with inverted pyramids, because the winding of these
+// cells is consistent.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,8 +8,8 @@
 namespace ciel::importer {
 
 struct InvertedPyramids {
-    std::uint64_t count = 0;  // inverted pyramids; a cell may have several
-    std::vector<Index> cells; // stored ids of their cells, sorted, distinct
+    std::uint64_t count = 0;  // number of inverted pyramids; a cell may have several
+    std::vector<Index> cells; // ids of the cells with inverted pyramids in the mesh, sorted, distinct
 };
 
 [[nodiscard]] InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh);

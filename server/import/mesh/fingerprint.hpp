@@ -1,4 +1,5 @@
-// Checksums of a step's input. A step with the same checksum `cells` as the previous step reuses that step's mesh.
+// Checksums of the mesh of a step in the input. A step with the same checksum `cells` as the previous step reuses the
+// mesh of the previous step.
 #pragma once
 
 #include "import/source/data_sets.hpp"

@@ -27,7 +27,8 @@ namespace {
 
 constexpr std::uint64_t max_count = none - 1ULL;
 
-// Appends the cells of one block to the joined mesh. Checks all point ids from the file; later code trusts them.
+// Appends the cells of one block to the joined mesh. Checks all point ids from the file, because later code does not
+// check them.
 class BlockJoiner {
 public:
     BlockJoiner(JoinedMesh& mesh, std::size_t part)
@@ -71,8 +72,8 @@ private:
 
     void add_shape(const CellShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
         if (nodes.size() < static_cast<std::size_t>(shape.least_nodes))
-            fail("cell " + std::to_string(cell) + " has " + std::to_string(nodes.size()) + " nodes; its type needs " +
-                 std::to_string(shape.least_nodes));
+            fail("cell " + std::to_string(cell) + " has " + std::to_string(nodes.size()) +
+                 " nodes; the smallest number of nodes for its cell type is " + std::to_string(shape.least_nodes));
         std::array<Index, 12> corners{};
         for (int i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
         if (shape.vtk_type == VTK_VOXEL) {
@@ -83,7 +84,8 @@ private:
         add_standard(shape.type, std::span<const Index>(corners.data(), shape.corners), cell);
     }
 
-    // `stream`: VTK's face stream: the number of faces, then for each face its number of points and their ids.
+    // `stream`: VTK's face stream. It begins with the number of faces. For each face follow the number of points and
+    // the point ids.
     void add_polyhedron(std::span<const vtkIdType> stream, vtkIdType cell) {
         const auto damaged = [&] { fail("the face list of polyhedron " + std::to_string(cell) + " is damaged"); };
         if (stream.empty() || stream[0] < 0) damaged();
@@ -99,7 +101,7 @@ private:
         close_cell(type_of_last_faces(static_cast<std::size_t>(stream[0])), cell);
     }
 
-    // Returns the type of the cell formed by the last `faces` faces. Six quadrilaterals with eight corners are a
+    // Returns the type of the cell that consists of the last `faces` faces. Six quadrilaterals with eight corners are a
     // hexahedron, even if the file calls the cell a polyhedron.
     [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
         return type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
@@ -117,12 +119,12 @@ private:
         vtkCellArray* cells = grid->GetCells();
         const vtkIdType count = grid->GetNumberOfCells();
         if (grid->GetCellTypesArray() == nullptr || grid->GetCellTypesArray()->GetNumberOfValues() != count)
-            fail("has " + std::to_string(count) + " cells but another number of cell types");
+            fail("has " + std::to_string(count) + " cells but a different number of cell types; the file is damaged");
         vtkIdType previous = 0;
         for (vtkIdType i = 0; i <= count; ++i) {
             const auto offset = static_cast<vtkIdType>(cells->GetOffsetsArray()->GetComponent(i, 0));
             if (offset < previous || offset > cells->GetNumberOfConnectivityIds() || (i == 0 && offset != 0))
-                fail("the offsets of its cells are damaged at cell " + std::to_string(i));
+                fail("the file is damaged: the cell offsets are wrong at cell " + std::to_string(i));
             previous = offset;
         }
     }
@@ -175,8 +177,8 @@ private:
     void add_structured() {
         const auto [ni, nj, nk] = dimensions();
         if (vtkIdType{ni} * nj * nk != point_count_)
-            fail("its dimensions " + std::to_string(ni) + " x " + std::to_string(nj) + " x " + std::to_string(nk) +
-                 " do not fit its " + std::to_string(point_count_) + " points");
+            fail("the dimensions " + std::to_string(ni) + " x " + std::to_string(nj) + " x " + std::to_string(nk) +
+                 " do not match the number of points: the file has " + std::to_string(point_count_) + " points");
         const std::vector<bool> holes = hole_points();
         const vtkIdType row = ni;
         const vtkIdType slab = row * nj;
@@ -196,8 +198,8 @@ private:
                 }
     }
 
-    // Returns per point whether PLOT3D's iblank is 0, which marks a hole; empty without iblank. Walls (2), interpolated
-    // points (negative) and all other values are no holes.
+    // Returns for each point whether it is a hole: PLOT3D's iblank is 0. Other values, such as 2 (wall) or negative
+    // values (interpolated points), do not mark a hole. Returns an empty list if the block has no iblank.
     std::vector<bool> hole_points() {
         vtkDataArray* iblank = data_->GetPointData()->GetArray("IBlank");
         blank_points_known_ = iblank != nullptr;
@@ -287,7 +289,8 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
             }
         }
     };
-    // Edges are sorted into buckets by their lower vertex id. Buckets are short, so sorting them all takes linear time.
+    // A bucket holds the edges with the same lower vertex id. Buckets are short, so that sorting all buckets takes
+    // linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
     for_each_edge([&](Index low, Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];

@@ -9,8 +9,9 @@
 
 namespace ciel::importer {
 
-// Running ids number points and cells consecutively, block after block. Blocks that share a vtkPoints object share its
-// running points. Vertices of the joined mesh have running point ids; source_cell maps its cells to running ids.
+// Running ids number the points of all blocks consecutively, block after block. Likewise, they number the cells. Blocks
+// that share a vtkPoints object also share the running ids of its points. A vertex of the joined mesh has the id of its
+// running point. source_cell maps a cell of the joined mesh to its running cell.
 struct JoinedMesh {
     struct Member {
         std::string name;
@@ -22,7 +23,7 @@ struct JoinedMesh {
     };
     struct Surface { // cells of dimension 2 inside a volume block
         std::size_t part = 0;
-        std::vector<vtkIdType> cells; // VTK cell ids in that part
+        std::vector<vtkIdType> cells; // VTK cell ids in the part
     };
 
     std::vector<Member> parts;
@@ -30,30 +31,30 @@ struct JoinedMesh {
     Index point_count = 0; // number of running points
     std::uint64_t blanked_cells = 0;
     std::map<std::string, std::uint64_t> reduced_cells; // CellShape::reduced_from -> number of cells
-    std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1: left out
-    std::uint64_t convex_point_sets = 0;                // left out: VTK lists no faces for them
+    std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1; they are left out
+    std::uint64_t convex_point_sets = 0;                // left out, because VTK lists no faces for them
 
-    store::Values positions; // x, y, z of each running point, as the input has them
+    store::Values positions; // x, y, z of each running point, equal to the numbers in the input
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0};
     std::vector<std::uint64_t> face_offset{0};
     std::vector<Index> face_vertex;
-    std::vector<Index> source_cell; // joined cell -> running cell
+    std::vector<Index> source_cell; // cell of the joined mesh -> running cell
 
     [[nodiscard]] PolyhedraView view() const {
         return {{}, positions, cell_types, cell_offset, face_offset, face_vertex};
     }
 };
 
-// Returns the numbers of running points and cells. Throws Error if either exceeds 2^32 - 2.
+// Returns the numbers of running points and cells. Throws Error if one of the numbers exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<DataSet>& volumes);
 
-// Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a used point
+// Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a coordinate
 // that is not finite, or more than 2^32 - 2 points or cells.
 [[nodiscard]] JoinedMesh join_data_sets(const std::vector<DataSet>& volumes);
 
-// Returns x, y, z of each running point: floats if these are equal to the input's numbers, else doubles. `parts`: the
-// mesh's blocks, with the data of any step.
+// Returns x, y, z of each running point. The result has floats if floats equal all numbers of the input, else doubles.
+// `parts`: the blocks of the mesh, with the data of any step.
 [[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count);
 
 // Counts the distinct edges of the cells. Ignores edges from a vertex to itself, which collapsed cells have.

@@ -11,8 +11,8 @@ namespace ciel::importer {
 
 namespace {
 
-// Boundary faces by their corners. Several surfaces may claim the same face. Of coincident faces (the two sides of a
-// baffle), the one with the fewest claims is claimed next.
+// Finds boundary faces by their corners. Several surfaces may claim the same face. If several faces have the same
+// corners (the two sides of a baffle), claim() returns the face with the fewest claims.
 class BoundaryFaces {
 public:
     void add(Corners corners, Index face) { faces_[std::move(corners)].push_back({face, 0, none}); }
@@ -61,7 +61,7 @@ private:
     BoundaryFaces faces_;
 };
 
-// Finds boundary faces by the running point ids of a cell's corners. Welded points count as their representative.
+// Finds boundary faces by the running point ids of a cell's corners. A welded point is replaced by its representative.
 class ById {
 public:
     ById(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)
@@ -84,7 +84,7 @@ public:
 
 private:
     const std::vector<Index>& representative_;
-    std::vector<Index> stored_; // running point -> stored vertex
+    std::vector<Index> stored_; // running point -> vertex of the assembled mesh, or `none`
     BoundaryFaces faces_;
     vtkNew<vtkIdList> ids_;
 };

@@ -1,5 +1,5 @@
-// Matches the input's surface blocks to boundary faces of the mesh: by point ids if the surface shares the points of a
-// volume block, else by the coordinates of the corners.
+// Matches the surface blocks of the input to boundary faces of the mesh. If a surface has the same vtkPoints object as
+// a volume block, matches by point ids. Otherwise matches by the coordinates of the corners.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -9,14 +9,14 @@ namespace ciel::importer {
 struct Patch {
     std::string name;
     std::size_t surface = 0;        // surface with the patch's values: index into DataSets::surfaces, or none_of_them
-    std::vector<Index> faces;       // stored ids of the boundary faces
-    std::vector<std::size_t> cells; // per face: the cell of the surface that matches it
-    std::uint64_t unmatched = 0;    // cells of the surface that match no boundary face
+    std::vector<Index> faces;       // ids of the boundary faces in the assembled mesh
+    std::vector<std::size_t> cells; // per face: the matching cell of the surface
+    std::uint64_t unmatched = 0;    // number of cells of the surface that match no boundary face
     static constexpr std::size_t none_of_them = ~std::size_t{0};
 };
 
-// A cell of a surface matches a boundary face with the same corners, after welding. A surface gets each face at most
-// once. `representative`: Welds::representative.
+// A cell of a surface matches a boundary face if both have the same corners after welding. A surface gets each face at
+// most once. `representative`: Welds::representative.
 [[nodiscard]] std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
                                                const std::vector<Index>& representative,
                                                const std::vector<DataSet>& surfaces);

@@ -1,6 +1,7 @@
-// Finds the cut faces of a mesh that was read in pieces, such as a PVTU: coincident boundary faces of two pieces whose
-// corners are the same points. Points are the same by GlobalNodeId, else by equal coordinates and values. A crack
-// within a piece stays open, and so does a crack along a cut if the values on its sides differ.
+// Finds the cut faces of a mesh that was read in pieces, for example from a PVTU. A cut face is a pair of coincident
+// boundary faces of two pieces whose corners are the same points. Two points are the same if their GlobalNodeIds are
+// equal. If the pieces have no GlobalNodeIds, two points are the same if their coordinates and values are equal. A
+// crack within a piece stays open. A crack along a cut stays open if the values on its two sides differ.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -11,15 +12,17 @@ namespace ciel::importer {
 
 struct PieceJoins {
     PointPairs points;        // running points to join
-    std::uint64_t faces = 0;  // joined pairs of faces
-    std::uint64_t single = 0; // cut faces without a counterpart; only OpenFOAM's reader reports them
-    std::uint64_t apart = 0;  // faces that coincide with a face of another piece but have other ids or values
+    std::uint64_t faces = 0;  // number of joined pairs of faces
+    std::uint64_t single = 0; // cut faces without a counterpart on another piece; set only for OpenFOAM
+    std::uint64_t apart = 0;  // faces that coincide with a face of another piece but differ in ids or values
 };
 
-// Compares the boundary faces of parts with the same `whole`. `pieces`: `joined`, assembled before joining.
+// Compares the boundary faces of parts with the same `whole`. `pieces`: the mesh assembled from `joined` before any
+// points are joined.
 [[nodiscard]] PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
 
-// Returns whether the points of all joined pairs are also the same in `parts`, which have the data of a later step.
+// Returns whether the two points of each joined pair are still the same at a later step. `parts`: the blocks with the
+// data of the later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts);
 
 } // namespace ciel::importer

@@ -42,7 +42,7 @@ bool has_pieces(const JoinedMesh& joined) {
 void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
     for (const BadCells& bad : report.bad_cells) {
         const bool is_in_two_pieces = bad.reason == BadCells::Reason::repeated && has_pieces(joined);
-        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // repeated in two pieces: a ghost cell
+        mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // a cell repeated in two pieces is a ghost cell
         mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
                              " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
     }
@@ -111,8 +111,8 @@ void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
     }
 }
 
-// Makes a zone of the blocks of each name, if there is more than one name. Unnamed pieces share the name of their
-// whole.
+// Makes one zone for each block name, if there are at least two names. The zone has the cells of all blocks with this
+// name. Unnamed pieces of one mesh share one name.
 void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
     std::map<std::string, std::vector<Index>> ids;
     std::vector<std::string> names; // in order of first use
@@ -141,11 +141,12 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-// Adds zones that the source gives by running cell ids. Ghost, blanked and bad cells are not in the mesh.
+// Adds the zones that the source gives as lists of running cell ids. Ghost, blanked and bad cells are not in the mesh,
+// so that they are counted as unmatched.
 void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
     if (zones.empty()) return;
     std::vector<Zone> found;
-    std::unordered_map<Index, Index> stored; // running cell -> stored cell
+    std::unordered_map<Index, Index> stored; // running cell -> cell of the assembled mesh
     for (Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
         stored.emplace(joined.source_cell[mesh.assembled.original_cell[cell]], cell);
     for (const NamedCells& named : zones) {

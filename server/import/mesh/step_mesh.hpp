@@ -1,4 +1,5 @@
-// One mesh of the input in stored form, with the maps from stored to running ids (joined_mesh.hpp).
+// One mesh of the input, with the vertices and cells in the order of the dataset (stored ids). Maps lead from stored
+// ids to running ids (joined_mesh.hpp).
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -9,7 +10,7 @@
 namespace ciel::importer {
 
 struct StepMesh {
-    std::vector<JoinedMesh::Member> parts; // the mesh's blocks, with the data of the step read last
+    std::vector<JoinedMesh::Member> parts; // blocks of the mesh, with the data of the step that was read last
     Index point_count = 0;
     Assembled assembled;
     std::vector<Index> point_of_vertex; // stored vertex -> running point
@@ -18,24 +19,25 @@ struct StepMesh {
     std::vector<Seam> seams;  // welded seams only
     PointPairs joined_pieces; // running points joined between pieces
     std::vector<store::NamedGroup> groups;
-    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // before welding and leaving out bad cells
+    std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // before welding and removal of bad cells
     std::uint64_t bad_cells = 0;
     std::vector<std::string> notes;
 
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-// Throws Error when no volume cell is usable, or when join_data_sets does.
+// Throws Error if no volume cell is usable, and for the errors of join_data_sets().
 [[nodiscard]] StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference);
 
-// Replaces the data of the mesh's blocks by that of another step with the same cells. If `moved`, also replaces the
-// positions.
+// Replaces the data of the blocks by the data of another step that has the same cells. If `moved` is true, also
+// replaces the positions of the mesh.
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved);
 
-// Reorders values to stored vertices or cells. `running`: `components` values per running point or cell.
+// Reorders values from running ids to stored ids of vertices or cells. `running`: `components` values per running point
+// or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
 [[nodiscard]] store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components);
 
-// Reorders ids to stored vertices or cells. Returns nothing if `running` is empty.
+// Reorders one solver id per running point or cell in the same way. Returns an empty list if `running` is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
                                                   std::span<const Index> stored_to_running);
 

@@ -13,7 +13,8 @@ namespace ciel::importer {
 
 namespace {
 
-// Share of the block's diagonal. Two copies of a point differ by less after the rounding of a file.
+// Largest difference between the coordinates of two copies of a point, as a share of the diagonal of the block's
+// bounding box. Rounding in a file makes smaller differences.
 constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
@@ -38,7 +39,7 @@ private:
     std::vector<Index> parent_;
 };
 
-// Finds the seams of one structured block: pairs of coincident points on its faces.
+// Finds the seams of one structured block: pairs of coincident points on the faces of the block.
 class SeamFinder {
 public:
     SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
@@ -93,8 +94,9 @@ private:
         return pairs;
     }
 
-    // Returns the wake cut of a C-grid: pairs on a face of the block whose two ends along the axis `fold` coincide.
-    // Returns nothing for a face collapsed to a line or a point (a polar axis).
+    // Returns the wake cut of a C-grid: pairs of coincident points on the face of the block at index `plane` of `axis`.
+    // Along the axis `fold` with n points, a pair has the indices i and n - 1 - i. Returns an empty list for a face
+    // that is collapsed to a line or a point (a polar axis).
     [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
         const int along = 3 - axis - fold;
         PointPairs pairs;
@@ -164,7 +166,7 @@ void join_cut(const PieceJoins& cut, DisjointSets& sets, Welds& welds) {
                               " have no counterpart on another piece and stay boundary faces.");
 }
 
-// Returns the middle of the box around the points that are looked at.
+// Returns the center of the bounding box of the points for which looked_at is true.
 Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
     Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -179,9 +181,9 @@ Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
     return middle;
 }
 
-// Calls visit(first, point) for each point that coincides with an earlier one; `first` is the first point at that
-// place. Skips points for which looked_at is false. Compares coordinates as floats relative to the middle of the mesh,
-// because programs write the copies of a point with different roundings.
+// Calls visit(first, point) for each point that coincides with an earlier point. `first` is the first point at this
+// position. Skips points for which looked_at is false. Compares coordinates as floats relative to the center of the
+// mesh, because programs round the copies of a point differently.
 template <typename Visit>
 void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
@@ -195,7 +197,7 @@ void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked
     first.reserve(mesh.point_count);
     const Vec3d middle = middle_of(mesh, looked_at);
     const auto offset = [&](Index point, std::size_t axis) {
-        return static_cast<float>(mesh.positions[3 * std::size_t{point} + axis] - middle[axis]) + 0.0F; // -0 becomes 0
+        return static_cast<float>(mesh.positions[3 * std::size_t{point} + axis] - middle[axis]) + 0.0F; // -0 becomes +0
     };
     for (Index i = 0; i < mesh.point_count; ++i) {
         if (!looked_at[i]) continue;
@@ -213,13 +215,13 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     if (mode == Weld::seams) weld_seams(mesh, difference, sets, welds);
     std::uint64_t coincident = 0;
     const bool look = mode == Weld::all || mesh.parts.size() > 1;
-    // Only --weld also compares points that no cell uses: these belong to ghost cells, which were left out.
+    // Points that no cell uses belong to ghost cells, which were left out. Only --weld also compares these points.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)
         for (const Index point : mesh.face_vertex) looked_at[point] = true;
     if (look)
         for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
-            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // a pair that a cut or seam joined does not count
+            coincident += sets.find(a) == sets.find(b) ? 0 : 1; // 0 if a cut or a seam joined the pair
             if (mode == Weld::all) sets.join(a, b);
         });
     std::vector<Index> representative = sets.representatives();

@@ -1,5 +1,5 @@
-// Finds points to weld. By default only the seam of a structured block closed onto itself (O- and C-grids) is welded,
-// because faults and baffles must stay open.
+// Finds points to weld. By default, welds only the cuts between pieces and the seam of a structured block that closes
+// onto itself (O-grids and C-grids). Other coincident points stay apart, because faults and baffles must stay open.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -9,27 +9,27 @@
 
 namespace ciel::importer {
 
-enum class Weld { seams, none, all }; // seams: by default; none: --no-weld; all: --weld
+enum class Weld { seams, none, all }; // seams: the default; none: --no-weld; all: --weld
 
-struct Seam { // of one structured block
+struct Seam { // coincident points of one structured block that closes onto itself
     std::size_t part = 0;
     PointPairs points;
-    double tolerance = 0; // allowed difference of a coordinate within a pair, in the mesh's length unit
+    double tolerance = 0; // largest difference of a coordinate in a pair, in the mesh's length unit
 };
 
-// Returns what differs between the two sides of a seam: "position" or the name of a point field. Empty if the sides of
-// all seams agree. Implemented in values/seam_difference.hpp.
+// Returns the name of a quantity that differs between the two sides of a seam: "position" or the name of a point field.
+// Returns an empty string if the sides of all seams agree. Implemented in values/seam_difference.hpp.
 using SeamDifference =
     std::function<std::string(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& parts)>;
 
 struct Welds {
-    std::vector<Index> representative; // running point -> the point it becomes; empty when nothing is welded
+    std::vector<Index> representative; // running point -> running point that replaces it; empty if nothing is welded
     std::uint64_t welded_points = 0;
     std::vector<Seam> seams; // welded seams only
     std::vector<std::string> notes;
 };
 
-// Joins the points of `cut` in every mode. Does not weld a seam for which `difference` is not empty.
+// Joins the points of `cut` in every mode. Does not weld a seam for which `difference` returns a name.
 [[nodiscard]] Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut,
                                const SeamDifference& difference);
 

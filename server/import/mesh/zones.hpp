@@ -1,4 +1,5 @@
-// Matches zones, the input's named copies of cells, to cells of the mesh by the coordinates of their corners.
+// Finds the cells of zones in the mesh, by the coordinates of the corners. A zone is a named copy of cells in the
+// input.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -7,8 +8,8 @@ namespace ciel::importer {
 
 struct Zone {
     std::string name;
-    std::vector<Index> cells;    // stored ids, sorted
-    std::uint64_t unmatched = 0; // cells of the zone that the mesh does not have
+    std::vector<Index> cells;    // cell ids in the mesh, sorted
+    std::uint64_t unmatched = 0; // number of cells of the zone that are not in the mesh
 };
 
 [[nodiscard]] std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<DataSet>& zones);

@@ -13,12 +13,12 @@ namespace ciel::importer {
 
 namespace {
 
-constexpr std::size_t longest_word = 256; // bytes kept of a word; keywords, types and counts are shorter
+constexpr std::size_t longest_word = 256; // number of bytes kept of a word; keywords, types and counts are shorter
 constexpr double bits_per_byte = 8;
 
 struct ValueType {
     std::string_view name;
-    unsigned bytes; // size of one value in a binary file; 0: no fixed number of bytes
+    unsigned bytes; // size of one value in a binary file; 0: the size varies, or is less than a byte
 };
 constexpr ValueType value_types[] = {
     {"bit", 0},         {"char", 1},           {"signed_char", 1},  {"unsigned_char", 1},
@@ -34,7 +34,8 @@ const ValueType* find_type(std::string_view word) {
     return found == std::end(value_types) ? nullptr : found;
 }
 
-// Parses a whole number. Returns infinity for one beyond 64 bits, nullopt for other words.
+// Parses a whole number. Returns infinity if the number does not fit in 64 bits, and nullopt if the word is not a whole
+// number.
 std::optional<double> to_count(std::string_view word) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -44,7 +45,7 @@ std::optional<double> to_count(std::string_view word) {
     return static_cast<double>(value);
 }
 
-// Splits a file into words and puts them in lower case, because VTK ignores case.
+// Splits a file into words. Converts the words to lower case, because VTK ignores case.
 class Words {
 public:
     explicit Words(std::istream& file) : buffer_(*file.rdbuf()) {}
@@ -64,7 +65,7 @@ public:
         while (after_ != '\n' && after_ != end);
     }
 
-    // Skips `bytes` bytes from the start of the line after the last word.
+    // Skips the rest of the current line, then `bytes` bytes.
     void skip_values(std::uint64_t bytes) {
         if (after_ != '\n' && after_ != end) skip_line();
         buffer_.pubseekoff(static_cast<std::streamoff>(bytes), std::ios::cur, std::ios::in);
@@ -82,8 +83,8 @@ class Check {
 public:
     Check(std::uint64_t file_size, const std::string& name) : size_(static_cast<double>(file_size)), name_(name) {}
 
-    // Adds a word, and checks the declaration that ends with it, if any. Returns the size in bytes of the binary values
-    // that follow; 0 if there are none or their size is not known.
+    // Takes the next word of the file. If the word ends a declaration, checks the counts in the declaration. Returns
+    // the size in bytes of the binary values that follow; 0 if no values follow or the size is not known.
     std::uint64_t take(std::string&& word) {
         std::rotate(words_.begin(), words_.begin() + 1, words_.end());
         words_.back() = std::move(word);
@@ -95,8 +96,8 @@ private:
         return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
     }
 
-    // Throws Error unless count is between 0 and per_byte times the file's size. `length`: number of words of the
-    // declaration, which the message quotes.
+    // Throws Error unless `count` is between 0 and per_byte times the size of the file. The message quotes the
+    // declaration, which consists of the last `length` words.
     void require(double count, double per_byte, std::size_t length) const {
         if (count >= 0 && count <= size_ * per_byte) return;
         std::string declaration;
@@ -155,7 +156,7 @@ private:
         } else if (words_[0] == "texture_coordinates") { // TEXTURE_COORDINATES name dimension type
             require(*count * items_, bits_per_byte, 4);
             return 0;
-        } else if (const auto components = to_count(words_[1])) { // name components n type, in a FIELD
+        } else if (const auto components = to_count(words_[1])) { // an array of a FIELD: name components n type
             values = *components < 0 ? *components : values * *components;
             length = 4;
         } else if (!is_one_of(words_[1], {"x_coordinates", "y_coordinates", "z_coordinates"})) {

@@ -1,5 +1,5 @@
-// Checks the counts in a legacy VTK file against the size of the file. VTK's reader would allocate any declared size
-// and keep reading past the end of the file.
+// Checks the counts in a legacy VTK file against the size of the file. Without this check, VTK's reader would allocate
+// any declared size and continue to read after the end of the file.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace ciel::importer {
 
-// Reads `file` once and skips binary values of known size. Throws Error naming `name` if a declared count is negative,
-// or larger than the number of bytes (for bits: eight times that) in the file. Ignores words that declare nothing.
+// Reads `file` once and skips binary values of known size. Throws Error if a declared count is negative, or larger than
+// the number of bytes in the file. A count of bits may be eight times as large. Ignores words that declare no counts.
+// Error texts start with `name`.
 void check_legacy_vtk_counts(std::istream& file, std::uint64_t file_size, const std::string& name);
 
 } // namespace ciel::importer

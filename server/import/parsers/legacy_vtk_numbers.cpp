@@ -18,7 +18,7 @@ bool is_equal(std::string_view word, std::string_view lower_case) {
 const StandIn* stand_in_for(std::string_view word) {
     const bool is_negative = word.starts_with('-');
     if (is_negative || word.starts_with('+')) word.remove_prefix(1);
-    const std::string_view name = word.substr(0, word.find('(')); // "nan" of "nan(ind)"
+    const std::string_view name = word.substr(0, word.find('(')); // for example "nan" from "nan(ind)"
     if (is_equal(name, "nan") || is_equal(word, "1.#ind") || is_equal(word, "1.#qnan")) return stand_ins.data();
     if (is_equal(word, "inf") || is_equal(word, "infinity") || is_equal(word, "1.#inf"))
         return &stand_ins[is_negative ? 2 : 1];
@@ -48,7 +48,7 @@ bool holds_values(std::string_view line) {
     return all;
 }
 
-// Fast filter: all words for NaN and infinity contain the letter n, and no number does.
+// Fast test: all words for NaN and infinity contain the letter n, and no number contains it.
 bool may_hold_some(std::string_view line) { return line.find_first_of("nN") != std::string_view::npos; }
 
 void append_line(std::string_view line, std::string& out) {

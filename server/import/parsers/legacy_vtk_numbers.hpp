@@ -9,22 +9,23 @@
 
 namespace ciel::importer {
 
-// A finite number that replaces NaN or an infinity. It fits in a float, and solvers do not write it.
+// A finite number that replaces NaN or an infinity while VTK reads the file. The number fits in a float, and solvers do
+// not write it.
 struct StandIn {
     const char* text;
     double number;
-    double value; // NaN or infinity that `number` replaces
+    double value; // the NaN or infinity that `number` replaces
 };
 inline constexpr std::array<StandIn, 3> stand_ins{
     StandIn{"3.3302100911e38", 3.3302100911e38, std::numeric_limits<double>::quiet_NaN()},
     StandIn{"3.3302200913e38", 3.3302200913e38, std::numeric_limits<double>::infinity()},
     StandIn{"-3.3302300917e38", -3.3302300917e38, -std::numeric_limits<double>::infinity()}};
 
-// Returns whether the file has a NaN or infinity as C libraries write them: nan, -nan(ind), inf, Infinity, 1.#QNAN.
-// Ignores lines that also have words other than numbers, because there "nan" can be the name of an array.
+// Returns whether the file has NaN or an infinity in the spelling of C libraries: nan, -nan(ind), inf, Infinity,
+// 1.#QNAN. Ignores a line with any other word that is not a number, because "nan" can be the name of an array there.
 [[nodiscard]] bool holds_no_numbers(std::istream& file);
 
-// Returns the whole text, with stand-ins for NaN and infinities.
+// Returns the text of the file, with NaN and infinities replaced by stand-ins.
 [[nodiscard]] std::string with_stand_ins(std::istream& file);
 
 } // namespace ciel::importer

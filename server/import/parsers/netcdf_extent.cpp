@@ -11,8 +11,10 @@ namespace ciel::importer {
 
 namespace {
 
-constexpr std::uint64_t most_entries = 10'000'000; // in a list, or characters in a name; more mean a damaged header
-constexpr std::uint64_t unlimited = 0;             // declared length of the record dimension
+// Largest accepted number of entries in a list, and of characters in a name. A larger number means that the header is
+// damaged.
+constexpr std::uint64_t most_entries = 10'000'000;
+constexpr std::uint64_t unlimited = 0; // length that the header declares for the record dimension
 constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
 
 std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
@@ -32,10 +34,10 @@ public:
         for_list(attribute_tag, [&] { skip_attribute(); });
         for_list(variable_tag, [&] { read_variable(); });
         extent_.fixed_end = std::max(extent_.fixed_end, static_cast<std::uint64_t>(file_.tellg()));
-        if (record_variables_ == 1) extent_.record_bytes = alone_bytes_; // a single record variable is not padded
+        if (record_variables_ == 1) extent_.record_bytes = alone_bytes_; // a single record variable has no padding
         if (record_variables_ > 0) extent_.last_bytes = record_end_ - extent_.record_begin;
         if (extent_.records == std::numeric_limits<std::uint32_t>::max() && version_ != 5)
-            extent_.records = 0; // STREAMING: the header does not know the number of records
+            extent_.records = 0; // STREAMING: the header does not declare the number of records
         return extent_;
     }
 
@@ -64,8 +66,8 @@ private:
         skip(padded(length));
     }
 
-    // Calls entry() for each entry of a list. A list starts with its tag and the number of entries; an empty list may
-    // have two zeros instead.
+    // Calls entry() for each entry of a list. A list starts with its tag and the number of entries. An empty list may
+    // start with two zeros instead.
     template <class F>
     void for_list(std::uint32_t tag, F&& entry) {
         const std::uint64_t found = big_endian(4), entries = count();
@@ -74,7 +76,8 @@ private:
     }
 
     std::uint64_t type_bytes() {
-        constexpr std::array<std::uint64_t, 12> bytes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8}; // by NC type; NC_BYTE is 1
+        // Size of one value in bytes, indexed by the number of the type in the netCDF format. NC_BYTE has the number 1.
+        constexpr std::array<std::uint64_t, 12> bytes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
         const std::uint64_t type = big_endian(4);
         if (type == 0 || type >= bytes.size()) fail("is damaged");
         return bytes[type];
@@ -114,7 +117,7 @@ private:
         }
         for_list(attribute_tag, [&] { skip_attribute(); });
         const std::uint64_t bytes = product(items, type_bytes());
-        (void)count(); // the declared size, which is wrong for large variables
+        (void)count(); // skips the declared size, which is wrong for large variables
         const std::uint64_t begin = offset();
         if (!is_record) {
             extent_.fixed_end = std::max(extent_.fixed_end, sum(begin, bytes));
@@ -130,7 +133,7 @@ private:
     std::istream& file_;
     const std::string& name_;
     unsigned version_ = 0;
-    std::vector<std::uint64_t> lengths_; // of all dimensions
+    std::vector<std::uint64_t> lengths_;
     std::uint64_t record_variables_ = 0, alone_bytes_ = 0;
     std::uint64_t record_end_ = 0; // file offset after the last variable of the first record
     NetcdfExtent extent_;

@@ -1,5 +1,5 @@
-// Finds the layout of a PLOT3D file, which the file does not declare: reads the header under every possible layout and
-// keeps those whose computed size equals the size of the file.
+// Finds the layout of a PLOT3D file. The file does not declare its layout. Therefore these functions read the header
+// under every possible layout. They keep each layout for which the computed size equals the size of the file.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace ciel::importer {
 
-enum class Plot3dKind { grid, solution }; // files that PLOT3D calls xyz and q
+enum class Plot3dKind { grid, solution }; // PLOT3D calls a grid file xyz and a solution file q
 
 struct Plot3dLayout {
     bool text = false;
     bool big_endian = false;
     bool multi_grid = false;
-    bool byte_counts = false; // Fortran records: a 4-byte length before and after each
+    bool byte_counts = false; // Fortran records: a 4-byte length before and after each record
     bool double_precision = false;
-    bool iblank = false;                            // grids only
+    bool iblank = false;                            // only in grid files
     std::vector<std::array<std::uint32_t, 3>> dims; // number of points along i, j, k of each grid
 
     [[nodiscard]] std::uint64_t points(std::size_t grid) const {
@@ -28,21 +28,22 @@ struct Plot3dLayout {
     }
 };
 
-// Returns every layout under which a binary file that starts with `head` has `file_size` bytes, or fewer and is padded
-// to the next multiple of 512. Simplest first. `head`: the first plot3d_head_bytes of the file, or all of it.
+// Returns every layout for which a binary file with this header has `file_size` bytes, with or without padding to the
+// next multiple of 512 bytes. Single precision comes before double precision, and layouts without iblank come before
+// layouts with iblank. `head`: the first plot3d_head_bytes of the file, or the whole file if it is shorter.
 inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_binary_layouts(std::span<const std::byte> head, std::uint64_t file_size,
                                                               Plot3dKind kind);
 
-// Returns every layout under which a text file that starts with `head` has `number_count` numbers.
+// Returns every layout for which a text file with this header has `number_count` numbers. `head`: as above.
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_text_layouts(std::string_view head, std::uint64_t number_count,
                                                             Plot3dKind kind);
 
-// Keeps the layouts that agree with all `words`: "big", "little", "multi", "single", "records", "stream", "iblank",
-// "no-iblank", "float32", "float64", "text", separated by commas. Throws Error for an unknown word.
+// Returns the layouts that agree with all `words`. `words` is a list separated by commas of: big, little, multi,
+// single, records, stream, iblank, no-iblank, float32, float64, text. Throws Error for an unknown word.
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_restrict(std::vector<Plot3dLayout> layouts, const std::string& words);
 
-// Whether a grid and a solution can belong together: they have the same dimensions and encoding.
+// Returns whether a grid and a solution can belong together: both have the same dimensions and encoding.
 [[nodiscard]] bool plot3d_match(const Plot3dLayout& grid, const Plot3dLayout& solution);
 
 } // namespace ciel::importer

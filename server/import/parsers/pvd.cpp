@@ -35,10 +35,10 @@ std::vector<IndexEntry> parse_pvd(std::string_view text, const std::string& name
     for (const pugi::xml_node& node : file.child("Collection").children("DataSet")) {
         IndexEntry entry{parse_time(node, name), node.attribute("name").value(), node.attribute("file").value()};
         if (entry.part.empty()) entry.part = node.attribute("part").value();
-        if (entry.file.empty()) throw Error(name + ": a DataSet names no file");
+        if (entry.file.empty()) throw Error(name + ": a DataSet element names no file; add the attribute file");
         entries.push_back(std::move(entry));
     }
-    if (entries.empty()) throw Error(name + ": names no files");
+    if (entries.empty()) throw Error(name + ": names no files; list at least one data file");
     std::stable_sort(entries.begin(), entries.end(),
                      [](const IndexEntry& a, const IndexEntry& b) { return a.time < b.time; });
     return entries;

@@ -9,9 +9,9 @@ namespace ciel::importer {
 
 namespace {
 
-constexpr int max_depth = 16; // the format needs 3
+constexpr int max_depth = 16; // largest accepted nesting depth; the format needs a depth of 3
 
-// Refuses deep nesting: nlohmann's DOM is destroyed recursively, so a hostile file could overflow the stack.
+// Refuses JSON that is nested deeper than max_depth, because such JSON cannot be a file series.
 nlohmann::json parse_shallow(std::string_view text, const std::string& name) {
     bool too_deep = false;
     const auto callback = [&too_deep](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
@@ -44,7 +44,7 @@ std::vector<IndexEntry> parse_series(std::string_view text, const std::string& n
             throw Error(name + ": an entry of \"files\" has an empty name or an infinite time");
         entries.push_back(std::move(entry));
     }
-    if (entries.empty()) throw Error(name + ": names no files");
+    if (entries.empty()) throw Error(name + ": names no files; list at least one data file");
     std::stable_sort(entries.begin(), entries.end(),
                      [](const IndexEntry& a, const IndexEntry& b) { return a.time < b.time; });
     return entries;

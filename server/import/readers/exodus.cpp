@@ -41,8 +41,9 @@ struct Steps {
     std::uint64_t declared = ~std::uint64_t{0}, complete = ~std::uint64_t{0};
 };
 
-// Counts the steps of a classic netCDF file, which has one record per step. Returns no limits for HDF5, because the
-// HDF5 library detects a file that was cut off. Throws Error if the mesh is incomplete or no step is complete.
+// Counts the steps of a classic netCDF file, which has one record per step. For an HDF5 file, returns default Steps,
+// which are no limit. The HDF5 library itself detects a file that was cut off. Throws Error if the mesh is incomplete
+// or no step is complete.
 Steps count_steps(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     const auto extent = read_netcdf_extent(stream, file);
@@ -74,8 +75,8 @@ public:
         if (!set_ids_.empty()) sets_ = read_element_sets(file, block_ids_, set_ids_);
     }
 
-    // Adds the cells of element sets. VTK's reader returns the sets empty: it looks for 32-bit connectivity but keeps
-    // 64-bit.
+    // Adds the cells of element sets. VTK's reader returns the sets without cells, because it looks for 32-bit
+    // connectivity but stores 64-bit connectivity.
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         auto data = ReaderSource::read(step, progress);
         auto* root = vtkMultiBlockDataSet::SafeDownCast(data);
@@ -91,7 +92,7 @@ public:
 
 private:
     std::vector<std::string> lost_;
-    std::vector<std::int64_t> block_ids_; // in the order of the reader's blocks
+    std::vector<std::int64_t> block_ids_; // ids of the element blocks, in the order of the reader's blocks
     std::vector<std::int64_t> set_ids_;
     std::vector<ElementSet> sets_;
 };
@@ -102,7 +103,7 @@ std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) 
     const Steps steps = count_steps(inputs.front());
     vtkNew<vtkExodusIIReader> reader;
     reader->SetFileName(inputs.front().c_str());
-    reader->SetApplyDisplacements(0); // positions as the file has them; the displacement stays an array
+    reader->SetApplyDisplacements(0); // does not move the points; the displacement is an array
     reader->GenerateGlobalNodeIdArrayOn();
     reader->GenerateGlobalElementIdArrayOn();
     reader->UpdateInformation();

@@ -54,7 +54,7 @@ public:
 
 private:
     void check(int status) const {
-        if (status < 0) throw Error(name_ + ": its element sets cannot be read");
+        if (status < 0) throw Error(name_ + ": its element sets cannot be read; the file may be damaged");
     }
 
     std::string name_;
@@ -67,7 +67,7 @@ std::vector<ElementSet> read_element_sets(const std::string& file, const std::ve
                                           const std::vector<std::int64_t>& set_ids) {
     const ExodusFile exodus(file);
     const std::vector<std::int64_t> blocks = exodus.blocks();
-    std::vector<std::int64_t> first{0}; // first element of each block, counted from 0; at the end the total
+    std::vector<std::int64_t> first{0}; // index of the first element of each block, then the number of elements
     for (const std::int64_t block : blocks) first.push_back(first.back() + exodus.block_size(block));
 
     std::vector<ElementSet> sets;
@@ -76,8 +76,9 @@ std::vector<ElementSet> read_element_sets(const std::string& file, const std::ve
         for (const std::int64_t number : exodus.set(id)) {
             const std::int64_t element = number - 1;
             if (element < 0 || element >= first.back())
-                throw Error(file + ": element set " + std::to_string(id) + " names element " + std::to_string(number) +
-                            ", but there are only " + std::to_string(first.back()));
+                throw Error(file + ": element set " + std::to_string(id) + " contains element " +
+                            std::to_string(number) + ", but the last element of the file is " +
+                            std::to_string(first.back()));
             const auto block =
                 static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
             const auto place = std::find(block_ids.begin(), block_ids.end(), blocks[block]);

@@ -10,16 +10,17 @@
 
 namespace ciel::importer {
 
-// Per element: the index of its block in `block_ids`, and its cell id in that block.
+// One pair per element of the set: the index of the element's block in `block_ids`, and the cell id of the element in
+// this block.
 using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
 
-// Returns the sets in the order of `set_ids`, without elements of blocks that are not in `block_ids`. Throws Error when
-// the file cannot be read or a set names an element that the file does not have.
+// Returns the sets in the order of `set_ids`. Leaves out elements of blocks that are not in `block_ids`. Throws Error
+// if the file cannot be read, or if a set contains an element that the file does not have.
 [[nodiscard]] std::vector<ElementSet> read_element_sets(const std::string& file,
                                                         const std::vector<std::int64_t>& block_ids,
                                                         const std::vector<std::int64_t>& set_ids);
 
-// Copies the cells of the set as convex point sets. Their points are enough to match them to mesh cells
+// Copies the cells of the set as convex point sets. The points of a cell are enough to find the cell in the mesh
 // (mesh/zones.hpp).
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* data_sets, const ElementSet& set);
 

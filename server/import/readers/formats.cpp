@@ -134,7 +134,7 @@ std::span<const Format> formats() { return table(); }
 
 const Format& find_format(const std::string& input) {
     const Head head = read_head(input);
-    const bool foam_marker = head.extension == ".foam"; // an empty file by convention
+    const bool foam_marker = head.extension == ".foam"; // a .foam file is empty by convention
     if (!head.directory && head.bytes.empty() && !foam_marker) throw Error(input + ": is empty");
     for (const Format& format : table())
         if (format.probe(head)) return format;
@@ -147,7 +147,7 @@ const Format& find_format(const std::string& input) {
     for (const Format& format : table())
         if (std::find(format.extensions.begin(), format.extensions.end(), head.extension) != format.extensions.end())
             throw Error(input + ": has the extension of " + std::string(format.name) +
-                        " files but the content of another format");
+                        " files but the content of another format; correct the extension or copy the file again");
     throw Error(input + ": has an unknown format; the known formats are " + known_formats());
 }
 

@@ -1,4 +1,4 @@
-// The table of input formats: how a file is recognized, and the function that opens it.
+// The table of input formats. For each format it has a function that recognizes a file and a function that opens it.
 #pragma once
 
 #include "import/source/source.hpp"
@@ -25,13 +25,13 @@ struct Format {
     std::vector<std::string_view> extensions;
     // Returns whether the input has this format, by its content or name.
     bool (*probe)(const Head& head);
-    bool several_inputs; // `open` takes all inputs; else each is opened alone as a part of one mesh
+    bool several_inputs; // true: `open` takes all inputs; false: each input is opened alone, as a part of one mesh
     std::unique_ptr<Source> (*open)(const Inputs& inputs, const SourceOptions& options);
 };
 
 [[nodiscard]] std::span<const Format> formats();
 
-// Throws Error when the input does not exist, is empty, or is of no known format.
+// Throws Error if the input does not exist, is empty, or has an unknown format.
 [[nodiscard]] const Format& find_format(const std::string& input);
 
 std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options);      // index_source.cpp

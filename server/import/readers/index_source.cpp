@@ -1,4 +1,4 @@
-// PVD and .series: each time step has one or several files, each read by the reader of its own format.
+// PVD and .series: a time step has one or several data files. Each data file is read by the reader of its own format.
 #include "ciel/types.hpp"
 #include "import/parsers/index_entry.hpp"
 #include "import/readers/formats.hpp"
@@ -20,7 +20,7 @@ public:
         : file_(std::move(file)), format_(std::move(format)), options_(std::move(options)) {
         const auto directory = std::filesystem::path(file_).parent_path();
         for (IndexEntry& entry : entries) {
-            entry.file = (directory / entry.file).string(); // an absolute name replaces the directory
+            entry.file = (directory / entry.file).string(); // operator/ drops the directory if entry.file is absolute
             if (times_.empty() || times_.back() != entry.time) {
                 times_.push_back(entry.time);
                 steps_.emplace_back();
@@ -58,9 +58,11 @@ public:
     }
 
 private:
-    // Opens a data file. Called only when its step is read, so that a damaged or missing file loses only that step.
+    // Opens a data file. A data file is opened only when its step is read, so that a damaged or missing file affects
+    // only this step.
     std::unique_ptr<Source> opened(const std::string& file) const {
-        if (!std::filesystem::exists(file)) throw Error(file_ + ": names " + file + ", which does not exist");
+        if (!std::filesystem::exists(file))
+            throw Error(file_ + ": names " + file + ", which does not exist; correct the path or copy the file");
         if (find_format(file).open == open_index)
             throw Error(file_ + ": names " + file + ", which is itself an index file; name the data files directly");
         return open_source({file}, options_);
@@ -85,7 +87,8 @@ private:
 
 std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options) {
     const std::string& file = inputs.front();
-    if (std::filesystem::file_size(file) > max_index_bytes) throw Error(file + ": is too large for an index file");
+    if (std::filesystem::file_size(file) > max_index_bytes)
+        throw Error(file + ": is larger than 256 MiB, the limit for an index file");
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (std::filesystem::path(file).extension() == ".series")

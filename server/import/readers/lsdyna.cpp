@@ -1,4 +1,4 @@
-// LS-DYNA databases: the file family d3plot, d3plot01, d3plot02..., or an XML file that names its members.
+// LS-DYNA databases: the file family d3plot, d3plot01, d3plot02..., or an XML file that lists the files of the family.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/reader_source.hpp"
@@ -16,13 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // A temporary directory with a link to the only file of a family, and an empty second file. VTK's reader closes the
-// last file of a family at its end marker, and does not reopen it if it is the only one.
+// last file of a family at the end marker. If this file is the only file, the reader does not open it again.
 class PairedFamily {
 public:
     explicit PairedFamily(const fs::path& only) {
         std::string pattern = (fs::temp_directory_path() / "ciel-lsdyna-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr)
-            throw Error("no temporary directory can be made in " + fs::temp_directory_path().string());
+            throw Error("cannot make a temporary directory; check the free space and the permissions of " +
+                        fs::temp_directory_path().string());
         directory_ = pattern;
         fs::create_symlink(fs::absolute(only), first());
         std::ofstream(directory_ / "d3plot01");
@@ -56,13 +57,13 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) {
-    // Checks the files whose names begin like the input's; for an XML file, all files in its folder.
+    // Checks the files whose names start with the name of the input. For an XML file, checks all files in its folder.
     const fs::path input = inputs.front();
     require_regular_files(input.parent_path(), input.extension() == ".lsdyna" ? "" : input.filename().string());
     auto family = is_alone(inputs.front()) ? std::make_unique<PairedFamily>(inputs.front()) : nullptr;
     vtkNew<vtkLSDynaReader> reader;
     reader->SetFileName(family ? family->first().c_str() : inputs.front().c_str());
-    reader->SetDeformedMesh(1); // current positions, so that the mesh moves
+    reader->SetDeformedMesh(1); // reads the positions of each step, so that the mesh moves
     reader->UpdateInformation();
     for (int i = 0; i < reader->GetNumberOfPointArrays(); ++i) reader->SetPointArrayStatus(i, 1);
     for (int i = 0; i < reader->GetNumberOfSolidArrays(); ++i) reader->SetSolidArrayStatus(i, 1);

@@ -15,7 +15,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Several inputs that are parts of one mesh. Each step has the blocks of all inputs, which must have the same times.
+// Several inputs that are parts of one mesh. A step has the blocks of all inputs. All inputs must have the same times.
 class SeveralInputs : public Source {
 public:
     SeveralInputs(std::vector<std::unique_ptr<Source>> parts, const std::vector<std::string>& inputs)
@@ -78,7 +78,7 @@ private:
         return all;
     }
 
-    std::vector<RunningCounts> counts_; // of the step read last
+    std::vector<RunningCounts> counts_; // per input, for the step that was read last
     std::vector<std::unique_ptr<Source>> parts_;
     std::vector<std::string> inputs_;
 };

@@ -80,7 +80,7 @@ public:
     [[nodiscard]] std::string file_of(const ArrayName&, std::size_t step) const override {
         return std::filesystem::path(inputs_[std::min(step + 1, inputs_.size() - 1)]).filename().string();
     }
-    // VTK's reader computes pressure and velocity from density, momentum and energy, which the solution file has.
+    // VTK's reader computes pressure and velocity from density, momentum and energy in the solution file.
     [[nodiscard]] bool is_derived(const ArrayName& array) const override {
         return array.name == "Pressure" || array.name == "Velocity";
     }
@@ -114,7 +114,7 @@ std::vector<Plot3dLayout> grid_layouts(const std::string& grid, const std::strin
     std::vector<Plot3dLayout> grids = plot3d_restrict(layouts_of(grid, Plot3dKind::grid), words);
     if (!grids.empty()) return grids;
     throw Error(grid + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
-                ": its size does not fit its dimensions");
+                ": the size of the file does not match the dimensions in the file");
 }
 
 // Returns the first grid layout that matches all solutions.
@@ -123,7 +123,9 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     for (std::size_t i = 1; i < inputs.size(); ++i) {
         const std::vector<Plot3dLayout> solutions = layouts_of(inputs[i], Plot3dKind::solution);
         if (solutions.empty())
-            throw Error(inputs[i] + ": is not a PLOT3D solution (q): its size does not fit its dimensions");
+            throw Error(
+                inputs[i] +
+                ": is not a PLOT3D solution (q): the size of the file does not match the dimensions in the file");
         grids = agreeing(std::move(grids), solutions);
         if (grids.empty())
             throw Error(inputs[i] + ": does not belong to the grid " + inputs[0] + ": dimensions or byte order differ");
@@ -131,8 +133,9 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     return grids.front();
 }
 
-// Appends the solution that lies beside a grid, and returns a note. Of two candidates, such as "a.q" and "a.Q", neither
-// is appended.
+// Appends the solution file in the directory of the grid to `inputs`, and returns a note. If there are two such files,
+// for example "a.q" and "a.Q", or if the file does not match the grid, only returns a note. Returns an empty string if
+// there is no such file.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
     for (const auto& file : importing::plot3d_solutions(inputs[0])) beside.push_back(file.string());
@@ -149,8 +152,8 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
-// Prepends the grid that lies beside a solution, and returns a note; empty if the input is not a lone solution or has
-// no grid beside it.
+// If the only input is a solution and its grid is in the same directory, prepends the grid to `inputs` and returns a
+// note. Otherwise returns an empty string.
 std::string take_grid_beside(Inputs& inputs) {
     if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
     const std::filesystem::path grid = importing::plot3d_grid(inputs[0]);
@@ -171,13 +174,13 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
     Inputs ordered = inputs;
     for (const std::string& input : inputs)
         if (!std::filesystem::is_regular_file(input)) throw Error(input + ": there is no such file");
-    // Moves the grid files to the front, in whatever order the files were named.
+    // Moves the grid files to the front. The user may give grids and solutions in any order.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
     std::vector<std::string> notes;
     if (std::string note = take_grid_beside(ordered); !note.empty()) notes.push_back(std::move(note));
     if (layouts_of(ordered[0], Plot3dKind::grid).empty())
-        throw Error(ordered[0] + ": is a PLOT3D solution; name its grid (xyz) too");
+        throw Error(ordered[0] + ": is a PLOT3D solution; give the file of its grid (xyz) as an input too");
     if (ordered.size() == 1)
         if (std::string note = take_solution_beside(ordered, options.plot3d); !note.empty())
             notes.push_back(std::move(note));

@@ -18,7 +18,8 @@ namespace ciel::importer {
 
 namespace {
 
-// Keeps the exception of a progress callback until Update has returned, because VTK's pipeline is not exception safe.
+// Stores the exception of a progress callback until Update() has returned, because VTK's pipeline is not
+// exception-safe.
 struct Watch {
     const ReadProgress& progress;
     std::exception_ptr thrown;
@@ -84,7 +85,7 @@ std::string ReaderSource::file_of(const ArrayName&, std::size_t) const {
 vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output) {
     vtkSmartPointer<vtkDataObject> copy = vtk::TakeSmartPointer(output.NewInstance());
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-    // Before VTK 9.3, the ShallowCopy of a tree shares the tree's leaves.
+    // Before VTK 9.3, ShallowCopy() of a tree does not copy the leaves: both trees share the leaves.
     if (auto* tree = vtkDataObjectTree::SafeDownCast(copy)) {
         tree->RecursiveShallowCopy(&output);
         return copy;

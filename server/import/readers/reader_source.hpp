@@ -11,8 +11,9 @@ class ReaderSource : public Source {
 public:
     using ListArrays = std::function<std::vector<ArrayName>()>;
 
-    // `reader` must have its file name; `file` is named in errors. Calls UpdateInformation, then `list_arrays`, which
-    // is null if the reader cannot list arrays by the names in its output. `most_steps`: later steps are ignored.
+    // The file name of `reader` must be set. `file`: path for error texts. Calls UpdateInformation() of the reader,
+    // then `list_arrays`. `list_arrays` is null if the reader cannot list the names of its output arrays. `most_steps`:
+    // number of steps to use; later steps are ignored.
     ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
                  const ListArrays& list_arrays = nullptr, std::uint64_t most_steps = ~std::uint64_t{0});
 
@@ -33,7 +34,7 @@ private:
 // Returns a shallow copy of a reader's output, because the reader writes its next step into the same object.
 [[nodiscard]] vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output);
 
-// Lists the arrays of a reader that has GetNumberOfPointArrays and similar functions, as most readers do.
+// Lists the arrays of a VTK reader. Calls GetNumberOfPointArrays() and similar functions, which most VTK readers have.
 template <typename Reader>
 std::vector<ArrayName> arrays_of(Reader& reader) {
     std::vector<ArrayName> arrays;

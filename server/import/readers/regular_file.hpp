@@ -1,4 +1,4 @@
-// Refuses pipes, sockets and devices before a reader opens them: opening one could block forever.
+// Refuses pipes, sockets and devices before a reader opens them, because opening such a file could block forever.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,8 @@
 
 namespace ciel::importer {
 
-// Throws Error naming the file if it exists and is neither a regular file nor a directory. Does not open it.
+// Throws Error that names the file if the file exists and is neither a regular file nor a directory. Does not open the
+// file.
 void require_regular(const std::filesystem::path& file);
 
 // Calls require_regular for the entries of a directory, but not of its subdirectories. The directory need not exist.

@@ -16,9 +16,9 @@ namespace ciel::importer {
 namespace {
 
 std::mutex reported_mutex;
-std::string reported; // the first error; later ones are consequences of it
+std::string reported; // the first error; later errors are consequences of the first error
 
-// "ERROR: In FILE, line N\nvtkSomeReader (0x...): message\n\n" -> "message (vtkSomeReader)"
+// Converts "ERROR: In FILE, line N\nvtkSomeReader (0x...): message\n\n" to "message (vtkSomeReader)".
 std::string sentence(const std::string& text) {
     static const std::regex form(R"(ERROR: In [^\n]*\n(\w+) \([^)]*\): ([^\n]*)[\s\S]*)");
     std::smatch match;

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkXMLReader> make() {
 
 struct XmlType {
     std::string_view type;
-    bool composite; // an index of other files: its reader lists no arrays
+    bool composite; // true: an index of other files, whose reader lists no arrays
     vtkSmartPointer<vtkXMLReader> (*make)();
 };
 constexpr XmlType xml_types[] = {
@@ -58,10 +58,11 @@ std::string type_in(const std::string& file) {
     return std::regex_search(head, match, element) ? match[1].str() : "";
 }
 
-// Calls require_regular for the files that an index of pieces or blocks names, and recursively for those they name.
+// Calls require_regular for each file that an index of pieces or blocks lists. If a listed file is an index itself,
+// does the same for the files in it.
 void require_regular_references(const std::filesystem::path& file, const std::string& type, int depth = 0) {
     constexpr std::uintmax_t most_bytes = 256U << 20;
-    constexpr int deepest = 8; // ends the recursion for an index that names itself
+    constexpr int deepest = 8; // ends the recursion if an index lists itself
     const bool is_index = type.starts_with("P") || type.starts_with("vtk");
     std::error_code missing;
     if (!is_index || depth > deepest || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
@@ -75,8 +76,8 @@ void require_regular_references(const std::filesystem::path& file, const std::st
     }
 }
 
-// Reads the pieces of a PVTU separately, so that they can be joined along their cuts. VTK's reader would append them to
-// one grid without marking the pieces.
+// Reads the pieces of a PVTU separately, so that the import can join them along their cuts. VTK's reader would append
+// all pieces to one grid without marking the pieces.
 class PiecesSource : public ReaderSource {
 public:
     PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)
@@ -85,7 +86,7 @@ public:
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         lost_.clear();
-        // Rare pieces with several steps are left to VTK's reader.
+        // Pieces with several steps are rare. VTK's reader reads them.
         if (times().size() > 1) return ReaderSource::read(step, progress);
         const auto read_piece = [&](std::size_t i, const ReadProgress& of_piece) {
             return open_vtk_xml({pieces_[i]}, {})->read(0, of_piece);

@@ -23,7 +23,7 @@ bool ArraySelection::wants(const std::string& stored, bool cell_only) const {
 void ArraySelection::saw(const ArrayName& array) {
     const std::string name = stored_name(array.name);
     seen_.insert(name);
-    if (array.of == FieldOf::cells) seen_.insert("cell:" + name); // besides the point array interpolated from it
+    if (array.of == FieldOf::cells) seen_.insert("cell:" + name); // `name`: point array interpolated from this array
 }
 
 bool ArraySelection::is_missing(const std::string& selected) const {

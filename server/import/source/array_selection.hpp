@@ -1,4 +1,4 @@
-// The arrays that --array selects, and whether the input has them.
+// Decides which arrays the option --array selects, and checks that the input has the selected arrays.
 #pragma once
 
 #include <set>
@@ -14,26 +14,30 @@ struct ArrayName {
     std::string name; // name in the file
 };
 
-// Returns the name in the dataset: ':' and control characters become '_', because ':' separates a component ("U:x").
+// Returns the name of the array in the dataset. ':' becomes '_', because "U:x" means component x of the array U.
+// Control characters also become '_'.
 [[nodiscard]] std::string stored_name(const std::string& name);
 
 class ArraySelection {
 public:
-    // Empty `selected`: all arrays. "p" selects p, cell:p and patch:p.
+    // `selected`: the values of --array; empty: all arrays. "p" selects the point array p, the cell array cell:p and
+    // the array patch:p on boundary faces.
     explicit ArraySelection(std::vector<std::string> selected) : selected_(std::move(selected)) {}
 
+    // Returns whether the array with the dataset name `stored` is selected. `cell_only`: "cell:" + stored selects it
+    // too.
     [[nodiscard]] bool wants(const std::string& stored, bool cell_only) const;
     void saw(const ArrayName& array);
-    // Returns whether saw() was called for every selected array.
+    // Returns whether saw() was called for each selected array.
     [[nodiscard]] bool complete() const;
-    // Throws Error with the names of all seen arrays if a selected array was not seen.
+    // Throws Error if saw() was not called for a selected array. The text lists all arrays that were seen.
     void check() const;
 
 private:
     [[nodiscard]] bool is_missing(const std::string& selected) const;
 
     std::vector<std::string> selected_;
-    std::set<std::string> seen_; // names in the dataset
+    std::set<std::string> seen_; // names in the dataset, of all arrays passed to saw()
 };
 
 } // namespace ciel::importer

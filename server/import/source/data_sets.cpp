@@ -24,14 +24,15 @@ namespace ciel::importer {
 
 namespace {
 
-// Parent blocks of zones, which are copies of cells of the mesh: OpenFOAM's and Exodus' names.
+// A zone is a named copy of cells of the mesh. Readers put zones into blocks with these names: "cellZones" in OpenFOAM
+// cases, "Element Sets" in Exodus files.
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
-constexpr std::string_view face_zones = "faceZones"; // its surfaces have values copied from the cells behind
+constexpr std::string_view face_zones = "faceZones"; // the solver gives no values on these surfaces
 
-// Container blocks that readers insert. They are left out of a data set's name.
+// Readers insert these container blocks. The name of a data set does not include them.
 constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",
                                            "Patches",  "Side Sets", "Element Blocks", "Element Sets"};
-constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // these take the name of their parent block
+constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // blocks that get their parent's name
 
 struct Leaf {
     std::vector<std::string> path;
@@ -106,7 +107,7 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
     }
 }
 
-// Appends the data sets of all pieces to `leaves`. Unnamed pieces get the path of their whole.
+// Appends the data sets of all pieces to `leaves`. An unnamed piece gets the path of the partitioned data set.
 void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
     const auto first = static_cast<std::ptrdiff_t>(leaves.size());
     for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
@@ -138,7 +139,8 @@ bool is_one_of(const std::string& name, const std::string_view (&names)[n]) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Returns the names of the leaf's parents, without containers, and its own name, outermost first.
+// Returns the names on the path of the leaf, outermost first. Leaves out containers. If the leaf's own name is in
+// `interiors`, leaves it out too, unless no other name remains.
 std::vector<std::string> names_of(const Leaf& leaf) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i + 1 < leaf.path.size(); ++i)
@@ -157,7 +159,7 @@ std::string joined(const std::vector<std::string>& names, std::size_t depth) {
     return name;
 }
 
-// True for two unnamed pieces of one whole.
+// Unnamed pieces of the same partitioned data set share a name.
 bool share_a_name(const Leaf& a, const Leaf& b) {
     return a.whole >= 0 && a.whole == b.whole && !a.has_name && !b.has_name;
 }
@@ -214,7 +216,8 @@ DataSets collect_data_sets(vtkDataObject* data) {
 
 void require_volumes(const DataSets& data_sets) {
     if (!data_sets.volumes.empty()) return;
-    throw Error(data_sets.surfaces.empty() ? "holds no cells" : "holds only surfaces; a volume mesh is needed");
+    throw Error(data_sets.surfaces.empty() ? "holds no cells; a volume mesh is needed"
+                                           : "holds only surfaces; a volume mesh is needed");
 }
 
 } // namespace ciel::importer

@@ -1,4 +1,4 @@
-// A reader's output as flat lists of named data sets.
+// Converts the output of a reader, a tree of VTK data objects, to lists of named data sets.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -16,8 +16,8 @@ namespace ciel::importer {
 struct DataSet {
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
-    bool own_values = true; // false for a surface whose values are copied from the cells behind it
-    int whole = -1;         // pieces of one mesh have the same number; -1: not a piece
+    bool own_values = true; // false: the solver gives no values on this surface (faceZones)
+    int whole = -1;         // the same number in all pieces of one mesh; -1: not a piece
     store::PatchFacts facts = {};
 };
 
@@ -29,23 +29,23 @@ struct RunningCounts {
 
 struct NamedCells {
     std::string name;
-    std::vector<Index> cells; // running ids
+    std::vector<Index> cells; // running ids (joined_mesh.hpp)
 };
 
 struct DataSets {
-    std::vector<DataSet> volumes;        // hold at least one cell of dimension 3 (and maybe others)
-    std::vector<DataSet> surfaces;       // hold cells of dimension 2 and none of 3: patches, side sets
-    std::vector<DataSet> zones;          // named copies of cells of the volumes
-    std::vector<NamedCells> named_cells; // zones given by cell ids
+    std::vector<DataSet> volumes;        // each holds at least one cell of dimension 3
+    std::vector<DataSet> surfaces;       // patches and side sets: cells of dimension 2, no cells of dimension 3
+    std::vector<DataSet> zones;          // each is a named copy of cells of the volumes
+    std::vector<NamedCells> named_cells; // zones that the source gives as lists of cell ids
 
-    // Cuts that the source knows (OpenFOAM's processor patches): points to join, number of faces between two pieces,
-    // and number of faces whose other side is missing.
+    // Only OpenFOAM's reader sets these members, from the processor patches. same_points: points to join. joined_faces:
+    // number of faces that two pieces share. single_faces: number of faces without a counterpart on another piece.
     PointPairs same_points;
     std::uint64_t joined_faces = 0, single_faces = 0;
 };
 
-// Leaves out data sets without cells of dimension 2 or 3. Equal names are made unique by the names of parent blocks,
-// then by a number. Unnamed pieces share the name of their whole.
+// Collects the data sets in the output of a reader. Leaves out data sets without cells of dimension 2 or 3. Makes equal
+// names unique: first it adds the names of parent blocks, then a number. Unnamed pieces of one mesh share one name.
 [[nodiscard]] DataSets collect_data_sets(vtkDataObject* data);
 // Throws Error if there are no volumes.
 void require_volumes(const DataSets& data_sets);

@@ -16,10 +16,10 @@
 namespace ciel::importer {
 
 struct SourceOptions {
-    std::string plot3d; // words for plot3d_restrict()
+    std::string plot3d; // the value of --plot3d: words for plot3d_restrict()
 };
 
-// Called during a long read with the share that is done, in [0, 1]. May throw to cancel the read.
+// Called during a long read. `share`: finished share of the read, in [0, 1]. May throw to cancel the read.
 using ReadProgress = std::function<void(double share)>;
 
 class Source {
@@ -28,11 +28,11 @@ public:
 
     [[nodiscard]] virtual std::string format() const = 0;               // such as "OpenFOAM case"
     [[nodiscard]] virtual const std::vector<double>& times() const = 0; // ascending, at least one
-    // Returns the data of one step. Later reads do not change it. Throws Error naming the file.
+    // Returns the data of one step. Later reads do not change the returned object. Throws Error that names the file.
     [[nodiscard]] virtual vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) = 0;
 
-    // Adds facts about the step read last: named cells, points to join, facts of surfaces. `first`: the running ids of
-    // the source's first point and cell.
+    // Adds data that the source knows about the step that was read last: named cells, points to join, patch facts of
+    // surfaces. `first`: running ids (joined_mesh.hpp) of the first point and the first cell of this source.
     virtual void add_known(DataSets&, const RunningCounts& /*first*/) const {}
 
     // Lists the arrays of a step without reading its data. May list arrays that the step lacks. Returns nullopt if the
@@ -40,14 +40,14 @@ public:
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
         return std::nullopt;
     }
-    // Returns the file that an array comes from, such as "0.5/p"; empty if not known.
+    // Returns the file that contains the array, such as "0.5/p"; empty if the file is not known.
     [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
-    // Whether the reader computes the array from other quantities in the file.
+    // Returns whether the reader computes the array from other quantities in the file.
     [[nodiscard]] virtual bool is_derived(const ArrayName& /*array*/) const { return false; }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name
     [[nodiscard]] virtual std::string length_units() const { return ""; }
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
-    // Returns a sentence for each part of the step read last that could not be read.
+    // Returns one sentence for each part that could not be read at the step that was read last.
     [[nodiscard]] virtual std::vector<std::string> lost() const { return {}; }
 };
 

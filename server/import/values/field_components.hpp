@@ -1,5 +1,5 @@
-// Chooses the components of each array. If steps differ, the components that most steps have are chosen, not those of
-// the first step, which may be the faulty one.
+// Chooses the components (number and names) of each array in the dataset. If the steps differ, the components of most
+// steps are chosen. The first step does not decide, because it may be the faulty step.
 #pragma once
 
 #include <map>
@@ -11,18 +11,19 @@ using ComponentsOf = std::map<std::string, std::string>; // name in the dataset 
 
 class FieldComponents {
 public:
-    // `chosen`: the result of an earlier pass over all steps, or empty.
+    // `chosen`: of_most_steps() of an earlier pass over all steps; empty in the first pass.
     explicit FieldComponents(ComponentsOf chosen = {}) : chosen_(std::move(chosen)) {}
 
-    // Returns whether the array's components at this step are the chosen ones. Without an earlier pass, the first step
-    // with the array chooses.
+    // Returns whether the array has the chosen components at this step. In the first pass, the first step that has the
+    // array determines the chosen components.
     [[nodiscard]] bool accept(const std::string& array, const std::string& components) {
         ++steps_[array][components];
         return chosen_.try_emplace(array, components).first->second == components;
     }
     [[nodiscard]] const std::string& chosen(const std::string& array) const { return chosen_.at(array); }
 
-    // Returns the components that most steps have, per array. In a tie, the chosen ones are kept.
+    // Returns, for each array, the components that most steps have. If several are equally frequent, keeps the chosen
+    // components.
     [[nodiscard]] ComponentsOf of_most_steps() const {
         ComponentsOf most = chosen_;
         for (const auto& [array, steps] : steps_)

@@ -36,7 +36,7 @@ std::string name_of(const vtkAbstractArray* array) {
     return name == nullptr ? "" : name;
 }
 
-using Found = std::map<std::string, std::vector<FieldName>>; // array name -> its description in each part that has it
+using Found = std::map<std::string, std::vector<FieldName>>; // array name -> description in each part with the array
 
 void collect(const JoinedMesh::Member& part, FieldOf of, Found& found) {
     vtkDataSetAttributes* data = attributes(part.data, of);
@@ -58,7 +58,8 @@ bool have_equal_components(const std::vector<FieldName>& fields) {
     return std::ranges::all_of(fields, [&](const FieldName& field) { return components_text(field) == first; });
 }
 
-// Returns p with wanted[i] == own[p[i]]. Empty if both lists are equal, or do not have the same names.
+// Returns the permutation p with wanted[i] == own[p[i]]. Returns an empty list if the lists are equal or contain
+// different names.
 std::vector<std::size_t> permutation(const std::vector<std::string>& own, const std::vector<std::string>& wanted) {
     if (own == wanted || !std::ranges::is_permutation(own, wanted)) return {};
     std::vector<std::size_t> from;
@@ -186,8 +187,8 @@ store::Values gather_as(const std::vector<JoinedMesh::Member>& parts, const Fiel
         if (own.empty()) continue;
         if (own.size() != size_of(part) * components)
             throw Error("array \"" + field.name + "\" of block \"" + part.name + "\" has " +
-                        std::to_string(own.size() / components) + " values where " + std::to_string(size_of(part)) +
-                        " are needed");
+                        std::to_string(own.size() / components) + " values; the number of values must be " +
+                        std::to_string(size_of(part)) + ", one for each point or cell");
         std::copy(own.begin(), own.end(), values.begin() + static_cast<std::ptrdiff_t>(first_of(part) * components));
     }
     return store::Values(std::move(values));

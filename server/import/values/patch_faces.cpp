@@ -9,7 +9,7 @@ namespace ciel::importer {
 
 PatchFaces::PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches) : entries_(patches.size()) {
     for (Index face = 0; face < mesh.face_count(); ++face) count_ += mesh.neighbour[face] == none ? 1 : 0;
-    std::vector<Index> faces; // of all patches, so that boundary_numbers reads the mesh once
+    std::vector<Index> faces; // faces of all patches, so that boundary_numbers() reads the mesh only once
     for (const Patch& patch : patches) faces.insert(faces.end(), patch.faces.begin(), patch.faces.end());
     const std::vector<Index> numbers = boundary_numbers(mesh, faces);
     auto number = numbers.begin();

@@ -19,8 +19,8 @@ struct Around { // the patch's faces around one vertex
     double area = 0;
 };
 
-// Adds the directions across the patch's border. Faces lie only on one side of the border, so weights cannot be exact
-// across it.
+// Adds the directions across the border of the patch to `around`. At the border all faces lie on one side, so that no
+// weights can be exact across the border.
 void add_borders(const FaceMeshView& mesh, const std::vector<Index>& faces, const std::vector<Vec3d>& areas,
                  std::map<Index, Around>& around) {
     struct Side {
@@ -60,7 +60,7 @@ PatchWeights weigh_patch(const FaceMeshView& mesh, const std::vector<Index>& fac
         const double area = std::max(std::sqrt(dot(shape.area, shape.area)), std::numeric_limits<double>::min());
         for (const Index vertex : loop) {
             Around& here = around[vertex];
-            if (!here.faces.empty() && here.faces.back() == i) continue; // a loop may name a vertex twice
+            if (!here.faces.empty() && here.faces.back() == i) continue; // a face loop may contain a vertex twice
             here.faces.push_back(i);
             here.normals.add(shape.area);
             here.area += area;

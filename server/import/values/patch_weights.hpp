@@ -1,4 +1,5 @@
-// Weights that interpolate from a patch's faces to its vertices, exact for fields that are linear along the patch.
+// Weights for the interpolation from the faces of a patch to the vertices of the patch. The interpolation is exact for
+// fields that are linear along the patch.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -8,15 +9,15 @@
 namespace ciel::importer {
 
 struct PatchWeight {
-    Index vertex = 0;     // stored id
+    Index vertex = 0;     // vertex id in the mesh
     std::size_t face = 0; // index into the patch's faces
     double weight = 0;    // the weights of a vertex sum to 1
 };
 
 struct PatchVertex {
-    Index vertex = 0;           // stored id
-    double area = 0;            // sum over the patch's faces around the vertex; never 0
-    std::vector<Vec3d> normals; // orthogonal unit normals of the faces around it; several at an edge
+    Index vertex = 0;           // vertex id in the mesh
+    double area = 0;            // sum of the areas of the patch's faces around the vertex; never 0
+    std::vector<Vec3d> normals; // orthogonal unit normals of these faces; several where the patch has an edge
 };
 
 struct PatchWeights {
@@ -24,7 +25,7 @@ struct PatchWeights {
     std::vector<PatchVertex> vertices;
 };
 
-// `faces`: stored ids of the patch's faces.
+// `faces`: ids of the patch's faces in `mesh`.
 [[nodiscard]] PatchWeights weigh_patch(const FaceMeshView& mesh, const std::vector<Index>& faces);
 
 } // namespace ciel::importer

@@ -10,7 +10,8 @@
 namespace ciel::importer {
 namespace {
 
-// Share of a field's range. Two copies of a value differ by less after the rounding of a file.
+// Largest difference between two copies of a value, as a share of the field's range. Rounding in a file makes smaller
+// differences.
 constexpr double field_tolerance = 1e-4;
 
 bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>& seams) {

@@ -5,7 +5,8 @@
 
 namespace ciel::importer {
 
-// Returns what differs between the two sides of a seam: "position" or the name of a point field. Empty if all agree.
+// Returns the name of a quantity that differs between the two sides of a seam: "position" or the name of a point field.
+// Returns an empty string if the sides of all seams agree.
 [[nodiscard]] std::string difference_across(const std::vector<Seam>& seams,
                                             const std::vector<JoinedMesh::Member>& parts);
 

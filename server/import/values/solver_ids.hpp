@@ -1,4 +1,4 @@
-// The numbers that the solver gave to points and cells: GlobalIds, PedigreeIds, cellProcAddressing.
+// The ids that the solver gave to points and cells: GlobalIds, PedigreeIds, cellProcAddressing.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -9,11 +9,12 @@ class vtkDataSet;
 
 namespace ciel::importer {
 
-// Returns the data set's ids of points or cells: VTK's global ids or GlobalNodeId/GlobalElementId, else the pedigree
-// ids. Null if none of these holds integers.
+// Returns the first of these arrays that holds integers: VTK's global ids, the array GlobalNodeId or GlobalElementId,
+// VTK's pedigree ids, the array PedigreeNodeId or PedigreeElementId. Returns null if none of them holds integers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
-// Returns the solver's id per running point or cell; -1 in blocks without ids. Empty if no block has ids.
+// Returns the solver's id of each running point or cell (joined_mesh.hpp). Points and cells of blocks without ids get
+// -1. Returns an empty list if no block has ids.
 [[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& parts, FieldOf of);
 
 } // namespace ciel::importer

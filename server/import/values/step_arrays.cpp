@@ -8,8 +8,8 @@ namespace ciel::importer {
 
 namespace {
 
-// Returns the role by the patch's condition for the field, else by the patch's type (OpenFOAM User Guide, "Boundary
-// conditions").
+// Returns the role of a patch for a field. The boundary condition for the field determines the role. If the condition
+// is not known, the type of the patch determines it (OpenFOAM User Guide, "Boundary conditions").
 PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
     constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
@@ -63,7 +63,7 @@ std::vector<PatchRole> patch_roles(const StepMesh& mesh, const DataSets& data_se
 
 } // namespace
 
-// Adds a note on patches for which the field's files name no boundary condition.
+// Adds a note that lists the patches for which the files of the field give no boundary condition.
 void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
     std::string names;
     for (const Patch& patch : mesh.patches) {
@@ -82,8 +82,8 @@ store::Origin StepArrays::origin_of(const FieldName& field) const {
     return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
 }
 
-// Returns false, and adds a loss, if the array does not have the chosen components at this step. Gives a tensor the
-// component order of the first step.
+// Returns false, and adds a sentence to lost_, if the array does not have the chosen components at this step. Gives a
+// tensor the component order of the first step.
 bool StepArrays::accept(FieldName& field, const std::string& stored) {
     const std::string components = components_text(field);
     if (components_.accept(stored, components)) {
@@ -116,7 +116,8 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets,
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     store::Values cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
-    // accept() refuses if a point array of this name has other components at most steps or at an earlier step.
+    // Other steps may have a point array of this name with other components. If the components of that point array are
+    // the chosen components, accept() returns false.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),

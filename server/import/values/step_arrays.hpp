@@ -1,5 +1,5 @@
-// Makes the arrays of one step in stored order: point arrays, cell arrays ("cell:NAME"), point arrays interpolated from
-// cell arrays, and values on patch faces ("patch:NAME").
+// Makes the arrays of one step in the order of the dataset: point arrays, cell arrays ("cell:NAME"), point arrays
+// interpolated from cell arrays, and values on patch faces ("patch:NAME").
 #pragma once
 
 #include "ciel/point_interpolation.hpp"
@@ -17,7 +17,8 @@
 
 namespace ciel::importer {
 
-// Interpolates from cells and patches to points. Made when first needed; valid for one mesh and one set of coordinates.
+// Interpolates from cells and patches to points. Created when it is first needed. Valid for one mesh and one set of
+// coordinates.
 struct PointMaker {
     PointInterpolation interpolation;
     WallValues walls;
@@ -30,11 +31,13 @@ public:
     StepArrays(ArraySelection& selection, const Source& source, FieldComponents components)
         : selection_(selection), source_(source), units_(source.units()), components_(std::move(components)) {}
 
-    // Returns the arrays of the step that the source has read last; valid until the next call. Makes `maker` if needed.
+    // Returns the arrays of the step that the source has read last. The result is valid until the next call. If `maker`
+    // is null and needed, creates it.
     [[nodiscard]] const std::vector<store::ArrayValues>&
     make(std::size_t step, const StepMesh& mesh, const DataSets& data_sets, std::unique_ptr<PointMaker>& maker);
 
-    // Returns sentences on arrays left out of the steps so far, and on values that change because of the stored type.
+    // Returns notes on the steps so far: arrays that were left out, patches without a known boundary condition, and
+    // values that the stored type changes.
     [[nodiscard]] std::vector<std::string> notes() const;
     // Returns sentences on arrays that should be in the dataset but are not.
     [[nodiscard]] std::vector<std::string> lost() const { return {lost_.begin(), lost_.end()}; }
@@ -53,8 +56,8 @@ private:
     const Source& source_;
     std::map<std::string, std::string> units_;
     FieldComponents components_;
-    std::map<std::string, std::vector<std::string>> order_; // dataset name -> order of the tensor's components
-    std::map<std::string, bool> doubles_; // dataset name -> type of the array, which its first step decides
+    std::map<std::string, std::vector<std::string>> order_; // name in the dataset -> order of the tensor's components
+    std::map<std::string, bool> doubles_; // name in the dataset -> whether it is float64, as at its first step
     std::size_t step_ = 0;
     ValueLoss loss_;
     std::set<std::string> notes_, lost_;

@@ -10,7 +10,8 @@
 namespace ciel::importer {
 namespace {
 
-// Returns the number of values that differ from the value before in the same component, but are equal to it as floats.
+// Counts the values that differ from the previous value of the same component, but are equal to the previous value
+// after conversion to float.
 std::uint64_t equal_as_floats(vtkDataArray* array) {
     std::uint64_t count = 0;
     for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
@@ -24,13 +25,13 @@ std::uint64_t equal_as_floats(vtkDataArray* array) {
     return count;
 }
 
-// Returns the number of integers that change when they are converted to T, the type of the dataset's numbers. Whole:
-// the type of the array's integers.
+// Counts the integers that change when they are converted to T. T: floating-point type of the dataset. Whole: integer
+// type of the array.
 template <class T, class Whole>
 std::uint64_t unlike_integers(vtkDataArray* array) {
     const auto* begin = static_cast<const Whole*>(array->GetVoidPointer(0));
     constexpr auto half = Whole{1} << (std::numeric_limits<Whole>::digits - 1);
-    constexpr T end_of_whole = 2 * static_cast<T>(half); // above each Whole; T holds it exactly
+    constexpr T end_of_whole = 2 * static_cast<T>(half); // largest Whole + 1, which T holds exactly
     std::uint64_t count = 0;
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i) {
         const auto stored = static_cast<T>(begin[i]);

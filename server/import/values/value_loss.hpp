@@ -1,4 +1,5 @@
-// Counts values that change because of the type in which a dataset stores them. A picture does not show this loss.
+// Counts values that change when they are stored, because the dataset stores them in another type. A picture does not
+// show this loss.
 #pragma once
 
 #include "import/values/fields.hpp"
@@ -13,9 +14,10 @@ namespace ciel::importer {
 // Adds up the counts of each array over all steps.
 class ValueLoss {
 public:
-    // Counts values of an array, over all parts, that differ from the previous value in the input but equal it in the
-    // dataset, and integers that the dataset's type cannot hold exactly. `doubles`: the dataset has the array as
-    // float64. If not, it has float32, the type of the first step, even if this step has a larger type.
+    // Adds two counts for an array, over all parts. The first counts values that differ from the previous value in the
+    // input but equal the previous value in the dataset. The second counts integers that the type in the dataset cannot
+    // hold exactly. `doubles`: whether the dataset stores the array as float64. If not, it stores float32, the type of
+    // the array's first step, even if this step has a larger type.
     void look_at(const std::vector<JoinedMesh::Member>& parts, const FieldName& field, bool doubles);
     // Returns sentences on the arrays with changed values.
     [[nodiscard]] std::vector<std::string> notes() const;

@@ -18,7 +18,8 @@ bool holds_one_value(ValuesView values, std::size_t width) {
     return true;
 }
 
-// Whether a face's value is finite. overlay() ignores other values, because the solution has diverged there.
+// Returns whether the value of a face is finite. overlay() ignores other values, because the solution has diverged on
+// these faces.
 bool is_finite(ValuesView values, std::size_t begin, std::size_t width) {
     for (std::size_t i = begin; i < begin + width; ++i)
         if (!std::isfinite(values[i])) return false;

@@ -1,4 +1,5 @@
-// Replaces interpolated values at points on patches by the solver's values there, which are more accurate.
+// At points on patches, replaces the values interpolated from cells by the solver's values on the patches, which are
+// more accurate.
 #pragma once
 
 #include "import/mesh/patches.hpp"
@@ -9,26 +10,28 @@
 
 namespace ciel::importer {
 
-// The values of one array on one patch: one tuple per cell of the patch's surface; nullopt if it has none.
+// The values of one array on one patch: one tuple per cell of the patch's surface; nullopt if the patch has no values.
 using PatchValues = std::optional<store::Values>;
 
 enum class PatchRole : std::uint8_t {
     no_slip_wall, // a vector such as the velocity is zero on the patch; the role holds for all arrays
     other,
-    free,  // values follow from the interior (zeroGradient), even if they are constant
+    free,  // values come from the interior (zeroGradient); even constant values are not fixed values
     plane, // vectors are tangential: slip walls, planes of symmetry
 };
 
-// A vertex takes the mean over the patch faces around it, with weights that are exact for fields linear along the
-// patch. Where patches meet, the strongest kind wins: 1. no-slip walls, 2. patches that hold one value (fixed
-// values), 3. the rest; patches of one kind are averaged by area.
+// A vertex gets a weighted mean of the values on the patch faces around the vertex. The weights are exact for fields
+// that are linear along the patch. Where patches meet, only the patches of the first kind in this list are used:
+// 1. no-slip walls,
+// 2. patches of the role `other` with one constant value (fixed values),
+// 3. other patches.
+// Patches of the same kind are averaged by area.
 class WallValues {
 public:
     WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // `values`, `roles`: one per patch. `points`: `components` values per stored vertex; those on patches with values
-    // are overwritten. Arrays of three components are vectors.
-    // T: float or double.
+    // `values`, `roles`: one per patch. `points`: `components` values per vertex of the mesh. Overwrites the values at
+    // vertices on patches with values. Arrays of three components are vectors. T: float or double.
     template <class T>
     void overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
                  std::vector<T>& points) const;
@@ -37,7 +40,7 @@ private:
     struct Entry {
         Index vertex;     // index into vertices_
         std::size_t cell; // cell id in the patch's surface
-        double weight;    // the weights of a vertex sum to the area of its patch faces
+        double weight;    // the weights of a vertex sum to the area of the patch's faces around it
     };
     struct Plane {
         Index vertex; // index into vertices_
@@ -47,12 +50,12 @@ private:
     void put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                          std::vector<T>& points) const;
 
-    std::vector<Index> vertices_;             // stored vertices on patches
+    std::vector<Index> vertices_;             // ids of the vertices on patches
     std::vector<std::vector<Entry>> entries_; // per patch
     std::vector<std::vector<Plane>> planes_;  // per patch
 };
 
-// Returns whether all values are zero and there is at least one.
+// Returns whether there is at least one value and all values are zero.
 [[nodiscard]] bool holds_only_zero(ValuesView values);
 
 } // namespace ciel::importer

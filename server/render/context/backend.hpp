@@ -5,11 +5,11 @@
 
 namespace ciel::render {
 
-// Back ends in the order in which `automatic` tries them. Of EGL devices, hardware comes before software.
+// Back ends, in the order in which `automatic` tries them. egl_device tries hardware devices before software devices.
 enum class Backend { automatic, egl_device, egl_surfaceless, osmesa };
 
 [[nodiscard]] const char* name_of(Backend backend);
-[[nodiscard]] Backend
-backend_named(const std::string& name); // "auto", "egl-device", "egl-surfaceless", "osmesa"; others throw Error
+// Accepts "auto", "egl-device", "egl-surfaceless" and "osmesa". Throws Error for any other name.
+[[nodiscard]] Backend backend_named(const std::string& name);
 
 } // namespace ciel::render

@@ -1,4 +1,5 @@
-// Contexts by EGL on a device, without a window system (EGL_EXT_platform_device). Tries GPUs before software devices.
+// Creates contexts with EGL on a device, without a window system (EGL_EXT_platform_device). Tries GPUs before software
+// devices.
 #include "ciel/types.hpp"
 #include "render/context/egl.hpp"
 
@@ -19,7 +20,8 @@ std::vector<Device> list_devices(const Egl& egl) {
     const auto describe =
         reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(egl.GetProcAddress("eglQueryDeviceStringEXT"));
     if (query == nullptr || describe == nullptr || !egl.has_client_extension("EGL_EXT_platform_device"))
-        throw Error("EGL cannot list devices");
+        throw Error(
+            "EGL cannot list devices: it lacks EGL_EXT_platform_device, eglQueryDevicesEXT or eglQueryDeviceStringEXT");
     EGLint count = 0;
     std::vector<EGLDeviceEXT> handles(32);
     if (query(static_cast<EGLint>(handles.size()), handles.data(), &count) != EGL_TRUE)
@@ -36,7 +38,7 @@ std::vector<Device> list_devices(const Egl& egl) {
         if (file != nullptr) name += " (" + std::string(file) + ")";
         devices.push_back({handle, is_software, std::move(name)});
     }
-    // Puts hardware first: EGL may list the software device before GPUs.
+    // Puts hardware first, because EGL may list the software device before GPUs.
     std::stable_partition(devices.begin(), devices.end(), [](const Device& device) { return !device.is_software; });
     return devices;
 }
@@ -49,7 +51,8 @@ std::unique_ptr<GlContext> make_egl_device_context() {
     for (const Device& device : list_devices(egl)) {
         try {
             const EGLDisplay display = egl.GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
-            return make_egl_context(egl, display, device.name + (failures.empty() ? "" : " (not " + failures + ")"));
+            return make_egl_context(egl, display,
+                                    device.name + (failures.empty() ? "" : " (tried before: " + failures + ")"));
         } catch (const Error& error) {
             failures += (failures.empty() ? "" : "; ") + device.name + ": " + error.what();
         }

@@ -1,4 +1,5 @@
-// EGL on Mesa's surfaceless platform (EGL_MESA_platform_surfaceless): llvmpipe where there is no GPU.
+// Creates contexts with EGL on Mesa's surfaceless platform (EGL_MESA_platform_surfaceless). Without a GPU, Mesa draws
+// with llvmpipe.
 #include "ciel/types.hpp"
 #include "render/context/egl.hpp"
 

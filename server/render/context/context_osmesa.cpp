@@ -1,4 +1,4 @@
-// OSMesa: Mesa's software renderer without EGL.
+// Creates contexts with OSMesa, Mesa's software renderer without EGL.
 #include "ciel/types.hpp"
 #include "render/context/gl_context.hpp"
 #include "render/context/library.hpp"
@@ -52,7 +52,7 @@ public:
 private:
     const OsMesa& library_;
     OSMesaContext context_;
-    std::array<std::uint8_t, 4> pixel_{}; // the default framebuffer that OSMesa requires; not drawn to
+    std::array<std::uint8_t, 4> pixel_{}; // OSMesa requires a default framebuffer; nothing is drawn to it
 };
 
 } // namespace
@@ -71,7 +71,7 @@ std::unique_ptr<GlContext> make_osmesa_context() {
                                          3,
                                          0};
     OSMesaContext context = library.CreateContextAttribs(attributes.data(), nullptr);
-    if (context == nullptr) throw Error("OSMesa makes no OpenGL 3.3 core context");
+    if (context == nullptr) throw Error("OSMesa cannot create an OpenGL 3.3 core context");
     auto made = std::make_unique<OsMesaContext>(library, context);
     if (!make_current(*made)) throw Error("the context cannot be made current");
     return made;

@@ -58,14 +58,15 @@ EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config) 
     std::vector<EGLint> attributes{
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    // Requests notification of GPU resets. Drivers without it fail here; then a context without notification is
-    // created.
+    // Requests notification of GPU resets. A driver without this feature fails to create the context. Then a context
+    // without notification is created.
     std::vector<EGLint> robust{EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
                                EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET};
     robust.insert(robust.end(), attributes.begin(), attributes.end());
     EGLContext context = egl.CreateContext(display, config, EGL_NO_CONTEXT, robust.data());
     if (context == EGL_NO_CONTEXT) context = egl.CreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
-    if (context == EGL_NO_CONTEXT) throw Error("no OpenGL 3.3 core context (" + egl.last_error() + ")");
+    if (context == EGL_NO_CONTEXT)
+        throw Error("the display cannot create an OpenGL 3.3 core context (" + egl.last_error() + ")");
     return context;
 }
 
@@ -108,7 +109,7 @@ bool has_word(const char* words, std::string_view word) {
 }
 
 std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description) {
-    if (display == EGL_NO_DISPLAY) throw Error("no display (" + egl.last_error() + ")");
+    if (display == EGL_NO_DISPLAY) throw Error("EGL returned no display (" + egl.last_error() + ")");
     EGLint major = 0;
     EGLint minor = 0;
     if (egl.Initialize(display, &major, &minor) != EGL_TRUE)

@@ -1,4 +1,4 @@
-// The EGL library and surfaceless contexts, for both EGL back ends.
+// The EGL library, and creation of contexts without a surface. Both EGL back ends use them.
 #pragma once
 
 #include "render/context/gl_context.hpp"
@@ -31,10 +31,11 @@ private:
     Egl();
 };
 
-[[nodiscard]] bool has_word(const char* words, std::string_view word); // `words`: an extension string or null
+// `words`: extension names separated by spaces, or null.
+[[nodiscard]] bool has_word(const char* words, std::string_view word);
 
-// Creates an OpenGL 3.3 core context on the display. Throws Error when that fails.
-// The display is never terminated: displays are shared, and terminating one would end every context on it.
+// Creates an OpenGL 3.3 core context on the display and makes it current. Throws Error if that fails.
+// The display is never terminated. Displays are shared, and terminating a display would destroy all contexts on it.
 [[nodiscard]] std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
 
 } // namespace ciel::render

@@ -1,5 +1,5 @@
-// Table of the OpenGL 3.3 core functions, loaded by the context. The program does not link to GL, so it starts on
-// machines without GL, and contexts of different libraries can coexist.
+// Table of OpenGL 3.3 core functions. Gl::load() gets their addresses from the library of the context. The program does
+// not link to GL. Therefore it starts on machines without GL, and contexts of different libraries can coexist.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -7,7 +7,8 @@
 
 namespace ciel::render {
 
-// X(NAME, TYPE) for each function: its name without "gl", and the type of its pointer.
+// Calls X(NAME, TYPE) for each function. NAME: the name of the function without "gl". TYPE: the type of the function
+// pointer.
 #define CIEL_GL_FUNCTIONS(X)                                                                                           \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
     X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
@@ -95,12 +96,13 @@ struct Gl {
 #define CIEL_GL_MEMBER(name, type) type name = nullptr;
     CIEL_GL_FUNCTIONS(CIEL_GL_MEMBER)
 #undef CIEL_GL_MEMBER
-    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null where the context cannot report resets
+    PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr; // null if the context cannot report resets
 
     Pacing* pacing = nullptr; // null: draws and uploads are not divided into pieces (pacing.hpp)
 
     using Loader = std::function<void (*(const char* name))()>;
-    // Throws Error naming the first function that is missing.
+    // Loads all functions. Throws Error with the name of the first missing function. `loader`: returns the address of a
+    // GL function, or null.
     [[nodiscard]] static Gl load(const Loader& loader);
 };
 

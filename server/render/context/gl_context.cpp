@@ -21,7 +21,7 @@ thread_local GlContext* current = nullptr;
 } // namespace
 
 ChosenContext make_context(Backend backend) {
-    if (current != nullptr) { // while a context of one library is current, another library may fail to create one
+    if (current != nullptr) { // another library may fail to create a context while this context is current
         current->release();
         current = nullptr;
     }
@@ -32,14 +32,14 @@ ChosenContext make_context(Backend backend) {
             auto context = kind.make();
             std::string chosen(name_of(kind.backend));
             chosen.append(", ").append(context->description());
-            if (!failures.empty()) chosen.append("; not ").append(failures);
+            if (!failures.empty()) chosen.append("; tried before: ").append(failures);
             return {std::move(context), kind.backend, std::move(chosen)};
         } catch (const Error& error) {
             if (!failures.empty()) failures += "; ";
             failures.append(name_of(kind.backend)).append(": ").append(error.what());
         }
     }
-    throw Error("no OpenGL 3.3 context could be made: " + failures +
+    throw Error("no OpenGL 3.3 context could be created: " + failures +
                 "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
 }
 

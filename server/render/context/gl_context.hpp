@@ -1,4 +1,4 @@
-// Off-screen OpenGL contexts: one back end per context_*.cpp.
+// Off-screen OpenGL contexts. Each file context_*.cpp has one back end.
 #pragma once
 
 #include "render/context/backend.hpp"
@@ -9,7 +9,8 @@
 
 namespace ciel::render {
 
-// A context belongs to the thread that created it. It has no default framebuffer to draw to, only framebuffer objects.
+// Use a context only on the thread that created it. A context has no default framebuffer to draw to, only framebuffer
+// objects.
 class GlContext {
 public:
     GlContext() = default;
@@ -20,13 +21,13 @@ public:
     // Returns false when the context is lost. A lost context can only be destroyed.
     [[nodiscard]] virtual bool make_current() = 0;
     virtual void release() = 0;
-    // Destroys the GL context, as a GPU reset would: make_current() fails from now on.
+    // Destroys the GL context. From then on make_current() fails, as after a GPU reset.
     virtual void lose() = 0;
     [[nodiscard]] virtual Gl::Loader loader() const = 0;
-    [[nodiscard]] virtual std::string description() const = 0; // names the device, for logs
+    [[nodiscard]] virtual std::string description() const = 0; // the name of the device, for logs
 };
 
-// The make functions of the back ends throw Error with the reason when they cannot create a context.
+// The make functions of the back ends throw Error with the reason if they cannot create a context.
 [[nodiscard]] std::unique_ptr<GlContext> make_egl_device_context();
 [[nodiscard]] std::unique_ptr<GlContext> make_egl_surfaceless_context();
 [[nodiscard]] std::unique_ptr<GlContext> make_osmesa_context();
@@ -34,15 +35,15 @@ public:
 struct ChosenContext {
     std::unique_ptr<GlContext> context;
     Backend backend;
-    std::string selection; // for logs: the choice, and why earlier back ends failed
+    std::string selection; // for logs: the chosen back end and device, and the reasons why earlier back ends failed
 };
-// Creates a context and makes it current. `automatic` tries the back ends in the order of the enumeration. Throws Error
-// naming each back end tried and why it failed.
+// Creates a context and makes it current. `automatic` tries the back ends in the order of the enumeration. If all fail,
+// throws Error with the name of each tried back end and the reason of its failure.
 [[nodiscard]] ChosenContext make_context(Backend backend);
 
-// Makes `context` current on this thread and releases the previous one, even one of another library. Two libraries
-// that share Mesa's dispatch table must not both have a current context. Returns false when `context` is lost.
+// Makes `context` current on this thread. Releases the previous context first, even if it is from another library. Two
+// libraries that share Mesa's dispatch table must not both have a current context. Returns false if `context` is lost.
 [[nodiscard]] bool make_current(GlContext& context);
-void forget_current(const GlContext& context); // call before destroying `context`
+void forget_current(const GlContext& context); // call this before `context` is destroyed
 
 } // namespace ciel::render

@@ -12,7 +12,7 @@ Library::Library(const char* name) : name_(name), handle_(dlopen(name, RTLD_NOW 
 
 void* Library::address(const char* symbol) const {
     void* address = dlsym(handle_, symbol);
-    if (address == nullptr) throw Error(name_ + " lacks " + symbol);
+    if (address == nullptr) throw Error(name_ + " lacks the function " + symbol);
     return address;
 }
 

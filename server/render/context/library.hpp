@@ -5,10 +5,11 @@
 
 namespace ciel::render {
 
-// A Library is never closed: Mesa and drivers leave thread-local data and exit handlers that point into the library.
+// A Library is never closed, because Mesa and drivers leave thread-local data and exit handlers that point into the
+// library.
 class Library {
 public:
-    explicit Library(const char* name); // throws Error with the loader's message
+    explicit Library(const char* name); // throws Error with the message of the dynamic loader
     template <typename Function>
     [[nodiscard]] Function get(const char* symbol) const {
         return reinterpret_cast<Function>(address(symbol));

@@ -7,8 +7,10 @@
 namespace ciel::render {
 namespace {
 
-constexpr std::chrono::duration<double> between_waits{0.1}; // a cancelled picture stops after about this time
-constexpr std::size_t first_piece = 1536; // indices; a multiple of 2 and 3, for whole lines and triangles
+// Target time between two waits for the GL; a cancelled picture stops after about this time.
+constexpr std::chrono::duration<double> between_waits{0.1};
+// Number of indices in the first piece. It is a multiple of 2 and 3, so that the piece has whole lines and triangles.
+constexpr std::size_t first_piece = 1536;
 constexpr std::size_t most_growth = 4;
 constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes per glBufferSubData
 
@@ -37,12 +39,13 @@ void Pacing::pass() {
 }
 
 std::size_t Pacing::piece_of(std::size_t count) const {
-    constexpr std::size_t whole = 6; // indices; a multiple of 2 and 3: pieces have whole lines and triangles
+    // A piece has a multiple of 6 indices, so that it has whole lines and triangles.
+    constexpr std::size_t whole = 6;
     const std::size_t left = (until_wait_ - drawn_ + whole - 1) / whole * whole;
     return std::min(count, left);
 }
 
-// Adapts the number of indices until the next wait, so that the GL takes between_waits for them.
+// Adapts the number of indices until the next wait, so that the GL needs about between_waits to draw them.
 void Pacing::drawn(std::size_t count) {
     drawn_ += count;
     if (drawn_ >= until_wait_) {

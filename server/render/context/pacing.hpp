@@ -1,6 +1,6 @@
-// Cancels a picture that is no longer wanted. Drawing code calls check_wanted regularly, and divides large draws and
-// uploads into pieces. The GL accepts commands much faster than it executes them. So Pacing waits for the GL now and
-// then; without these waits, all checks would come before the GL has drawn anything.
+// Cancels a picture that is no longer wanted. Drawing code calls Frame::check_wanted regularly, and divides large draws
+// and uploads into pieces. The GL accepts commands much faster than it executes them. Without waits, all checks would
+// come before the GL has drawn anything. Therefore Pacing waits for the GL at regular intervals.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -18,8 +18,8 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // Starts a picture with its Frame::check_wanted. If check_wanted is empty, Pacing does not check, wait or divide
-    // until end(). begin(), pass() and drawn() pass on exceptions of check_wanted.
+    // Starts a picture. `check_wanted`: Frame::check_wanted of the picture. If it is empty, Pacing does not check, wait
+    // or divide until end(). begin(), pass() and drawn() propagate exceptions of check_wanted.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
     // Call between two drawing passes. The next piece is small again, because the next pass may be much slower.
@@ -35,15 +35,16 @@ private:
 
     const Gl& gl_;
     std::function<void()> check_wanted_;
-    Clock::time_point waited_;               // time of the last wait for the GL
-    std::size_t drawn_ = 0, until_wait_ = 0; // indices drawn since the last wait; number at which to wait
+    Clock::time_point waited_; // time of the last wait for the GL
+    // Number of indices drawn since the last wait; number at which the next wait happens.
+    std::size_t drawn_ = 0, until_wait_ = 0;
 };
 
 // Calls Pacing::pass() if `gl.pacing` is set.
 void next_pass(const Gl& gl);
 
-// Calls work(begin, end) for consecutive pieces of [0, count), a few milliseconds each, and next_pass after each.
-// Makes copies and sorts on the CPU cancellable.
+// Divides [0, count) into consecutive pieces. Calls work(begin, end) and then next_pass() for each piece. A piece takes
+// a few milliseconds. With this function, copies and sorts on the CPU can be cancelled.
 template <typename Work>
 void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     constexpr std::size_t piece = std::size_t{1} << 16U;
@@ -53,13 +54,14 @@ void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     }
 }
 
-// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does. Uploads in pieces while
-// Pacing::is_asking(). If cancelled, the buffer holds only a part of the data.
+// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does. If Pacing::is_asking(), uploads large
+// buffers in pieces. A cancelled upload leaves only a part of the data in the buffer.
 void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data);
-// Draws as glDrawElementsBaseVertex does, with indices of type Index. Draws in pieces while Pacing::is_asking().
+// Draws as glDrawElementsBaseVertex does, with indices of type Index. If Pacing::is_asking(), draws in pieces. `first`:
+// position of the first index in the bound index buffer.
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base = 0);
 
-// Occlusion query: whether any sample drawn during its lifetime passes the depth test.
+// Occlusion query. It finds whether any sample passes the depth test between the constructor and passed().
 class AnySamples {
 public:
     AnySamples(const Gl& gl, GLuint query) : gl_(gl), query_(query) { gl_.BeginQuery(GL_ANY_SAMPLES_PASSED, query_); }

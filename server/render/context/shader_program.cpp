@@ -15,7 +15,8 @@ void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& so
     if (is_compiled == 0) {
         std::vector<char> log(4096);
         gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a shader: " + std::string(log.data()));
+        throw Error("the GL driver cannot compile a shader; update the driver. Its message: " +
+                    std::string(log.data()));
     }
     gl.AttachShader(program, shader);
 }
@@ -38,7 +39,8 @@ GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
     if (is_linked == 0) {
         std::vector<char> log(4096);
         gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver refuses a program: " + std::string(log.data()));
+        throw Error("the GL driver cannot link a shader program; update the driver. Its message: " +
+                    std::string(log.data()));
     }
     return program;
 }

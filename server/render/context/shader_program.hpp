@@ -1,4 +1,4 @@
-// A linked program whose uniforms are set by name: for uniforms that are set a few times per frame.
+// A linked program whose uniforms are set by name. It is meant for uniforms that are set only a few times per frame.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -14,7 +14,7 @@
 
 namespace ciel::render {
 
-// Vertex shader of one triangle that covers the whole viewport; needs no attributes.
+// Vertex shader for a triangle that covers the whole viewport. Draw three vertices without attributes.
 extern const char* const cover_vertex;
 
 using Stage = std::pair<GLenum, std::string>; // kind and source text of a shader
@@ -27,7 +27,7 @@ public:
     ShaderProgram(const Gl& gl, GLuint id) : gl_(&gl), id_(id) {}
 
     void use() const { gl_->UseProgram(id_); }
-    // Sets a uniform. The program must be in use.
+    // set() sets a uniform of the program, which must be in use.
     void set(const char* name, int value) const { gl_->Uniform1i(at(name), value); }
     void set(const char* name, float value) const { gl_->Uniform1f(at(name), value); }
     void set(const char* name, glm::vec2 value) const { gl_->Uniform2f(at(name), value.x, value.y); }
@@ -49,7 +49,8 @@ private:
 
 // The make functions throw Error with the compiler's or the linker's message.
 [[nodiscard]] ShaderProgram make_shader_program(const Gl& gl, const std::string& vertex, const std::string& fragment);
-// The program runs `fragment` for every pixel of the viewport: call glDrawArrays with three vertices and no attributes.
+// The program runs `fragment` for every pixel of the viewport. To draw, call glDrawArrays with three vertices and no
+// attributes.
 [[nodiscard]] ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment);
 
 } // namespace ciel::render

@@ -8,14 +8,14 @@
 
 namespace ciel::render {
 
-struct VertexArrays { // names of GL objects, which live as long as their context
+struct VertexArrays { // names of GL objects, which exist until the GL context is destroyed
     GLuint array = 0, vertices = 0, indices = 0;
 };
 
 struct VertexMember {
     GLuint attribute = 0;
     int components = 1;
-    std::size_t offset = 0; // of the member in the vertex struct, in bytes
+    std::size_t offset = 0; // offset of the member in the vertex struct, in bytes
 };
 
 [[nodiscard]] VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,

@@ -1,4 +1,4 @@
-// Input of a picture as values: meshes, volumes, lights and the camera. No GL.
+// The input of a picture: meshes, volumes, lights and the camera. Does not depend on OpenGL.
 #pragma once
 
 #include "annotations/annotations.hpp"
@@ -17,24 +17,31 @@ namespace ciel::render {
 
 inline constexpr std::size_t most_clip_planes = 6;
 
-// Triangles, lines or points with per-vertex attributes; borrowed for the duration of a draw.
+// Triangles, lines or points with attributes per vertex. Does not own the arrays, which must exist until the draw call
+// returns.
 struct Primitives {
     std::span<const Vec3f> positions; // offsets from the frame's origin
-    std::span<const Vec3f> normals;   // one per vertex; triangles are counterclockwise around them; empty: flat shading
-    ValuesView scalars;               // one per vertex; empty: solid color
-    double scalar_origin = 0;         // near the scalars if they are doubles, so that floats relative to it are precise
-    std::span<const Index> indices;   // 3 per triangle, 2 per line, 1 per point
+    // One normal per vertex; empty: flat shading. A triangle is counterclockwise seen from the side to which its
+    // normals point.
+    std::span<const Vec3f> normals;
+    ValuesView scalars; // one per vertex; empty: solid color
+    // A number near the scalars, used if the scalars are doubles. Floats relative to this number are precise.
+    double scalar_origin = 0;
+    std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
-    bool on_opaque = false;  // the lines lie on an opaque surface: slopes of transparent surfaces do not move them
+    // True: the lines lie on an opaque surface, so slopes of transparent surfaces do not move the lines.
+    bool on_opaque = false;
     color::ColorScale scale; // maps the scalars to colors
-    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha is the opacity, also of mapped colors
-    std::uint64_t revision = 0;                      // 0: always uploaded; else only when identity or revision change
-    std::uint64_t identity = 0;                      // unique number of the drawable that the arrays come from
+    // RGB of a solid color; alpha is the opacity, also of mapped colors.
+    std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};
+    // 0: the arrays are uploaded for every frame. Otherwise they are uploaded only if identity or revision has changed.
+    std::uint64_t revision = 0;
+    std::uint64_t identity = 0; // unique number of the drawable that has these arrays
     bool lit = true;
 };
 
-// Strengths of the lights; 0 is off. protocol/shading/lighting.glsl says how they light a surface.
+// Strengths of the lights; 0 switches a light off. protocol/shading/lighting.glsl defines how they light a surface.
 struct Lighting {
     float ambient = 1;   // light from all directions
     float headlight = 1; // light at the eye
@@ -48,31 +55,32 @@ struct Occlusion {
 };
 
 struct Frame : annotations::AnnotatedPicture { // positions of primitives and volumes are offsets from `origin`
-    // Drawn in this order: opaque triangles, opaque points, lines, transparent triangles of all meshes sorted back to
-    // front. With several samples, volumes, or transparent lines or points, the transparent triangles are peeled
-    // instead, with lines and points among the layers (depth_peeling.hpp).
+    // Drawing order: opaque triangles, opaque points, lines, and then the transparent triangles of all meshes, sorted
+    // from back to front. In frames with several samples, volumes, transparent lines or transparent points, the
+    // transparent triangles are drawn by depth peeling instead. Then lines and points may be in the peeled layers, too
+    // (depth_peeling.hpp).
     std::vector<Primitives> primitives;
-    // Volumes are drawn in depth order with the primitives; overlapping volumes are mixed. All must have the same
-    // normal.
+    // Volumes and primitives are drawn in depth order. Overlapping volumes are blended slab by slab. All volumes must
+    // have the same normal.
     std::vector<Volume> volumes;
-    int samples = 1; // samples per pixel; 4 for stills
-    // Clip planes, at most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 for every plane are drawn.
-    // pick() finds only these positions.
+    int samples = 1; // samples per pixel; usually 4 in still pictures
+    // Clip planes (xyz, w), at most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 for every plane
+    // are drawn. pick() finds only these positions.
     std::vector<std::array<float, 4>> clip;
     Lighting lighting;   // lights of `lit` primitives
     Occlusion occlusion; // ambient occlusion of `lit` opaque triangles
     // Called regularly while the picture is drawn, on the drawing thread. May throw to cancel the picture;
-    // Renderer::draw passes the exception on.
+    // Renderer::draw propagates the exception.
     std::function<void()> check_wanted;
 };
 
-// Picture as RGB with 8 bits per channel, rows from top to bottom, without padding.
+// A picture: RGB with 8 bits per channel, rows from top to bottom, without padding.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
 };
 
-// Stages of a draw call; volumes and annotations are uploaded during `draw`.
+// Stages of a draw call. The stage `draw` also uploads volumes and annotations.
 enum class DrawStage { upload, draw, read };
 using AfterStage = std::function<void(DrawStage)>;
 

@@ -4,7 +4,7 @@
 
 namespace ciel::render {
 namespace {
-constexpr int first_side = 512; // texels; room for some 600 glyphs of 13 pixels
+constexpr int first_side = 512; // side of the first texture in texels; it has room for about 600 glyphs of 13 pixels
 constexpr int last_side = 4096;
 constexpr std::size_t texel_bytes = 2;
 } // namespace
@@ -32,8 +32,8 @@ bool GlyphAtlas::clear() {
     return can_grow;
 }
 
-// Finds a place for a glyph. Rows are filled from left to right, and each is as high as its highest glyph. Returns
-// nothing when the texture is full.
+// Reserves a position in the texture for a glyph. Rows are filled from left to right, and each row is as high as its
+// highest glyph. Returns nothing if the texture is full.
 std::optional<AtlasGlyph> GlyphAtlas::placed(const fonts::GlyphImage& image) {
     if (image.width > side_) return {};
     if (shelf_x_ + image.width > side_) {

@@ -11,18 +11,18 @@ namespace ciel::render {
 
 struct AtlasGlyph {
     int u = 0, v = 0, width = 0, height = 0; // texels
-    int left = 0, top = 0;                   // pixels from the pen to the glyph, as in fonts::GlyphImage
+    int left = 0, top = 0;                   // offset in pixels from the pen position, as in fonts::GlyphImage
 };
 
 class GlyphAtlas {
 public:
     GlyphAtlas(const Gl& gl, fonts::Font& font);
 
-    // Returns the glyph, rasterized if it is new; null when the texture is full. Then call clear() and find all glyphs
-    // of the frame again.
+    // Returns the glyph. Rasterizes it first if it is new. `pixels`: font size. Returns null if the texture is full.
+    // Then call clear(), and find all glyphs of the frame again.
     [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
-    // Removes all glyphs and doubles the texture's side. At the largest side, only removes the glyphs and returns
-    // false.
+    // Removes all glyphs. Then doubles the side of the texture and returns true, or returns false if the texture has
+    // the largest size.
     bool clear();
     // Uploads new glyphs, and binds the texture to the active unit.
     void bind();
@@ -38,7 +38,7 @@ private:
     int side_ = 0;
     std::vector<std::uint8_t> texels_; // two bytes per texel: coverage of the letter, coverage with halo
     std::unordered_map<std::uint64_t, AtlasGlyph> glyphs_; // key: size in pixels << 32 | glyph
-    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // row being filled, in texels
+    int shelf_top_ = 0, shelf_height_ = 0, shelf_x_ = 0;   // the row that is being filled, in texels
     int changed_top_ = 0, changed_bottom_ = 0;             // range of texel rows not uploaded yet
 };
 

@@ -88,7 +88,7 @@ void OverlayPainter::add_quad(const Vertex& vertex, const annotations::Box& box,
     }
 }
 
-// Adds the plate's box, and around it four sides and four corners that fade out.
+// Adds the box of the plate, and around the box four sides and four corners that fade out.
 void OverlayPainter::add(const annotations::Plate& back) {
     const annotations::Box& box = back.box;
     const std::array<double, 4> xs{box.left - back.edge, box.left, box.right, box.right + back.edge};
@@ -117,8 +117,8 @@ void OverlayPainter::add(const annotations::Stroke& stroke, double width, const 
     const double length = std::hypot(dx, dy);
     if (!(length > 0)) return;
     const double reach = width / 2 + 0.5;
-    const annotations::Place along{dx / length * width / 2,
-                                   dy / length * width / 2}; // square caps: strokes that meet leave no gap
+    // Strokes have square caps, so that strokes that meet leave no gap.
+    const annotations::Place along{dx / length * width / 2, dy / length * width / 2};
     const annotations::Place across{-dy / length * reach, dx / length * reach};
     for (const auto& [end, side] : {std::pair(0, -1), {1, -1}, {1, 1}, {0, -1}, {1, 1}, {0, 1}}) {
         const annotations::Place at = end == 1 ? annotations::Place{stroke.to.x + along.x, stroke.to.y + along.y}
@@ -146,7 +146,7 @@ bool OverlayPainter::add(const annotations::Label& label, bool halo, const annot
     return true;
 }
 
-// Adds the halos of all letters before the letters: a halo must not cover the previous letter of the text.
+// First adds the halos of all letters, then the letters, so that no halo covers the previous letter of the text.
 bool OverlayPainter::add_labels(const annotations::Overlay& overlay) {
     for (const bool halo : {true, false})
         for (const annotations::Label& label : overlay.labels)
@@ -162,8 +162,8 @@ void OverlayPainter::build(const annotations::Overlay& overlay) {
     for (const annotations::Stroke& stroke : overlay.strokes) add(stroke, stroke.width, stroke.ink);
     for (const annotations::Triangle& triangle : overlay.triangles) add(triangle);
     const std::size_t marks = vertices_.size();
-    // When the atlas is full, all labels are added again with a larger atlas. With the largest atlas, labels that do
-    // not fit are not drawn.
+    // If the atlas is full, all labels are added again with a larger atlas. If the atlas has the largest size, labels
+    // that do not fit are not drawn.
     while (!add_labels(overlay)) {
         const bool may_fit = atlas_.clear();
         vertices_.resize(marks);

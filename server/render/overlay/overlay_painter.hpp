@@ -1,4 +1,4 @@
-// Draws annotations over a finished picture: one buffer, one program, one draw.
+// Draws annotations over a finished picture, with one buffer, one program and one draw call.
 #pragma once
 
 #include "annotations/overlay.hpp"
@@ -16,14 +16,15 @@ public:
 
     // Computes the vertices of the frame's annotations. Throws Error when the font is not installed.
     void prepare(const Frame& frame);
-    void touch(TouchedTiles& touched, int height) const; // marks the annotations' tiles; `height`: of the picture
+    // Marks the tiles that the annotations cover. `height`: height of the picture in pixels.
+    void touch(TouchedTiles& touched, int height) const;
     // Draws the prepared annotations onto the bound framebuffer, without depth test.
     void draw(const Frame& frame);
 
 private:
     struct Vertex {
-        // x, y: pixels from the top left. u, v: texel of a glyph, or distance across a stroke in pixels, or distance
-        // outside a plate in widths of its edge.
+        // x, y: pixels from the top left. u, v depend on `kind`: the texel of a glyph, or the distance across a stroke
+        // in pixels, or the distance outside a plate in widths of its edge.
         float x, y, u, v;
         annotations::Ink ink;
         float kind, half_width;
@@ -34,8 +35,8 @@ private:
     void add(const annotations::Fill& fill);
     void add(const annotations::Stroke& stroke, double width, const annotations::Ink& ink);
     void add(const annotations::Triangle& triangle);
-    [[nodiscard]] bool add(const annotations::Label& label, bool halo,
-                           const annotations::Ink& ink); // add(label) returns false when the atlas is full
+    // Returns false if the atlas is full.
+    [[nodiscard]] bool add(const annotations::Label& label, bool halo, const annotations::Ink& ink);
     [[nodiscard]] bool add_labels(const annotations::Overlay& overlay);
     void build(const annotations::Overlay& overlay);
 

@@ -8,7 +8,8 @@
 namespace ciel::render {
 namespace {
 
-// Largest radius in the picture, as a share of its height. With a larger radius, samples would lie too far apart.
+// Largest radius on the screen, as a share of the picture's height. With a larger radius, samples would be too far
+// apart.
 constexpr double most_reach = 0.25;
 
 enum Unit : int { found_unit = 0, depth_unit = 1, normals_unit = 2 };

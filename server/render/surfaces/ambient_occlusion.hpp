@@ -1,11 +1,12 @@
 // Screen-space ambient occlusion of opaque surfaces, from the depth and normal of each pixel. Finds the horizon along
 // some lines through the pixel, and integrates the light above the horizon in closed form. After Jimenez, Wu, Pesce,
 // Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016 courses.
-// The integral is divided by that of an unoccluded plane. So an unoccluded plane is fully lit, at any angle and with
-// any number of lines.
+// The integral is divided by the integral for an unoccluded plane. Therefore an unoccluded plane is fully lit, at any
+// angle and with any number of lines.
 //
-// The lines are rotated by an angle that depends on the pixel's place in a fixed pattern of 4 x 4 pixels. The result is
-// averaged over 4 x 4 pixels of the same surface. So it has no noise, and does not change from frame to frame.
+// The lines are rotated by an angle that depends on the pixel's position in a fixed pattern of 4 x 4 pixels. The result
+// is averaged over 4 x 4 pixels of the same surface. Therefore the result has no noise, and does not change from frame
+// to frame.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -15,21 +16,22 @@
 
 namespace ciel::render {
 
-// GL objects are freed only with their context. Textures are reallocated when the size changes.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
+// reallocates the textures.
 class AmbientOcclusion {
 public:
     explicit AmbientOcclusion(const Gl& gl);
     AmbientOcclusion(const AmbientOcclusion&) = delete;
     AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-    // Computes light() from `opaque`, which must have depth and normals of the frame's size. Frames with one sample per
-    // pixel use half the resolution, which has the same mean brightness. Throws Error when the GL cannot draw to this
-    // size.
-    // Needs blending off. Leaves another framebuffer and viewport bound, and depth test on.
+    // Computes the texture light(). `opaque` must have the depth and normals of this frame, at the frame's size. For a
+    // frame with one sample per pixel, the texture has half the resolution and the same mean brightness. Throws Error
+    // if the GL cannot draw to this size.
+    // Blending must be off. Binds another framebuffer, changes the viewport, and leaves the depth test on.
     void find(const Frame& frame, const annotations::ViewTransform& transform, const OpaqueDepth& opaque);
 
-    // Texture for make_occluded_program() (shaders.hpp), RG32F. R: share of the light that reaches the surface; G:
-    // depth in units of the radius. stride(): picture pixels per texel along a side.
+    // Texture for make_occluded_program() (shaders.hpp), RG32F. R: share of the light that reaches the surface. G:
+    // depth in units of the radius. stride() returns the number of picture pixels per texel along a side.
     [[nodiscard]] GLuint light() const { return even_.texture; }
     [[nodiscard]] int stride() const { return stride_; }
 
@@ -45,7 +47,7 @@ private:
     ShaderProgram find_, even_out_;
     Sheet found_, even_;
     GLuint no_array_ = 0;
-    int stride_ = 1, width_ = 0, height_ = 0; // picture pixels per texel; texels per side
+    int stride_ = 1, width_ = 0, height_ = 0; // picture pixels per texel along a side; size of the textures
 };
 
 } // namespace ciel::render

@@ -1,18 +1,18 @@
-// The programs of ambient_occlusion.hpp, and GLSL by which surfaces look up the result. Lengths are in units of the
-// radius.
+// The programs of ambient_occlusion.hpp, and GLSL with which surfaces look up the result. Lengths are in units of
+// Occlusion::radius.
 #pragma once
 
 #include "render/context/shader_program.hpp"
 
 namespace ciel::render {
 
-// Writes R: share of the light, G: depth, BA: change of depth per texel along x and y.
+// The program writes R: share of the light, G: depth, BA: change of depth per texel along x and y.
 [[nodiscard]] ShaderProgram make_occlusion_program(const Gl& gl);
-// Writes R: mean share of the light over 4 x 4 texels of the same surface, G: depth.
+// The program writes R: mean share of the light over 4 x 4 texels of the same surface, G: depth.
 [[nodiscard]] ShaderProgram make_even_light_program(const Gl& gl);
 
-// GLSL for a fragment shader: light_from_everywhere(depth) returns the factor for a lit color at that depth. The caller
-// sets the uniforms `occlusion`, `occlusion_stride` and `occlusion_strength`.
+// GLSL for a fragment shader. light_from_everywhere(depth) returns the factor by which a lit color at that depth is
+// multiplied. The caller sets the uniforms `occlusion`, `occlusion_stride` and `occlusion_strength`.
 extern const char* const occluded_glsl;
 
 } // namespace ciel::render

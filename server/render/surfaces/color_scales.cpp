@@ -9,7 +9,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr int row_size = 1024; // texels per color scale: its resolution
+constexpr int row_size = 1024; // texels per color scale
 constexpr int rule_size = 5;
 static_assert(color::most_color_steps <= row_size);
 
@@ -26,7 +26,8 @@ GLuint make_texture(const Gl& gl, GLint filter) {
 
 void append_colors(std::vector<std::uint8_t>& pixels, const color::ColorScale& scale) {
     auto colors = color::color_row(scale, row_size);
-    colors.resize(row_size, color::Rgb8{}); // rows of stepped scales are shorter; the shader does not read the rest
+    // A scale with steps has fewer colors. The shader does not read the added texels.
+    colors.resize(row_size, color::Rgb8{});
     for (const color::Rgb8& color : colors) pixels.insert(pixels.end(), {color[0], color[1], color[2], 255});
 }
 
@@ -35,11 +36,11 @@ void append_color(std::vector<float>& rules, const color::Rgb8& color) {
     rules.push_back(1);
 }
 
-// Limit of 1 / width. For a subnormal width, 1 / width is infinite, and 0 times infinity is NaN.
+// Upper limit of 1 / width. For a subnormal width, 1 / width is infinite, and 0 times infinity is NaN.
 constexpr double largest_factor = 3e38;
 
 float origin_of(const color::ColorScale& scale) {
-    constexpr double farthest = 1e37; // beyond it, value - origin may overflow a float
+    constexpr double farthest = 1e37; // for an origin beyond this number, value - origin may overflow a float
     return scale.log || std::abs(scale.range[0]) > farthest ? 0 : static_cast<float>(scale.range[0]);
 }
 
@@ -54,7 +55,7 @@ void append_rule(std::vector<float>& rules, const color::ColorScale& scale) {
     const double origin = origin_of(scale);
     double low = scale.range[0];
     double width = 0;
-    double way = 0; // as in color_scale.glsl; 0: linear
+    double way = 0; // kind of the scale, as in color_scale.glsl; 0: linear
     if (color::is_log_of_both_signs(scale)) {
         low = -std::log2(1 + 1 / color::linear_share);
         width = color::has_width(scale) ? -2 * low : 0;

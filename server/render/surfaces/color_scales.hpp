@@ -1,4 +1,4 @@
-// The color scales of one frame as textures, which color_scale_glsl reads (shared_glsl.hpp).
+// Textures with the color scales of one frame. color_scale_glsl (shared_glsl.hpp) reads them.
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -9,8 +9,8 @@
 
 namespace ciel::render {
 
-// Color scale of a mesh. `origin` is subtracted from values before they are interpolated to the pixels. Otherwise
-// floats would have too few digits for a small range at a large offset, such as 101,325 to 101,326.
+// The color scale of a mesh. `origin` is subtracted from the values of the vertices before the GL interpolates them.
+// Otherwise floats would have too few digits for a small range at a large offset, such as 101,325 to 101,326.
 struct ScaleRow {
     float row = -1; // row in the textures of ColorScales; -1: the mesh has a solid color
     float origin = 0;
@@ -29,9 +29,9 @@ public:
     ColorScales& operator=(const ColorScales&) = delete;
 
     void begin() { next_.clear(); }
-    // Returns the row of the scale; equal scales share one. Throws Error for an unknown color map.
+    // Returns the row of the scale. Equal scales have the same row. Throws Error if the color map does not exist.
     [[nodiscard]] ScaleRow row_of(const color::ColorScale& scale);
-    // Call after the last row_of(). Uploads the rows unless they equal the last upload.
+    // Call after the last row_of(). Uploads the rows unless they equal the rows of the last upload.
     void upload();
     // Binds the textures of the samplers scale_colors and scale_rules to texture units 0 and 1.
     void bind() const;

@@ -10,19 +10,20 @@
 namespace ciel::render {
 namespace {
 
-// Largest picture whose layers have twice its resolution. Layers take up to 32 bytes per layer pixel (without records),
-// for such a picture 1.06 GB.
+// Number of pixels of the largest picture whose layers have twice the resolution of the picture. Layers take up to 32
+// bytes per layer pixel (without records), which is 1.06 GB for such a picture.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Returns whether the volumes in front of the layer are drawn for it. For other layers the last picture of the volumes
-// is used again: little light comes through to the eye from these layers.
+// Returns whether the volumes in front of this layer are drawn for it. For other layers, the last picture of the
+// volumes is used again, because little light from these layers reaches the eye. `layer`: counted from 0.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
 }
 
-// Texture units. In programs of surfaces, lines and points, color scales have the units 0 and 1, and surface_slopes.cpp
-// has 4 and 5. Full-screen programs have no color scales, so units 0 and 1 are used here only for these programs.
+// Texture units. In programs of surfaces, lines and points, color scales use the units 0 and 1, and surface_slopes.cpp
+// uses 4 and 5. Full-screen programs have no color scales, so layer_unit and opaque_unit are only for full-screen
+// programs.
 enum Unit : int {
     layer_unit = 0,
     opaque_unit = 1,
@@ -78,7 +79,7 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
-    // The status of a framebuffer without color is not checked: it is only the target of depth copies.
+    // The status of a framebuffer without color is not checked, because it is only the target of depth copies.
     if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(
             "the GL driver cannot draw transparent surfaces in a picture of this size; ask for a smaller picture");
@@ -87,7 +88,7 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
 void DepthPeeling::resize(const Scene& scene) {
     const int factor = has_finer_layers(scene.width, scene.height, scene.samples) ? 2 : 1;
     if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
-    factor_ = 0; // if this call throws, the next one allocates again
+    factor_ = 0; // if this call throws, the next call allocates again
     width_ = scene.width;
     height_ = scene.height;
     allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
@@ -95,11 +96,11 @@ void DepthPeeling::resize(const Scene& scene) {
     allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
     attach(color_framebuffer_, color_, 0);
     for (const Layer& layer : layers_) {
-        // 32 bits hold exactly the depth that the peeling programs compare.
+        // With 32-bit floats, the stored depth is exactly the depth that the peeling programs compare.
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
         attach(layer.framebuffer, color_, layer.depth);
     }
-    // RGBA16, because with RGBA16F each of many layers would lose up to a bit.
+    // The format is RGBA16, because with RGBA16F each of many layers would lose up to a bit of precision.
     allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
     attach(sum_framebuffer_, sum_, 0);
     factor_ = factor;
@@ -118,7 +119,8 @@ void DepthPeeling::record(bool on) {
             filter(gl_, GL_NEAREST);
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, layer.record, 0);
         }
-        if (!on && recorded_width_ != 0 && !has_size) // detach: a smaller attachment clips all drawing
+        // Detaches the old record, because a smaller attachment would clip all drawing.
+        if (!on && recorded_width_ != 0 && !has_size)
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
         gl_.DrawBuffers(on ? 2 : 1, both);
         if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -170,7 +172,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
         const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
         if (scene.draw_between) add_between(scene, layer);
         if (!any) break;
-        was_cut_ = i == scene.most_layers; // this layer is only drawn to detect dropped layers
+        was_cut_ = i == scene.most_layers; // this layer is only drawn to find out whether layers are dropped
         if (was_cut_) break;
         if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
@@ -178,8 +180,8 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     put_on(scene, target, volumes(0, 0));
 }
 
-// Returns a texture of opaque depths at the middles of layer pixels. The samples of a multisampled target lie
-// elsewhere.
+// Returns a texture of the opaque depths in the middle of each layer pixel. The samples of a multisampled target are
+// not in these positions.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     if (scene.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -230,7 +232,7 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     gl_.DepthFunc(GL_LESS);
     bind(gl_, nearer_unit, nearer.depth);
     if (recorded_) bind(gl_, lines_unit, nearer.record);
-    bind(gl_, own_lines_unit, 0); // unbinds the layer's record, which is drawn to
+    bind(gl_, own_lines_unit, 0); // unbinds the record of this layer, which is attached to the framebuffer
     AnySamples drawn(gl_, query_);
     scene.draw_surfaces();
     const bool any = drawn.passed();
@@ -252,7 +254,7 @@ void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
     gl_.BlendEquation(GL_FUNC_ADD);
 }
 
-// Sets front-to-back blending of premultiplied colors into the sum.
+// Binds the framebuffer of the sum, and sets blending of premultiplied colors from front to back.
 void DepthPeeling::begin_sum() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
@@ -260,7 +262,8 @@ void DepthPeeling::begin_sum() const {
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-// Blends the points between the layer and the nearer one into the sum. The nearer layer's depth is still bound.
+// Blends the points between the previous layer and `layer` into the sum. The depth texture of the previous layer is
+// still bound to nearer_unit.
 void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
     begin_sum();
     bind(gl_, farther_unit, layer.depth);

@@ -1,7 +1,7 @@
-// Depth peeling of transparent surfaces, and of lines and points among them. The order is correct at every pixel, even
-// where surfaces cross or enclose each other. Layers are drawn from front to back. Each has, at every pixel, the
+// Depth peeling of transparent surfaces, and of the lines and points among them. The order is correct at every pixel,
+// even where surfaces cross or enclose each other. Layers are drawn from front to back. At every pixel, a layer has the
 // nearest fragment behind the previous layer. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
-// Each layer is blended with the volumes in front of it, so layers and volumes are in depth order, too.
+// Each layer is blended with the volumes in front of it, so that layers and volumes are in depth order, too.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -13,10 +13,11 @@
 
 namespace ciel::render {
 
-// Returns whether layers are drawn at twice the picture's resolution: with several samples, up to 3840 x 2160 pixels.
+// Returns whether layers have twice the picture's resolution: with several samples, up to 3840 x 2160 pixels.
 [[nodiscard]] bool has_finer_layers(int width, int height, int samples);
 
-// GL objects are freed only with their context. Textures are reallocated when the size changes.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
+// reallocates the textures.
 class DepthPeeling {
 public:
     explicit DepthPeeling(const Gl& gl);
@@ -24,45 +25,49 @@ public:
     DepthPeeling& operator=(const DepthPeeling&) = delete;
 
     struct Scene {
-        int width = 0, height = 0; // of the picture, in pixels
-        int samples = 1;           // per pixel of the picture; see has_finer_layers()
-        // Draws the transparent lines a second time, with set_nearer(..., true), which joins their segments. Empty
-        // without transparent lines.
+        int width = 0, height = 0; // size of the picture in pixels
+        int samples = 1;           // samples per pixel of the picture; see has_finer_layers()
+        // Draws the transparent lines of a layer again, after set_nearer(program, true). This joins the segments of the
+        // lines. Empty if there are no transparent lines.
         std::function<void()> join_lines;
         int most_layers = 32; // layers beyond this count are dropped
-        bool dense = false;   // many small layers: volumes are drawn only for the 1st, 2nd, 3rd, 5th, 9th, ... layer
-        // Texture of opaque window depths at pixel middles, if outlines of opaque surfaces are visible through volumes
-        // (per_sample.hpp); otherwise 0.
+        // True: there are many small layers, so volumes are drawn only for the 1st, 2nd, 3rd, 5th, 9th, ... layer.
+        bool dense = false;
+        // Texture of the opaque window depths in the middle of each pixel, if the frame has volumes and opaque
+        // surfaces. Otherwise 0. Used for smooth outlines (per_sample.hpp).
         GLuint outlines = 0;
-        // Draws all opaque surfaces, for their depth at the layers' resolution.
+        // Draws all opaque surfaces. Only their depth, at the resolution of the layers, is used.
         std::function<void()> draw_opaque;
         // Draws transparent surfaces, and the lines and points among them, with the peeling programs.
         std::function<void()> draw_surfaces;
-        // Draws the transparent points, front to back, with between(). Empty without transparent points, or if
-        // draw_surfaces draws them.
+        // Draws the transparent points from front to back, with the program between(). Empty if there are no
+        // transparent points, or if draw_surfaces draws them.
         std::function<void()> draw_between;
-        // Returns a picture (premultiplied RGBA) of the volumes in front of a layer, valid where the layer has colors.
-        // For (0, 0): of the volumes in front of the opaque surfaces, valid everywhere. Empty without volumes.
+        // Returns a texture (premultiplied RGBA) of the volumes in front of a layer, valid where the layer has colors.
+        // `depth`, `color`: textures of the layer. For (0, 0), returns the volumes in front of the opaque surfaces,
+        // valid everywhere. Empty if there are no volumes.
         std::function<GLuint(GLuint depth, GLuint color)> volumes;
     };
-    // The peeling programs. The caller sets their uniforms; set_nearer() sets those of peeling.
+    // The peeling programs. set_nearer() sets their uniforms for peeling. The caller sets all other uniforms.
     [[nodiscard]] const Program& surfaces() const { return programs().surfaces; }
     [[nodiscard]] const Program& lines() const { return programs().lines; }
     [[nodiscard]] const Program& points() const { return programs().points; }
     // The program of points between layers; `on_surfaces`: the points may lie on surfaces.
     [[nodiscard]] const Program& between(bool on_surfaces) const { return on_surfaces ? between_ : free_between_; }
-    void set_nearer(const Program& program, bool joining) const; // `program`: a peeling program, in use
+    // Sets the uniforms for peeling. `program`: a peeling program, in use. `joining`: the call is for
+    // Scene::join_lines.
+    void set_nearer(const Program& program, bool joining) const;
     // Layer pixels per picture pixel along a side; valid in the callbacks of draw().
     [[nodiscard]] int layer_pixels() const { return factor_; }
     // Draws the layers and volumes onto the target, over its opaque surfaces. Leaves depth test and blending on. Throws
-    // Error when the GL cannot draw layers of this size.
-    // Afterwards was_cut() returns whether visible layers were dropped.
+    // Error if the GL cannot draw layers of this size. Afterwards was_cut() returns whether visible layers were
+    // dropped.
     void draw(const Scene& scene, Target& target);
     [[nodiscard]] bool was_cut() const { return was_cut_; }
 
 private:
-    struct Layer { // two Layers alternate: the one being drawn, and the nearer one
-        // record: texture of the last line at each pixel (recorded_glsl in shader_parts.cpp).
+    struct Layer { // two Layers alternate: the layer being drawn, and the previous layer
+        // record: texture with the last transparent line at each pixel (recorded_glsl in shader_parts.cpp).
         GLuint framebuffer = 0, depth = 0, record = 0;
     };
     struct Programs {
@@ -91,10 +96,10 @@ private:
     Layer layers_[2];
     GLuint color_ = 0, color_framebuffer_ = 0; // colors of the layer being drawn
     GLuint opaque_ = 0, opaque_framebuffer_ = 0;
-    GLuint sum_ = 0, sum_framebuffer_ = 0; // light of the layers so far; alpha: their transmittance
+    GLuint sum_ = 0, sum_framebuffer_ = 0; // RGB: light of the layers so far; alpha: transmittance of these layers
     GLuint nothing_ = 0;                   // transparent picture, used without volumes
     GLuint query_ = 0, no_array_ = 0;
-    bool recorded_ = false; // layers of this picture have records of lines
+    bool recorded_ = false; // true: the layers of this picture have records of lines
     bool was_cut_ = false;
     int recorded_width_ = 0, recorded_height_ = 0;
     int width_ = 0, height_ = 0, factor_ = 0; // picture pixels; layer pixels per picture pixel along a side

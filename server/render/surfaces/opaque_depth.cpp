@@ -25,7 +25,7 @@ void OpaqueDepth::allocate(GLuint texture, GLint format, int width, int height) 
 
 void OpaqueDepth::resize(int width, int height, bool with_normals) {
     const bool has_size = width_ == width && height_ == height;
-    width_ = 0; // if this call throws, the next one allocates again
+    width_ = 0; // if this call throws, the next call allocates again
     if (!has_size) allocate(texture_, GL_DEPTH_COMPONENT24, width, height);
     if (with_normals) allocate(normals_, GL_RGBA16F, width, height);
     if (!with_normals) gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);

@@ -1,20 +1,21 @@
-// The depth of opaque surfaces in the middle of each pixel, and optionally their normals. Drawn separately, because the
-// samples of a multisampled picture do not lie in the middles of its pixels.
+// The depth of opaque surfaces in the middle of each pixel, and optionally the normals of these surfaces. They are
+// drawn separately, because the samples of a multisampled picture are not in the middle of its pixels.
 #pragma once
 
 #include "render/context/gl.hpp"
 
 namespace ciel::render {
 
-// GL objects are freed only with their context. A change of size reallocates the textures under the same GL names.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
+// reallocates the textures under the same GL names.
 class OpaqueDepth {
 public:
     explicit OpaqueDepth(const Gl& gl);
     OpaqueDepth(const OpaqueDepth&) = delete;
     OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
-    // Binds and clears the framebuffer. Draws go to it until another framebuffer is bound. Throws Error when the GL
-    // cannot draw to this size.
+    // Binds and clears the framebuffer. Until another framebuffer is bound, the caller draws to it. Throws Error if the
+    // GL cannot draw to this size.
     void begin(int width, int height, bool with_normals);
     void go_on() const;                                       // binds the framebuffer again without clearing
     [[nodiscard]] GLuint texture() const { return texture_; } // window depths, GL_DEPTH_COMPONENT24

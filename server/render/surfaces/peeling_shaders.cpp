@@ -6,9 +6,9 @@
 namespace ciel::render {
 namespace {
 
-// Puts all layer pixels of a picture pixel on the same side of an outline. `rise` is how far the surface's depth
-// changes within the pixel. It uses the smaller of the slopes to both sides: at an outline, the larger one is not of
-// the surface.
+// Puts all layer pixels of a picture pixel on the same side of an outline. `rise` estimates the change of the surface's
+// depth within the pixel. Along each axis, it uses the smaller of the two depth differences to the neighbors. At an
+// outline, the larger difference is between two surfaces.
 constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D middles; // window depths at the middles of picture pixels
@@ -67,7 +67,7 @@ void main() {
 }
 )";
 
-// If layers have 2 x 2 pixels per picture pixel, the texture filter of `sum` takes their mean.
+// If layers have 2 x 2 pixels per picture pixel, the texture filter of `sum` returns the mean of these pixels.
 constexpr const char* layers_picture_fragment = R"(
 uniform sampler2D sum;
 uniform sampler2D volumes;

@@ -1,4 +1,4 @@
-// The programs of points: discs, shaded as balls.
+// The programs that draw points, as discs that are shaded like balls.
 #include "render/surfaces/shader_parts.hpp"
 #include "render/surfaces/shared_glsl.hpp"
 
@@ -33,15 +33,15 @@ void main() {
 }
 )";
 
-// Points that lie on no surface keep their depth, except for a rounding margin.
+// A point that lies on no surface keeps its depth, except for a margin for rounding.
 constexpr const char* free_glsl = R"(
 uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
 
-// Lines on a surface are moved nearer than the surface. A point on the surface is moved nearer than the lines that meet
-// in the point, so that it covers them.
-// `line_reach`: half the width of the widest line and half a pixel, in framebuffer pixels; 0 without lines.
+// Lines on a surface are moved nearer to the eye than the surface. A point on the surface is moved nearer than the
+// lines that meet in the point, so that the point covers the ends of these lines.
+// `line_reach`: half the width of the widest line plus half a pixel, in framebuffer pixels; 0 without lines.
 constexpr const char* lying_glsl = R"(
 uniform float point_pixels;
 uniform float line_reach; // half the width of the widest line and half a pixel; 0 without lines
@@ -68,8 +68,8 @@ vec4 color_of_disc(vec2 place, float cover) {
 }
 )";
 
-// Opaque points have hard edges, cut per sample as those of surfaces are. A soft edge that writes depth would hide
-// everything behind it. A soft edge that writes no depth would hide too little.
+// Opaque points have hard edges: a sample is covered or not, as at the edges of surfaces. A soft edge that writes depth
+// would hide everything behind it. A soft edge that writes no depth would not hide objects that are drawn later.
 constexpr const char* opaque_fragment = R"(
 uniform int sample_count;
 uniform vec2 sample_places[8]; // offsets from the middle of a pixel, in pixels
@@ -88,9 +88,9 @@ void main() {
 }
 )";
 
-// Points of a peeled layer. Opaque points have hard edges, whose steps are small in stills. Each soft edge would need
-// another layer behind it, so dense clouds would need too many layers. depth_of_disc() never moves a point farther, so
-// the first test may discard fragments by gl_FragCoord.z.
+// Points of a peeled layer. Opaque points have hard edges. In still pictures the steps of these edges are small. Each
+// soft edge would need another layer behind it, so dense clouds of points would need too many layers.
+// depth_of_disc() never moves a point away from the eye, so the first test may discard fragments by gl_FragCoord.z.
 constexpr const char* layer_fragment = R"(
 layout(location = 0) out vec4 picture;
 void main() {
@@ -109,7 +109,7 @@ void main() {
 }
 )";
 
-// Transparent points between two layers, blended front to back.
+// Transparent points between two layers. They are blended from front to back.
 constexpr const char* between_fragment = R"(
 uniform sampler2D nearer;
 uniform sampler2D farther; // depth of the layer behind the points; 0: nothing is visible there

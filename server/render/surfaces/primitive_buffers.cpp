@@ -15,10 +15,12 @@ void check_primitives(const Primitives& mesh) {
     if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
         (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % corners_of(mesh) != 0 ||
         (!mesh.indices.empty() && largest >= vertices)) {
-        throw Error("the arrays of a mesh to draw do not match: " + std::to_string(vertices) + " vertices, " +
-                    std::to_string(mesh.normals.size()) + " normals, " + std::to_string(mesh.scalars.size()) +
-                    " scalars, " + std::to_string(mesh.indices.size()) + " indices, the largest " +
-                    std::to_string(largest));
+        throw Error(
+            "the arrays of a mesh to draw do not match; normals and scalars must be empty or one for each vertex, "
+            "indices must be less than the number of vertices, and each primitive must be complete: there are " +
+            std::to_string(vertices) + " vertices, " + std::to_string(mesh.normals.size()) + " normals, " +
+            std::to_string(mesh.scalars.size()) + " scalars and " + std::to_string(mesh.indices.size()) +
+            " indices, of which the largest is " + std::to_string(largest));
     }
 }
 
@@ -45,7 +47,7 @@ void PrimitiveBuffers::attribute(GLuint index, GLuint buffer, int components, st
 void PrimitiveBuffers::load(const Primitives& mesh) {
     if (mesh.revision != 0 && mesh.identity == identity_ && mesh.revision == revision_) return;
     check_primitives(mesh);
-    revision_ = 0; // until the upload is complete: cancelling may interrupt it
+    revision_ = 0; // stays 0 until the upload is complete, because cancelling may interrupt the upload
     gl_.BindVertexArray(array_);
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());

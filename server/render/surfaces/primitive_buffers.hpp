@@ -1,4 +1,4 @@
-// GL buffers of one mesh, kept from frame to frame.
+// GL buffers of one mesh. They are kept from frame to frame.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -9,21 +9,21 @@
 
 namespace ciel::render {
 
-// Throws Error when sizes or indices of the mesh's arrays do not match. The GL would read past the arrays' ends.
+// Throws Error if the sizes of the mesh's arrays do not match, or an index is too large. With such arrays, the GL would
+// read past their ends.
 void check_primitives(const Primitives& mesh);
 
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
-    // Uploads the mesh unless the buffers hold this identity and revision already; revision 0 is always uploaded.
-    // Throws like check_primitives(). Cancelling (pacing.hpp) may interrupt an upload; then call load() again before
-    // draw().
+    // Uploads the mesh, unless the buffers already hold this identity and revision. Revision 0 is always uploaded.
+    // Throws the errors of check_primitives(). Cancelling (pacing.hpp) may interrupt an upload; then call load() again
+    // before draw().
     void load(const Primitives& mesh);
-    // `mesh`: the loaded mesh; color, point size and lighting may differ from those at load().
+    // `mesh`: the mesh of load(). Its color, point size, scale and lighting may have changed since then.
     void draw(const Primitives& mesh, const ScaleRow& scale) const;
-    [[nodiscard]] std::uint64_t identity() const {
-        return identity_;
-    } // identity(): Primitives::identity of the loaded mesh; 0 before the first load()
+    // Returns Primitives::identity of the loaded mesh; 0 before the first load().
+    [[nodiscard]] std::uint64_t identity() const { return identity_; }
 
 private:
     void upload(GLuint buffer, GLenum target, std::size_t bytes, const void* data);

@@ -47,10 +47,11 @@ uniform sampler2D nearer;
 bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
 )";
 
-// depth_on_surface() moves lines and points nearer than the surface on which they lie. At the depth of its center, a
-// line or point would be hidden beside the center where the surface rises towards the eye. So its pixels are moved
-// nearer by the rise. Surfaces pushed back instead would be hidden by objects behind them, above all at outlines. The
-// rise to each side is the smaller of two steps, because one step may cross an outline.
+// depth_on_surface() moves lines and points nearer to the eye than the surface on which they lie. A line or point has
+// the depth of its center. Beside the center, the surface may be nearer to the eye and would hide the pixel. Therefore
+// the pixel is moved nearer by the rise of the surface from the center to the pixel.
+// The alternative is to push surfaces back. Then objects behind a surface would hide it, above all at outlines.
+// The rise to each side is the smaller of two depth steps, because one of these steps may cross an outline.
 const std::string on_surface_glsl = std::string(depth_layers_glsl) + R"(
 uniform vec2 viewport;
 uniform float on_opaque; // 1: lies on an opaque surface; sheet_slopes is not used
@@ -110,10 +111,11 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// is_seen() for layers with transparent lines. Segments of a line overlap in joints, and each would absorb light there.
-// So each layer records, at every pixel, the last line and the depth to which its joint reaches. A fragment of the same
-// mesh up to that depth belongs to the same line, and is discarded. So the layer has the nearest segment of a line. A
-// second pass draws all segments again, and raises the layer's alpha to the largest alpha of the segments.
+// This is_seen() is for layers with transparent lines. The segments of a line overlap in joints, where each segment
+// would absorb light. Therefore each layer records, at every pixel, the last line and the depth to which the line's
+// joint extends. A fragment of the same mesh up to that depth belongs to the same line, and is discarded. So a layer
+// has only the nearest segment of a line. A second pass draws all segments again, and raises the alpha of the layer to
+// the largest alpha of the segments.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED

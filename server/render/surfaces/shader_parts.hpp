@@ -6,7 +6,8 @@
 
 namespace ciel::render {
 
-// GLSL block `surface`, to follow "in" or "out": the output of surface_vertex for lines and triangles.
+// GLSL interface block `surface`, to be written after "in" or "out". It is the output of surface_vertex, for lines and
+// triangles.
 extern const char* const surface_block;
 extern const std::string surface_vertex;
 // GLSL of depth_on_surface(), for lines and points.

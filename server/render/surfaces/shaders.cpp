@@ -6,8 +6,9 @@
 namespace ciel::render {
 namespace {
 
-// Program of the most common mesh: one color, normals per vertex, no clip plane. Each interpolated number costs time in
-// a software rasterizer, so only the normal is interpolated. The viewing ray is computed from the pixel's coordinates.
+// Program for the most common kind of mesh: one color, normals per vertex, no clip plane. Each interpolated number
+// costs time in a software rasterizer, so only the normal is interpolated. The viewing ray is computed from the pixel's
+// coordinates.
 const std::string plain_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -37,9 +38,10 @@ void main() {
 }
 )";
 
-// is_seen() of lines that are drawn again after the volumes, only in front of the volumes. A line on a volume's
-// boundary counts as in front. But a steep boundary face may be nearer in the middle of the pixel, so the face's rise
-// over one pixel is tolerated.
+// This is_seen() is for lines that are drawn again after the volumes. Only fragments in front of the volumes are
+// visible. A line on the boundary of a volume is treated as in front. If the boundary face is steep, the face may be
+// nearer than the line in the middle of the pixel. Therefore a line may be behind the face by the rise of the face over
+// one pixel.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only fragments in front of the volumes are visible
 uniform sampler2D volume_limits;
@@ -87,7 +89,8 @@ void main() {
 }
 )";
 
-// Writes (slope, slope limited by the triangle's extent in depth), in window depth per pixel.
+// The slopes program writes R: the slope of a triangle, and G: the slope, limited by the triangle's extent in depth.
+// Both are in window depth per pixel.
 const std::string slopes_geometry = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -124,7 +127,8 @@ void main() {
 }
 )";
 
-// A line becomes a rectangle of the requested width in pixels, with soft edges: core profiles may refuse wide lines.
+// A line becomes a rectangle of the requested width in pixels, with soft edges, because core profiles may refuse wide
+// lines.
 const std::string line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -192,8 +196,10 @@ void main() {
 }
 )";
 
-// A line's coverage of a pixel in the pass being drawn (Painter::draw_lines). cover_part 0: all; 1: coverage below one
-// half, else 0; 2: coverage of one half or more counts as 1, else 0.
+// cover_drawn() returns the coverage with which a pixel of a line is drawn (Painter::draw_lines).
+// cover_part 0: the coverage.
+// cover_part 1: the coverage if it is below one half, otherwise 0.
+// cover_part 2: 1 if the coverage is one half or more, otherwise 0.
 constexpr const char* cover_glsl = R"(
 uniform float cover_part; // 0: coverage; 1: coverage below one half, else 0; 2: 1 where it is one half or more, else 0
 float cover_drawn(float cover) {

@@ -6,19 +6,22 @@
 
 namespace ciel::render {
 
-// Vertex attributes. In OpenGL an attribute without an array has one value for the whole mesh. So one program draws
-// meshes with and without normals, scalars or colors per vertex.
+// Vertex attributes. In OpenGL an attribute without an array has one value for the whole mesh. Therefore one program
+// draws meshes with and without normals, scalars or colors per vertex.
 enum Attribute : GLuint {
     attribute_position = 0,
-    attribute_normal = 1, // zero: flat shading by the triangle's plane
+    attribute_normal = 1, // zero vector: flat shading by the triangle's plane
     attribute_scalar = 2,
     attribute_size = 3,  // diameter of a point, in picture pixels
     attribute_color = 4, // RGB of a solid mesh, and the opacity
-    attribute_style = 5, // (row of the frame's ColorScales, or -1 for solid; 1 when lit; scalar to subtract)
+    // (row in ColorScales, or -1 for a solid color; 1 if lit, otherwise 0; number to subtract from the scalar)
+    attribute_style = 5,
 };
 
-inline constexpr std::size_t most_point_samples = 8; // per pixel; points ignore further samples
+// Samples per pixel at which the edge of a point is computed. Points ignore further samples.
+inline constexpr std::size_t most_point_samples = 8;
 
+// A GL program, and the locations of its uniforms. A location is -1 if the program does not have the uniform.
 struct Program {
     GLuint id = 0;
     GLint view = -1, projection = -1, scale = -1, parallel = -1, clip = -1; // in programs of triangles, lines, points
@@ -40,10 +43,11 @@ struct Program {
 
 // The make functions throw Error with the compiler's or the linker's message.
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
-// Triangles of the most common mesh: one color, normals per vertex, no clip plane.
+// Draws triangles of the most common kind of mesh: one color, normals per vertex, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);
-// Triangles, lines and points of a peeled layer: only fragments behind the previous layer (depth_peeling.hpp).
-// `recorded`: has a second output, the record of lines (recorded_glsl in shader_parts.cpp).
+// These programs draw triangles, lines and points of a peeled layer. They draw only fragments behind the previous layer
+// (depth_peeling.hpp). `recorded`: the program has a second output, the record of lines (recorded_glsl in
+// shader_parts.cpp).
 [[nodiscard]] Program make_peeling_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_line_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_point_program(const Gl& gl, bool recorded);
@@ -51,12 +55,12 @@ struct Program {
 [[nodiscard]] Program make_normals_program(const Gl& gl);
 // Writes R: slope of a triangle in window depth per pixel, G: slope limited by the triangle's extent in depth.
 [[nodiscard]] Program make_slopes_program(const Gl& gl);
-// Triangles darkened by AmbientOcclusion.
+// Draws triangles that AmbientOcclusion darkens.
 [[nodiscard]] Program make_occluded_program(const Gl& gl);
 [[nodiscard]] Program make_line_program(const Gl& gl);
-// Opaque points, with hard edges cut per sample.
+// Draws opaque points. Their edges are hard: a sample is covered or not.
 [[nodiscard]] Program make_point_program(const Gl& gl);
-// Transparent points between two layers; `on_surfaces`: the points may lie on surfaces.
+// Draws transparent points between two layers. `on_surfaces`: the points may lie on surfaces.
 [[nodiscard]] Program make_point_between_program(const Gl& gl, bool on_surfaces);
 
 } // namespace ciel::render

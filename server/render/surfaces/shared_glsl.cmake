@@ -1,4 +1,4 @@
-# Writes protocol/shading/*.glsl, from which the web page is built too, into shared_glsl.cpp of this library.
+# Writes the contents of protocol/shading/*.glsl into shared_glsl.cpp of this library. The web page uses the same files.
 set(CIEL_SHARED_GLSL ${CMAKE_CURRENT_BINARY_DIR}/shared_glsl.cpp)
 foreach(name color_scale depth_layers lighting)
   set(text ${CMAKE_SOURCE_DIR}/protocol/shading/${name}.glsl)

@@ -3,8 +3,8 @@
 
 namespace ciel::render {
 
-// GLSL for fragment shaders. base_color() returns the color of a value by color_scale.hpp's rules, or a solid color.
-// Needs the two textures that ColorScales binds.
+// GLSL for fragment shaders. base_color() returns the color of a value by the rules of color_scale.hpp, or a solid
+// color. Needs the two textures that ColorScales binds.
 extern const char* const color_scale_glsl;
 
 // GLSL for fragment shaders: start_of_layer(), is_in_joint() and the constant `least`, for layers of depth peeling.

@@ -10,7 +10,7 @@
 
 namespace ciel::render {
 
-// Returns unsigned integers that have the same order as the floats.
+// Converts a float to an unsigned integer. The integers have the same order as the floats.
 [[nodiscard]] inline std::uint32_t sortable(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;

@@ -1,5 +1,5 @@
-// The depth of opaque surfaces and the slopes of transparent ones. Lines and points on a surface are moved nearer by
-// the surface's rise under their width (on_surface_glsl in shader_parts.cpp).
+// The depth of opaque surfaces, and the slopes of transparent surfaces. Lines and points on a surface are moved nearer
+// to the eye by the rise of the surface under their width (on_surface_glsl in shader_parts.cpp).
 #pragma once
 
 #include "render/surfaces/shaders.hpp"
@@ -10,7 +10,8 @@
 
 namespace ciel::render {
 
-// GL objects are freed only with their context. A change of size reallocates the textures under the same GL names.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
+// reallocates the textures under the same GL names.
 class SurfaceSlopes {
 public:
     explicit SurfaceSlopes(const Gl& gl);
@@ -21,7 +22,7 @@ public:
     // Copies the depth of the target, on which only opaque surfaces have been drawn. Leaves the target bound.
     void copy_opaque(Target& target, int width, int height);
     // Finds the slopes of transparent surfaces. `draw` uses program(), sets its uniforms, and draws all transparent
-    // triangles. Throws Error when the GL cannot draw to this size. Leaves another framebuffer and viewport bound.
+    // triangles. Throws Error if the GL cannot draw to this size. Binds another framebuffer and changes the viewport.
     void find_sheets(int width, int height, const std::function<void()>& draw);
     [[nodiscard]] const Program& program() const { return program_; }
     // Sets the textures of a line or point program, which must be in use.
@@ -31,7 +32,9 @@ private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0; // far_, flat_: textures used without surfaces
+    // far_: texture that is used if there are no opaque surfaces. flat_: texture that is used if there are no
+    // transparent surfaces.
+    GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0;
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;
 };

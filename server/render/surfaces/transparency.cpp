@@ -27,7 +27,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     }
     same = same && wanted == held_;
     if (same && is_ordered_ && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
-    is_ordered_ = false; // until the upload is complete
+    is_ordered_ = false; // stays false until the upload is complete
     if (!same) {
         held_.clear();
         gather(parts);
@@ -36,9 +36,11 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
+    // Of several coincident triangles, peeling keeps the triangle that is drawn first. It must be from the last mesh,
+    // so the order for peeling is reversed.
     if (sorted)
         sort();
-    else // reversed: peeling keeps the coincident triangle drawn first, which must be that of the last mesh
+    else
         sorted_.assign(triangles_.rbegin(), triangles_.rend());
     upload_order();
     is_ordered_ = true;
@@ -52,7 +54,7 @@ void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& parts) {
     }
     vertices_.clear();
     triangles_.clear();
-    vertices_.reserve(vertices); // once: a reserve per part would copy all earlier parts
+    vertices_.reserve(vertices); // once, because a reserve per part would copy all earlier parts
     triangles_.reserve(triangles);
     for (const ScaledPrimitives& part : parts) add(part);
 }

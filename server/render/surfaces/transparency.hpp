@@ -1,6 +1,6 @@
 // Transparent triangles of all meshes in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
-// the depth of their centers. Sorting is correct where triangles do not cross or enclose each other. Whole meshes may
-// cross or enclose each other.
+// the depth of their centers. The sorted order is correct where triangles do not cross or enclose each other, even if
+// whole meshes cross or enclose each other.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -17,9 +17,10 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // Uploads the vertices if a mesh has changed. Uploads the order if a mesh, `sorted`, or (when sorted) depth_row has
-    // changed. depth_row: the row of the view matrix that gives -depth; larger is nearer. `sorted`: from far to near.
-    // Cancelling (pacing.hpp) may interrupt an upload; then call load() again before draw().
+    // Uploads the vertices if a mesh has changed. Uploads the order if a mesh, `sorted` or (when sorted) depth_row has
+    // changed. depth_row: the row of the view matrix that gives -depth, so larger values are nearer. `sorted`: true
+    // sorts the triangles from far to near. Cancelling (pacing.hpp) may interrupt an upload; then call load() again
+    // before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
@@ -35,7 +36,7 @@ private:
         std::uint32_t key; // larger is nearer
         std::array<Index, 3> corners;
     };
-    struct Held { // inputs of the vertices of one mesh
+    struct Held { // properties of a mesh on which its uploaded vertices depend
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -51,10 +52,10 @@ private:
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
-    bool is_sorted_ = false, is_ordered_ = false; // the uploaded order fits depth_row_ and is_sorted_
+    bool is_sorted_ = false, is_ordered_ = false; // is_ordered_: the uploaded order fits depth_row_ and is_sorted_
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_; // in the order of the meshes, which decides ties of depth
+    std::vector<Triangle> triangles_; // in the order of the meshes, which decides the order of equal depths
     std::vector<Triangle> sorted_;    // in draw order
     std::vector<Triangle> other_;
     std::vector<Index> indices_;

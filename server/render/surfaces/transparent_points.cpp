@@ -25,7 +25,7 @@ void TransparentPoints::load(const std::vector<ScaledPrimitives>& parts, const g
     }
     same = same && wanted == held_;
     if (same && is_ordered_ && depth_row == depth_row_) return;
-    is_ordered_ = false; // until the upload is complete
+    is_ordered_ = false; // stays false until the upload is complete
     if (!same) {
         held_.clear();
         gather(parts);
@@ -45,7 +45,7 @@ void TransparentPoints::gather(const std::vector<ScaledPrimitives>& parts) {
         points += mesh->indices.size();
     }
     vertices_.clear();
-    vertices_.reserve(points); // once: a reserve per part would copy all earlier parts
+    vertices_.reserve(points); // once, because a reserve per part would copy all earlier parts
     for (const ScaledPrimitives& part : parts) add(part);
 }
 

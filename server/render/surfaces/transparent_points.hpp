@@ -1,5 +1,5 @@
-// Transparent points of all meshes in one buffer, sorted from near to far. A disc faces the viewer and has the depth of
-// its center everywhere, so this order is correct at every pixel.
+// Transparent points of all meshes in one buffer, sorted from near to far. A point is a disc that faces the viewer, and
+// all its pixels have the depth of its center. Therefore this order is correct at every pixel.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -12,14 +12,14 @@
 
 namespace ciel::render {
 
-// GL objects are freed only with their context.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
 class TransparentPoints {
 public:
     explicit TransparentPoints(const Gl& gl);
 
     // Uploads the vertices if a mesh has changed, and the order if a mesh or depth_row has changed. depth_row: the row
-    // of the view matrix that gives -depth. Throws Error when arrays of a mesh do not fit together. Cancelling
-    // (pacing.hpp) may interrupt an upload; then call load() again before draw().
+    // of the view matrix that gives -depth. Throws the errors of check_primitives(). Cancelling (pacing.hpp) may
+    // interrupt an upload; then call load() again before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;
@@ -35,7 +35,7 @@ private:
         std::uint32_t key; // larger is farther
         Index vertex;
     };
-    struct Held { // inputs of the vertices of one mesh
+    struct Held { // properties of a mesh on which its uploaded vertices depend
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -52,9 +52,9 @@ private:
     const Gl& gl_;
     VertexArrays arrays_;
     glm::vec4 depth_row_{};
-    bool is_ordered_ = false; // the uploaded order fits depth_row_
+    bool is_ordered_ = false; // true: the uploaded order fits depth_row_
     std::vector<Held> held_;
-    std::vector<Vertex> vertices_; // one per point, in the order of the meshes, which decides ties of depth
+    std::vector<Vertex> vertices_; // one per point, in the order of the meshes, which decides the order of equal depths
     std::vector<Point> sorted_, other_;
     std::vector<Index> order_;
 };

@@ -8,7 +8,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr double most_by_tiles = 0.6; // share of tiles; if more are dirty, one full clear is faster
+// Largest share of dirty tiles that are cleared one by one; above it, one full clear is faster.
+constexpr double most_by_tiles = 0.6;
 
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
@@ -18,7 +19,7 @@ out vec4 picture;
 void main() { picture = vec4(mix(bottom, top, gl_FragCoord.y / height), 1.0); }
 )";
 
-// Rounds to a multiple of 1/255: full and scissored clears may round other values differently.
+// Rounds to a multiple of 1/255, because full clears and scissored clears may round other values differently.
 float as_byte(float channel) { return std::round(std::clamp(channel, 0.0F, 1.0F) * 255) / 255; }
 
 void copy(const Image& from, const PixelBox& box, Image& to) {
@@ -57,8 +58,8 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Reads the cleared target into clean_. Called for the second of two frames with the same background: stills and single
-// pictures do not need clean_.
+// Reads the cleared target into clean_. Called only for the second of two frames with the same background, because
+// still pictures and single pictures do not need clean_.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();

@@ -16,7 +16,7 @@ public:
         std::array<float, 3> top, bottom;
         bool operator==(const Background&) const = default;
     };
-    // Binds the target and fills it with the background. `touched`: the tiles that the frame will draw on.
+    // Binds the target and fills it with the background. `touched`: the tiles on which the frame will draw.
     void begin(const Background& background, const TouchedTiles& touched);
     // Returns the picture, valid until the next begin.
     const Image& read();
@@ -30,10 +30,10 @@ private:
     GLuint program_ = 0, no_array_ = 0;
     GLint top_ = -1, bottom_ = -1, height_ = -1;
     Background background_{};
-    bool is_drawn_ = false;       // the target holds background_ outside the tiles of dirty_
-    bool is_clean_known_ = false; // clean_ is valid, and picture_ equals it outside the tiles of shown_
+    bool is_drawn_ = false;       // true: the target holds background_ outside the tiles of dirty_
+    bool is_clean_known_ = false; // true: clean_ is valid, and picture_ equals clean_ outside the tiles of shown_
     TouchedTiles dirty_, shown_, touched_;
-    Image clean_, picture_; // pixels of background_ alone; picture of the last frame
+    Image clean_, picture_; // picture of the background without a frame; picture of the last frame
 };
 
 } // namespace ciel::render

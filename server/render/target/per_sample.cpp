@@ -6,11 +6,12 @@ namespace ciel::render {
 namespace {
 
 // Finds outlines of opaque surfaces. Window depth is linear on a plane, so a large second difference of depths means an
-// outline. Second differences below 1 % of the depth range are ignored: they occur inside the outline of a ball, and a
-// piece of a volume that is so thin is not visible.
-// A surface is steep at its outline, so its samples may lie far behind the pixel's middle. So gl_FragDepth, which
-// separates samples of the surface from samples behind it, is close to the depth behind: at 80 % of the gap, or at
-// 99.99 % where only the background is behind.
+// outline. This second difference must be more than half of the larger first difference (least_turn), and at least 1 %
+// of the depth range (least_bend). Smaller second differences also occur on a ball inside its outline, and a piece of a
+// volume that is so thin is not visible.
+// gl_FragDepth separates samples on the surface from samples behind the surface. A surface is steep at its outline, so
+// its samples may lie far behind its depth in the middle of the pixel. Therefore gl_FragDepth is close to the depth
+// behind the outline: at 80 % of the distance, or at 99.99 % if only the background is behind.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 // 1: draws samples behind the surface of an outline, and all samples where there is no outline; 0: the other samples

@@ -5,13 +5,13 @@
 
 namespace ciel::render {
 
-// GL objects of a Sheet are freed only with their context.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
 class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // Reallocates the texture under the same GL name if size or format change. Throws Error when the GL cannot draw to
-    // this size.
+    // Sets the internal format, and the size in texels. If they change, the texture is reallocated under the same GL
+    // name. Throws Error if the GL cannot draw to this size.
     void size(GLint format, int width, int height);
     void begin() const; // binds the framebuffer, with a viewport of the texture's size
     [[nodiscard]] GLuint texture() const { return texture_; }
@@ -23,7 +23,7 @@ private:
     GLint format_ = 0;
 };
 
-// Sets both filters of the bound 2D texture, and clamping to its edge.
+// Sets the minification and magnification filters of the bound 2D texture, and clamps texture coordinates to its edge.
 void filter(const Gl& gl, GLint how);
 void bind(const Gl& gl, int unit, GLuint texture);
 

@@ -8,10 +8,11 @@
 namespace ciel::render {
 namespace {
 
-constexpr int band_rows = 32; // rows per glReadPixels: a band is still in the cache when its alpha is dropped
+// Rows per glReadPixels; so few rows are still in the CPU cache when their alpha is removed.
+constexpr int band_rows = 32;
 
-// Converts four pixels from RGBA to RGB, with one store of 8 bytes and one of 4. Assembling the bytes in memory by
-// smaller stores would stall.
+// Converts four pixels from RGBA to RGB, with one store of 8 bytes and one store of 4 bytes. Smaller stores that
+// assemble the bytes in memory would stall the CPU.
 void drop_alpha_of_four(const std::uint8_t* rgba, std::uint8_t* rgb) {
     static_assert(std::endian::native == std::endian::little);
     std::array<std::uint64_t, 2> pairs{};
@@ -71,7 +72,7 @@ void Target::begin(int width, int height, int samples) {
     gl_.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (width < 1 || height < 1 || width > largest || height > largest) {
         throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels cannot be drawn; each side may have 1 to " + std::to_string(largest));
+                    " pixels cannot be drawn; ask for a picture whose sides are from 1 to " + std::to_string(largest));
     }
     samples = std::min(samples, most_samples);
     drawn_ = samples > 1 ? &multisampled_ : &single_;
@@ -124,7 +125,7 @@ void Target::read(const PixelBox& box, Image& image) {
     image.height = layer.height;
     image.rgb.resize(stride * static_cast<std::size_t>(layer.height));
     const int top = box.bottom + box.height;
-    for (int bottom = box.bottom; bottom < top; bottom += band_rows) { // GL's rows run from the bottom up
+    for (int bottom = box.bottom; bottom < top; bottom += band_rows) { // GL counts rows from the bottom
         const int rows = std::min(band_rows, top - bottom);
         gl_.ReadPixels(box.left, bottom, box.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
         for (int row = 0; row < rows; ++row)

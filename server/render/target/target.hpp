@@ -10,8 +10,8 @@
 
 namespace ciel::render {
 
-// GL objects of a Target are freed only with their context. A change of size reallocates the buffers under the same GL
-// names.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
+// reallocates the buffers under the same GL names.
 class Target {
 public:
     explicit Target(const Gl& gl);
@@ -24,10 +24,11 @@ public:
     // Returns the window depth at a pixel counted from the top left; 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
-    // Returns the positions of a pixel's samples: offsets from its middle to the right and up, in pixels. (0, 0) for a
-    // single sample.
+    // Returns the positions of the samples in a pixel: offsets from the middle of the pixel to the right and up, in
+    // pixels. Returns only (0, 0) if there is a single sample.
     [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
-    // Copies the depth of one sample per pixel to another framebuffer of this size with GL_DEPTH_COMPONENT24.
+    // Copies the depth of one sample per pixel to another framebuffer. It must have the same size, and
+    // GL_DEPTH_COMPONENT24.
     void copy_depth(GLuint framebuffer);
 
 private:
@@ -36,12 +37,13 @@ private:
         int width = 0, height = 0, samples = -1;
     };
     void allocate(Layer& layer, int width, int height, int samples);
-    Layer& resolved(GLbitfield what); // returns single_, with the resolved buffers `what`
+    // Returns single_; first resolves the buffers `what` of a multisampled target into it.
+    Layer& resolved(GLbitfield what);
 
     const Gl& gl_;
     Layer single_, multisampled_;
     Layer* drawn_ = nullptr;
-    // Buffer for a band of rows. read() reads RGBA and drops A: with llvmpipe this is ten times as fast as reading RGB.
+    // Buffer for a band of rows. read() reads RGBA and removes A, because llvmpipe reads RGBA ten times as fast as RGB.
     std::vector<std::uint8_t> rgba_;
 };
 

@@ -18,7 +18,7 @@ Span joined(const Span& a, const Span& b) {
     return {std::min(a.left, b.left), std::min(a.bottom, b.bottom), std::max(a.right, b.right), std::max(a.top, b.top)};
 }
 
-// Projects vertices, and finds the tiles within `reach` pixels of each.
+// Projects vertices, and finds the tiles within `reach` pixels of each vertex.
 class Spans {
 public:
     Spans(const annotations::ViewTransform& transform, int width, int height, float reach)
@@ -37,8 +37,9 @@ public:
         return true;
     }
 
-    // Calls `function` with the tiles of short pieces of a line: a slanted line touches few tiles of its bounding box
-    // `whole`.
+    // Divides a line into short pieces, and calls `function` with the tiles of each piece. A slanted line touches only
+    // a few of the tiles of its bounding box. `whole`: the tiles of the bounding box, used if a piece cannot be
+    // projected.
     template <class Function>
     void for_pieces(const Vec3f& from, const Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);

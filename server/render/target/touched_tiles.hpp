@@ -1,4 +1,4 @@
-// Set of the tiles of a picture that a frame draws on. Other tiles need not be cleared, read and converted.
+// The set of tiles of a picture on which a frame draws. Other tiles need not be cleared, read and converted.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -15,25 +15,27 @@ struct PixelBox {
 
 class TouchedTiles {
 public:
-    static constexpr int side = 64; // pixels; llvmpipe's tiles have the same size
+    static constexpr int side = 64; // pixels per side of a tile; llvmpipe's tiles have the same size
 
     TouchedTiles() = default;
     TouchedTiles(int width, int height); // no tile is touched
 
     void touch_all();
-    // Marks every tile that the box may overlap, in pixels from the lower left; all tiles if the box is not finite.
+    // Marks every tile that the box may overlap. The box is in pixels from the lower left. Marks all tiles if a side of
+    // the box is not finite.
     void touch(float left, float bottom, float right, float top);
-    // Marks every tile that the mesh may have a pixel in; all tiles if a vertex is behind the near plane or not finite.
+    // Marks every tile in which the mesh may draw a pixel. Marks all tiles if a vertex is behind the near plane or not
+    // finite.
     void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
 
     void add(const TouchedTiles& other); // marks the tiles of `other`, which has the same size
     [[nodiscard]] bool is_of(int width, int height) const { return width_ == width && height_ == height; }
-    [[nodiscard]] double share() const; // touched share of all tiles
+    [[nodiscard]] double share() const; // number of touched tiles / number of all tiles
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    // Returns disjoint boxes that cover the touched tiles without those of `except`. Consecutive rows with the same
-    // touched tiles share boxes.
+    // Returns disjoint boxes that cover the touched tiles, without tiles that are touched in `except`. Consecutive rows
+    // with the same tiles are covered by the same boxes.
     [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
 
 private:

@@ -5,7 +5,8 @@
 namespace ciel::render {
 namespace {
 
-constexpr std::size_t most_corners = 3 * std::size_t{256}; // indices per range; smaller ones are not worth a draw call
+// Indices per range; smaller ranges would cost too many draw calls.
+constexpr std::size_t most_corners = 3 * std::size_t{256};
 
 BoxedRange boxed_range_of(std::span<const Index> corners, const std::function<const Vec3f&(Index)>& at) {
     BoxedRange boxed{{}, at(corners[0]), at(corners[0])};

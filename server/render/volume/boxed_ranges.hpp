@@ -1,4 +1,5 @@
-// Triangle lists split into ranges of a few hundred triangles, each with a bounding box, to skip invisible ranges.
+// Splits triangle lists into ranges of a few hundred triangles with bounding boxes, so that invisible ranges can be
+// skipped.
 #pragma once
 
 #include "ciel/slab.hpp"
@@ -19,11 +20,11 @@ struct IndexRange {
 
 struct BoxedRange {
     IndexRange range;
-    Vec3f low, high; // box of its positions
+    Vec3f low, high; // bounding box of the positions
 };
 
-// Splits `triangles`, which the index buffer holds at `range`, into consecutive ranges. `at` returns the position of a
-// vertex.
+// Splits `triangles` into consecutive ranges. `range`: the part of the index buffer that contains `triangles`. `at`:
+// returns the position of a vertex.
 [[nodiscard]] std::vector<BoxedRange> boxed_ranges_of(const IndexRange& range, std::span<const Index> triangles,
                                                       const std::function<const Vec3f&(Index)>& at);
 

@@ -13,14 +13,14 @@
 namespace ciel::render {
 namespace {
 
-constexpr int cells = 256;             // per side of the grid that covers the mesh along the slabs
-constexpr double worth_splitting = 40; // extent in cells from which triangles are split
+constexpr int cells = 256;             // cells per side of the grid that covers the mesh in the plane of the slabs
+constexpr double worth_splitting = 40; // triangles with a larger extent are split; unit: cells
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 
-// Coordinates of positions: across the slabs as a length, and along the slabs in cells, from 0 to `cells` over the
-// mesh's boundary.
+// Converts positions to coordinates. across(): distance along the slabs' normal. along(): two coordinates parallel to
+// the slabs, in cells, from 0 to `cells` over the mesh's boundary.
 class Places {
 public:
     Places(const Volume& volume) : across_(vector_of(volume.normal)) { // NOLINT(google-explicit-constructor)
@@ -65,7 +65,7 @@ struct Box {
 
 int cell_of(double place) { return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0; }
 
-// Returns the corner at which the longest edge begins; edge i joins corners i and i + 1.
+// Returns the index of the corner at which the longest edge begins. Edge i joins the corners i and i + 1.
 std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     const auto length = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
     std::size_t longest = 0;
@@ -98,7 +98,7 @@ private:
     std::array<std::uint64_t, cells / 64> words_{};
 };
 
-// Set of grid cells in which a ray may meet the mesh's boundary within one slab.
+// The set of grid cells in which a ray may meet the mesh's boundary within one slab.
 class NearBoundary {
 public:
     NearBoundary(const Places& places, double middle, double half)
@@ -120,7 +120,7 @@ public:
         last_row_ = -1;
     }
 
-    // Call after the last add(): extends the marked cells by the margin across rows.
+    // Call after the last add(). Extends the marked cells by the margin in the direction across the rows.
     void finish() {
         const auto exact = rows_;
         const int reach = static_cast<int>(std::min(std::ceil(margin_.y), double{cells}));
@@ -137,8 +137,9 @@ public:
     }
 
 private:
-    static constexpr double tolerance = 1.1; // factor on half the slab, for rounding here and in the shaders
-    struct Span {                            // range of x in a row of cells
+    // Half of the slab's thickness is multiplied by this factor, to allow for rounding errors here and in the shaders.
+    static constexpr double tolerance = 1.1;
+    struct Span { // range of x in a row of cells
         double low = 1e300, high = -1e300;
     };
     struct Polygon { // a triangle cut by two planes
@@ -192,11 +193,11 @@ private:
     double low_, high_;
     glm::dvec2 margin_;
     std::array<RowOfCells, cells> rows_{};
-    std::array<Span, cells> spans_; // per row, of the triangle that is being added
+    std::array<Span, cells> spans_; // range of x in each row, for the triangle that is being added
     int first_row_ = cells, last_row_ = -1;
 };
 
-// Sorts the triangles of one slice into outer and inner ones.
+// Sorts the triangles of one slice into outer and inner triangles.
 class Sorter {
 public:
     Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {

@@ -1,26 +1,28 @@
-// Sorts the triangles of a volume's slices into outer and inner ones. Inner triangles are far from the mesh's boundary:
-// every ray through them is inside the mesh over their whole slab. Their program does not look up entries and exits.
+// Sorts the triangles of a volume's slices into outer and inner triangles. Inner triangles are far from the mesh's
+// boundary: every ray through an inner triangle is inside the mesh over the whole slab. Therefore the program of inner
+// triangles does not look up entries and exits.
 #pragma once
 
 #include "render/frame/volume.hpp"
 
 namespace ciel::render {
 
-// The triangles of a slice, the inner ones last. Large triangles near the boundary are split, so that most of their
-// area is inner.
+// The triangles of a slice. The inner triangles are last. Large triangles near the boundary are split, so that most of
+// their area is inner.
 struct SortedSlice {
-    const SlabMesh* slice = nullptr; // borrowed; has the first vertices
-    std::vector<SlabVertex> more;    // vertices from splits, after those of the slice
+    const SlabMesh* slice = nullptr; // not owned; its vertices have the first indices
+    std::vector<SlabVertex> more;    // vertices from splits; their indices follow the vertices of the slice
     std::vector<Index> triangles;
     std::size_t outer = 0; // number of indices in `triangles` before the first inner triangle
 };
 
-// Tangent of the widest angle between a ray and the volume's normal for which inner triangles are valid.
-// Slabs across a box axis use the axis nearest to the view, so wider rays occur only in close views.
+// Tangent of the largest angle between a ray and the volume's normal up to which inner triangles are valid. Slabs
+// normal to a box axis use the axis nearest to the view direction. Therefore larger angles occur only in close views.
 inline constexpr double widest_inner = 3;
 
-// Returns the sorted middle slice of each slab of `stride` slices; an empty one where the volume has no such slice.
-// `boundary_of_slab`: the result of boundary_of_slabs(). Borrows the volume's slices.
+// Returns the middle slice of each drawn slab, with its triangles sorted. A drawn slab consists of Volume::stride slabs
+// of the volume. The entry of a slab is empty if the volume has no such slice. `boundary_of_slab`: the result of
+// boundary_of_slabs(). The volume's slices must outlive the result.
 [[nodiscard]] std::vector<SortedSlice> sort_slices(const Volume& volume,
                                                    std::span<const std::vector<Index>> boundary_of_slab);
 

@@ -13,8 +13,8 @@ using Corners = std::array<glm::dvec3, 8>;
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns the largest tangent of the angle between the normal and a ray; infinite unless all rays are on one side of
-// the plane across the normal. Rays between the given ones have no larger angle.
+// Returns the tangent of the largest angle between the normal and the given rays. Returns infinity unless all rays are
+// on the same side of the plane through the eye with this normal. Rays between the given rays have no larger angle.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
     double widest = 0;
     for (const glm::dvec3& ray : rays) {

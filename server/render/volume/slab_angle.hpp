@@ -1,12 +1,12 @@
-// The widest angle between the rays of a picture and a volume's normal.
+// The largest angle between the rays of a picture and the normal of its volumes.
 #pragma once
 
 #include "render/volume/volume_rays.hpp"
 
 namespace ciel::render {
 
-// Returns the tangent of the widest angle between the volumes' normal and a ray of the picture that meets their box.
-// Infinite where a ray may run along the slabs.
+// Returns the tangent of the largest angle between the normal of the volumes and the rays of the picture that meet
+// their box, or an upper bound of it. Returns infinity if a ray may run parallel to the slabs.
 [[nodiscard]] double slab_angle(const VolumeView& view, const Vec3d& normal);
 
 } // namespace ciel::render

@@ -1,22 +1,23 @@
-// Shaders that draw a volume's slabs. Each piece of a ray within a slab is drawn by exactly one fragment. The middle
-// planes of the slabs cut the mesh into slices. A ray meets slices, and enters and leaves the mesh through boundary
-// faces at any place between slices. Inside the mesh,
-//   a fragment of a slice draws the piece within its slab that contains the slice: from the slab's front or the last
-//     entry to the slab's back or the next exit;
-//   a fragment of a front face draws the piece within its slab that begins on the face, unless the piece contains a
-//     slice;
-//   a fragment of a back face draws the piece within its slab that ends on the face, if the piece begins with the slab
-//     and contains no slice.
-// So a fragment knows the property and its gradient at one place of its piece.
-// Where an entry or exit is nearly on a slice, rounding decides which pixels the slice covers. There the fragment of
-// the face draws the slice's piece.
-// An opaque surface has no property: a piece that ends on an opaque surface before the slice is drawn in the slab in
-// front. The piece from an eye inside the mesh to the first slice is drawn in the slab behind.
-// Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. That part is
-// one stretch of the ray, because the kept space is convex.
+// Shaders that draw the slabs of a volume. The middle plane of each slab cuts the mesh; the cut is the slice of the
+// slab. A ray crosses slices, and enters and leaves the mesh through boundary faces, which may be anywhere between
+// slices. The part of a ray inside the mesh is divided into pieces at the borders of the slabs. Each piece is drawn by
+// exactly one fragment:
+//   A fragment of a slice draws the piece that contains the slice. The piece begins at the front of the slab or at the
+//     last entry before the slice. It ends at the back of the slab or at the next exit.
+//   A fragment of a front face draws the piece that begins on the face, unless the piece contains a slice.
+//   A fragment of a back face draws the piece that ends on the face, if the piece begins at the front of the slab and
+//     contains no slice.
+// Therefore each fragment knows the property and its gradient at one point of its piece.
+// If an entry or exit is almost on a slice, rounding decides which pixels the slice covers. Then the fragment of the
+// face draws the piece that contains the slice.
+// An opaque surface has no property. If a ray ends on an opaque surface before it reaches the slice of a slab, the
+// fragment in the slab in front extends its piece to the surface. If the eye is inside the mesh, the fragment in the
+// slab of the first slice extends its piece to the eye.
+// Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. This part is
+// connected, because the space between the planes is convex.
 //
-// Constants of a slab come to the fragments through the vertices: llvmpipe looks up a uniform for each pixel, which
-// took a third of the time of these programs.
+// Constants of a slab are passed to the fragments through the vertices. With uniforms, llvmpipe looked up the value for
+// each pixel, which took a third of the time of these programs.
 #include "render/volume/slab_shaders.hpp"
 
 #include "render/volume/volume_shaders.hpp"
@@ -26,8 +27,9 @@
 namespace ciel::render {
 namespace {
 
-// Outputs values as places in the transfer table, from 0 to 1, and gradients in eye space per scaled length. Lengths
-// are multiplied by `scale`, because squares of lengths of a galaxy in meters overflow a float.
+// Outputs each value as a position in the transfer table, from 0 to 1. Outputs each gradient in eye space, as change of
+// this position per scaled length. Scaled lengths are multiplied by `scale`, because squares of very large lengths (a
+// galaxy in meters) overflow a float.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in float value;
@@ -164,7 +166,7 @@ vec2 span_at(vec2 place) { return texture(between_planes, place).xy; }
 #endif
 )";
 
-// Depths are converted to places along the ray, in half slabs from the slice: its slab is from -1 to 1.
+// Depths are converted to positions along the ray, in half slabs from the slice. The slab of the slice is from -1 to 1.
 constexpr const char* slice_fragment = R"(
 void main() {
     float per_depth = ray_across();
@@ -190,7 +192,8 @@ void main() {
 }
 )";
 
-// Uses depths, not places across the slab: on a ray that runs along the slab, all places across the slab are equal.
+// Uses depths instead of positions across the slab, because on a ray that runs along the slab all positions across the
+// slab are equal.
 constexpr const char* edge_fragment = R"(
 flat in vec4 slab_row; // index of the slab, index of the last slab, 1 / picture size
 #ifdef PARALLEL
@@ -251,8 +254,8 @@ void main() {
 }
 )";
 
-// Returns GLSL that selects the ray's part in the mesh: for a slice the part that contains the slice, for a face the
-// part that begins or ends on the face.
+// Returns GLSL that selects a part of the ray inside the mesh. For a slice, it is the part that contains the slice. For
+// a face, it is the part that begins or ends on the face.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

@@ -14,20 +14,21 @@ enum VolumeAttribute : GLuint {
     volume_limits = 3,
 };
 
-// Variant of a slab program. The programs of slices draw the piece of a ray in a slab. The program of boundary faces
-// draws the pieces that contain no slice.
+// Selects a variant of a slab program. The slice programs draw the pieces of rays that contain a slice. The edge
+// program draws the other pieces, by boundary faces.
 struct SlabProgramKind {
-    int parts = 1; // number of parts of a ray inside the mesh
+    int parts = 1; // number of separate parts of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;
     int table_rows = 1;
-    double table_width = 1;                                   // extent of the table, in ranges of the color scale
-    auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): takes <=> for a 0
+    // Extent of the transfer table, in widths of the color scale's range.
+    double table_width = 1;
+    auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): mistakes <=> for 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
-// For inner polygons (inner_polygons.hpp): around them, the slab has no boundary face, clip plane, opaque surface or
-// eye. `kind` must have one part and no clipping.
+// For inner triangles (inner_polygons.hpp). Around an inner triangle, the slab has no boundary face, clip plane, opaque
+// surface or eye. `kind` must have one part and no clipping.
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
-// Draws the pieces without a slice, by boundary faces.
+// Draws the pieces that contain no slice, as fragments of boundary faces.
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 
 } // namespace ciel::render

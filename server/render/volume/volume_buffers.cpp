@@ -19,8 +19,9 @@ GLsizeiptr bytes(const std::vector<T>& items) {
 void check(const SlabMesh& mesh) {
     const auto largest = std::ranges::max_element(mesh.triangles);
     if (mesh.triangles.size() % 3 != 0 || (largest != mesh.triangles.end() && *largest >= mesh.vertices.size()))
-        throw Error("the triangles of a slice of a volume name vertices beyond its " +
-                    std::to_string(mesh.vertices.size()) + " vertices");
+        throw Error("a slice or the boundary of a volume has wrong triangles; each triangle must have three vertex "
+                    "indices that are less than " +
+                    std::to_string(mesh.vertices.size()) + ", the number of vertices");
 }
 
 VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
@@ -34,7 +35,7 @@ VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
     return bounds;
 }
 
-// Returns the FNV-1a hash of the mesh's positions and triangles, by 32-bit words.
+// Returns the FNV-1a hash of the mesh's positions and triangles. It is computed from 32-bit words.
 std::uint64_t places_of(const SlabMesh& mesh) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
@@ -60,7 +61,8 @@ void VolumeBuffers::load(const Volume& volume) {
     const bool same_slices = identity_ == volume.identity && revision_ == volume.revision && revision_ != 0;
     if (same_slices && stride_ == volume.stride) return;
     if (volume.boundary == nullptr || volume.stride == 0 || !(volume.thickness > 0) || volume.slices.empty())
-        throw Error("a volume to draw lacks slices, a boundary, or the distance between its slices");
+        throw Error("a volume to draw lacks slices, a boundary, a stride above 0, or a distance above 0 between its "
+                    "slices; give all of them");
     revision_ = 0; // not valid if anything below throws
     if (!same_slices)
         for (const SlabMesh& slice : volume.slices) check(slice);
@@ -73,7 +75,7 @@ void VolumeBuffers::load(const Volume& volume) {
     stride_ = volume.stride;
 }
 
-// Uploads only the slices that the volume's stride draws.
+// Uploads only the slices that are drawn with the volume's stride.
 void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     GLsizeiptr vertex_bytes = 0, index_bytes = 0;
     for (const SortedSlice& sorted : slices) {

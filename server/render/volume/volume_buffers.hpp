@@ -1,4 +1,4 @@
-// GL buffers of a volume's slices and boundary, kept from frame to frame.
+// GL buffers of a volume's slices and boundary. They are kept from frame to frame.
 #pragma once
 
 #include "render/context/vertex_arrays.hpp"
@@ -19,16 +19,16 @@ public:
 
     explicit VolumeBuffers(const Gl& gl);
 
-    // Uploads the volume unless its identity, revision and stride are those of the last call.
-    // Throws Error when slices, boundary or thickness are missing, or when indices are beyond the vertices: the GL
-    // would read past their end.
+    // Uploads the volume, unless its identity, revision and stride are the same as in the last call. Throws Error if
+    // slices or boundary are missing, if thickness or stride is not positive, or if an index is too large. With such an
+    // index the GL would read past the end of the vertices.
     void load(const Volume& volume);
     void bind_slices() const { gl_.BindVertexArray(slices_.array); }
     void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
     void draw(const IndexRange& range) const;
 
-    // Per slab of `stride` slices: the triangles of its middle slice, and the boundary triangles that intersect the
-    // slab.
+    // A drawn slab consists of Volume::stride slabs of the volume. For each drawn slab, slices() has the triangles of
+    // its middle slice, and boundary_of_slabs() has the boundary triangles that intersect the slab.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
     // Triangles of a slab's slice or boundary, split into consecutive parts.
@@ -38,7 +38,7 @@ public:
     }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } // box of the boundary
-    // Hash of the boundary's positions and triangles, independent of the property.
+    // Hash of the boundary's positions and triangles. It does not depend on the property.
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 
 private:

@@ -1,5 +1,5 @@
-// The share of each pixel of a still that the clipped meshes of volumes cover. Volumes have one ray per pixel, so
-// without coverage the outline of a dense volume would have steps.
+// Finds which share of each pixel of a still picture the clipped meshes of volumes cover. Volumes have one ray per
+// pixel, so without coverage the outline of a dense volume would have steps.
 #pragma once
 
 #include "render/frame/frame.hpp"
@@ -11,15 +11,15 @@
 
 namespace ciel::render {
 
-// GL objects are freed only with their context.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
 class VolumeCoverage {
 public:
     explicit VolumeCoverage(const Gl& gl);
     VolumeCoverage(const VolumeCoverage&) = delete;
     VolumeCoverage& operator=(const VolumeCoverage&) = delete;
 
-    // Clears the coverage of the picture of `view`. Throws Error when the GL cannot draw to this size. Leaves another
-    // framebuffer bound.
+    // Clears the coverage, and sets the view of the picture. Throws Error if the GL cannot draw to this size. Binds
+    // another framebuffer.
     void begin(const VolumeView& view);
     void add(const VolumeBuffers& buffers) const;
     void finish();
@@ -28,7 +28,8 @@ public:
 private:
     void allocate(int width, int height, int samples);
     using Planes = std::array<glm::vec4, most_clip_planes>;
-    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const; // the frame's clip planes except one
+    // Returns the frame's clip planes without the plane with the index `left_out`.
+    [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const;
     void draw_boundary(const VolumeBuffers& buffers, const Planes& planes) const;
     void draw_cut(const VolumeBuffers& buffers, std::size_t plane) const;
     void draw_facet(const VolumeBuffers& buffers, std::size_t plane) const;
@@ -38,7 +39,6 @@ private:
     Sheet shares_;
     GLuint framebuffer_ = 0, samples_buffer_ = 0, depth_buffer_ = 0, no_array_ = 0;
     int width_ = 0, height_ = 0, samples_ = 0;
-    // View of the picture being drawn.
     VolumeView view_;
 };
 

@@ -10,16 +10,16 @@
 namespace ciel::render {
 namespace {
 
-constexpr double rounding = 1e-6; // as a share of a slab's thickness
+constexpr double rounding = 1e-6; // tolerance for comparisons, as a share of a slab's thickness
 
 struct Piece {
     SlabOfVolume of;
     double middle = 0;     // coordinate along the slabs' normal
-    bool is_odd = false;   // alternates along the normal; reverses the order of coincident pieces
-    bool is_below = false; // its coordinate is below the eye's
+    bool is_odd = false;   // alternates along the normal; true reverses the order of coincident pieces
+    bool is_below = false; // its coordinate is smaller than the coordinate of the eye
 };
 
-// Sorts coincident pieces by volume, in reverse order if is_odd.
+// Sorts coincident pieces by volume, in reverse order if Piece::is_odd.
 void take_turns(std::vector<Piece>& sorted, std::span<const SlabRow> rows) {
     for (auto begin = sorted.begin(); begin != sorted.end();) {
         const double middle = begin->middle, near = rounding * rows[begin->of.volume].thickness;
@@ -71,8 +71,9 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     return all;
 }
 
-// Returns the interval along the normal that a slice represents: its slab, or from the eye to the slab's far end if the
-// eye is within a slab of the slice.
+// Returns the interval along the normal that is drawn with a slice. Usually it is the slab of the slice. If the eye is
+// inside the volume and less than one slab thickness from the slice, it is the interval from the eye to the far end of
+// the slab.
 std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     const double middle = middle_of(row, slab), half = row.thickness / 2;
     const double last = row.first + static_cast<double>(row.count) * row.thickness;
@@ -81,9 +82,9 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// Returns the slab that contains `place`; none outside all slabs. `place` and `eye` are distances along the normal. A
-// slab is drawn at its middle, so the result is moved by one where that middle and `place` are on different sides of
-// the eye.
+// Returns the index of the slab with which the light at `place` is drawn; nothing if `place` is outside all slabs.
+// `place` and `eye` are coordinates along the normal. Usually this is the slab that contains `place`. A slab is drawn
+// at its middle. If this middle and `place` are on different sides of the eye, the next slab is used.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

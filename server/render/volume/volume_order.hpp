@@ -7,31 +7,32 @@
 
 namespace ciel::render {
 
-struct SlabRow { // of one volume: slab i begins at first + i * thickness
+struct SlabRow { // slabs of one volume; slab i begins at first + i * thickness
     double first = 0, thickness = 1;
     std::size_t count = 0;
 };
 
 struct SlabOfVolume {
     std::size_t volume = 0, slab = 0;
-    double share = 1; // of the slab's extinction and emission
+    double share = 1; // share of the slab's extinction and emission that is drawn at this position in the order
     bool operator==(const SlabOfVolume&) const = default;
 };
 
-// Subdivision of overlapping slabs: pieces per length, and the largest number of pieces between two slab borders.
+// How overlapping slabs are divided: pieces per unit of length, and the largest number of pieces between two slab
+// borders.
 struct SlabPieces {
     double per_length = 0;
     std::size_t most = 1;
 };
 
-// Returns the slabs from back to front, in an order that holds for every ray through the eye. `eye`: coordinate of the
-// eye along the slabs' normal, infinite for parallel rays. Slabs below the eye come first, upwards; then those above
-// the eye, downwards.
-// Slabs of different thickness are ordered by their middles: half of a thick slab's neighbors are in front of it.
-// Coincident slabs of two volumes mix their light in the same place, so their order alternates from slab to slab.
-// Where slabs absorb enough for the order to show, they are divided at each other's borders and into pieces. The pieces
-// alternate, so the error falls with the square of their length: G. Strang, "On the construction and comparison of
-// difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
+// Returns the slabs from back to front, in an order that is valid for every ray through the eye. `eye`: coordinate of
+// the eye along the slabs' normal, infinite for parallel rays. Slabs below the eye come first, in ascending order.
+// Slabs above the eye follow, in descending order.
+// Slabs of different thickness are ordered by their middles, because half of a thick slab's neighbors are in front of
+// it. Coincident slabs of two volumes mix their light in the same space, so their order alternates from slab to slab.
+// If slabs absorb so much that their order is visible, they are divided at each other's borders and into pieces. The
+// pieces alternate, so the error decreases with the square of their length: G. Strang, "On the construction and
+// comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 

@@ -22,8 +22,8 @@ enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_un
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns (a, b): value * a + b is 0 to 1 over the table's extent. For an empty range it maps all values to the middle
-// of the range.
+// Returns (a, b) so that value * a + b is from 0 to 1 over the values of the transfer table. For an empty range, all
+// values are mapped to the middle of the range.
 glm::vec2 normalisation(const color::ColorScale& scale) {
     const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
@@ -33,8 +33,8 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// Returns the factor by which the picture of all volumes is multiplied. A volume with less opacity has a transfer table
-// with less extinction.
+// Returns the factor by which the picture of all volumes is multiplied. A volume with a smaller opacity has a transfer
+// table with less extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -58,7 +58,8 @@ void check_directions(const Frame& frame) {
             throw Error(
                 "the volumes of one picture are sliced in different directions; give all volumes the same direction");
         if (!std::isfinite(volume.first) || !std::isfinite(volume.thickness))
-            throw Error("the slices of a volume have a position or a distance that is not a finite number");
+            throw Error("the slices of a volume have a position or a distance that is not a finite number; both must "
+                        "be finite");
     }
 }
 
@@ -213,12 +214,12 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("table", int{table_unit});
 }
 
-// Returns whether outlines of volumes are smoothed by coverage: in stills (several samples, full resolution).
+// Returns whether outlines of volumes are smoothed by coverage: in still pictures (several samples, full resolution).
 bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
     Covered wanted{view_.places(), frame.samples, frame.clip, {}};
-    std::vector<const VolumeBuffers*> buffers; // one per distinct boundary
+    std::vector<const VolumeBuffers*> buffers; // consecutive volumes with the same boundary have one entry
     for (std::size_t i = 0; i < frame.volumes.size(); ++i) {
         const VolumeBuffers* own = slot_of(i).buffers;
         if (!wanted.boundaries.empty() && wanted.boundaries.back() == own->boundary_places()) continue;
@@ -278,11 +279,12 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// Returns a subdivision that hides the order of coincident slabs. The error of the order is the product of the optical
-// depths of two pieces.
+// Returns a subdivision with which the order of coincident slabs is not visible. The error from the order is about the
+// product of the optical depths of two coincident pieces.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
-    constexpr double least_loss = 0.1, widest = 3; // optical depth of a piece; largest tangent to consider
-    double first = 0, second = 0;                  // the two largest extinctions per length
+    // least_loss: geometric mean of the optical depths of two coincident pieces. widest: upper limit of slab_angle_.
+    constexpr double least_loss = 0.1, widest = 3;
+    double first = 0, second = 0; // the two largest extinctions per unit of length
     bool moving = false;
     auto slot = slots_.begin();
     for (const Volume& volume : frame.volumes) {
@@ -347,8 +349,8 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Sets two uniforms of the slice program, in half slabs along the volume's normal: `across`, the advance of a ray per
-// depth, and `start`, the distance from the eye to the slice.
+// Sets two uniforms of the slice program. Both are in half slabs along the volume's normal. `across`: advance of a ray
+// per unit of depth. `start`: distance from the eye to the slice.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
@@ -357,12 +359,12 @@ void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume
     program.set("start", glm::vec3(half_slabs * (glm::dvec3(place, 0, 0) - start)));
 }
 
-// Returns whether the inner program may draw the inner polygons of a slab. `from_eye`: from the eye to the slice, along
-// the normal.
+// Returns whether the inner program may draw the inner triangles of a slab. `from_eye`: distance from the eye to the
+// slice along the normal.
 bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
     if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
-    // If the eye is within one slab of the slice, pieces begin at the eye instead of at the front of the slab. The
-    // inner program cannot draw these pieces.
+    // If the eye is within one slab thickness of the slice, pieces begin at the eye instead of at the front of the
+    // slab. The inner program cannot draw these pieces.
     return view_.frame->camera.parallel || std::abs(from_eye) > 1.01 * thickness_of(volume);
 }
 
@@ -373,7 +375,7 @@ glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) con
     return {0, 0, -half / static_cast<float>(std::abs(normal.z)), 0};
 }
 
-// Returns the eye's coordinate along the volumes' normal, infinite for parallel rays.
+// Returns the coordinate of the eye along the volumes' normal. It is infinite for parallel rays.
 double VolumePainter::eye_across(const Frame& frame) const {
     const Vec3d& normal = frame.volumes[0].normal;
     if (!frame.camera.parallel) return view_.eye_along(normal);

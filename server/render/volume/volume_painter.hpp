@@ -1,5 +1,5 @@
-// Draws volumes over the current picture. Finds which parts of the rays are inside the meshes, blends the slabs of all
-// volumes from back to front in floats (in bytes for benchmarks), and composites the result onto the picture.
+// Draws volumes over the current picture. Finds the parts of rays that are inside the meshes. Blends the slabs of all
+// volumes from back to front in floats (in bytes for benchmarks). Composites the result onto the picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -17,52 +17,53 @@
 
 namespace ciel::render {
 
-// GL objects are freed only with their context.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
 class VolumePainter {
 public:
     explicit VolumePainter(const Gl& gl);
     VolumePainter(const VolumePainter&) = delete;
     VolumePainter& operator=(const VolumePainter&) = delete;
 
-    // Sets the texture of window depths at which rays end from now on; 0: rays do not end.
+    // Sets the texture with the window depths at which rays end in later draws. 0: rays do not end on surfaces.
     void end_on(GLuint depth) { surfaces_ = depth; }
-    // Draws the volumes onto the target. Leaves the target bound, and depth test and blending on. Throws Error when the
-    // volumes' normals differ, when their slabs are at places that are not finite, and as VolumeBuffers::load().
+    // Draws the volumes onto the target. Leaves the target bound, and depth test and blending on. Throws Error if the
+    // volumes' normals differ, or if the position or thickness of their slabs is not finite. Throws the errors of
+    // VolumeBuffers::load(), too.
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // Returns a picture of all volumes in front of `layer`. It is valid at the layer's pixels only, until the next
-    // call. Without a layer: a picture of all volumes in front of opaque surfaces, valid everywhere. RGBA32F,
-    // premultiplied, on a transparent background. Throws as draw(). Leaves another framebuffer and viewport bound,
-    // depth test and blending on.
+    // Returns a texture with all volumes in front of `layer`. It is valid only at the pixels of the layer, until the
+    // next call. Without a layer, it has all volumes in front of opaque surfaces, and is valid at all pixels. The
+    // format is RGBA32F, premultiplied, on a transparent background. Throws the same errors as draw(). Binds another
+    // framebuffer, changes the viewport, and leaves depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
                                        const LayerInVolumes& layer);
-    // RGBA32F texture; A: the window depth where the volumes begin. 0 before the first volume.
+    // RGBA32F texture. A: the window depth at which the volumes begin. 0 before the first volume is drawn.
     [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
 private:
     struct Table {
         GLuint texture = 0;
         bool is_made = false;
-        color::ColorScale scale; // scale, opacity_points, share: inputs of the texture
+        color::ColorScale scale; // scale, opacity_points, share: inputs from which the texture was made
         std::vector<std::array<double, 2>> opacity_points;
         double share = 1;
         double densest = 0; // largest extinction per unit length
     };
     struct Slot { // GL objects of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
-        // Buffers of all slices, and of those drawn while something moves. With two sets, starting and stopping a
-        // movement uploads nothing.
+        // `all`: buffers of all slices. `some`: buffers of the slices that interactive pictures draw (stride > 1). With
+        // two sets, nothing is uploaded when the user starts or stops moving the camera.
         VolumeBuffers all, some;
         Table table;
         // Programs in which this volume's uniforms are set.
         std::map<SlabProgramKind, ShaderProgram> slice_programs, inner_programs, edge_programs;
-        // Set for the frame being drawn.
+        // These members are set for each frame.
         VolumeBuffers* buffers = nullptr;
         const RaySheets* rays = nullptr;
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
-    // Coordinate along the slabs' normal at a depth of a ray: start + depth * per_depth. Both members are (value at the
-    // picture's corner, change per pixel in x, change per pixel in y).
+    // Coordinate along the slabs' normal at a given depth of a ray: start + depth * per_depth. Both members are (value
+    // at the picture's corner, change per pixel in x, change per pixel in y).
     struct RaysAcross {
         glm::dvec3 per_depth, start;
     };
@@ -89,7 +90,7 @@ private:
     void draw_slab(const Volume& volume, const Slot& slot, std::size_t slab) const;
     [[nodiscard]] bool has_coverage() const;
     [[nodiscard]] bool is_full(const Volume& volume, double from_eye) const;
-    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // uniform of the inner program
+    [[nodiscard]] glm::vec4 half_of_slab(const Volume& volume, double from_eye) const; // value of the uniform `half_of`
     [[nodiscard]] double eye_across(const Frame& frame) const;
     void put_on_picture(float opacity, bool coarse, bool per_sample) const;
 
@@ -98,7 +99,7 @@ private:
     VolumeRays rays_;
     VolumeReach reach_;
     VolumeCoverage coverage_;
-    struct Covered { // inputs of the coverage, to reuse it
+    struct Covered { // inputs of the coverage, which is reused if they are equal
         RayPlaces places;
         int samples = 0;
         std::vector<std::array<float, 4>> clip;
@@ -109,7 +110,7 @@ private:
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // window depths of opaque surfaces, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
-    // Set for the frame being drawn.
+    // These members are set for each frame.
     VolumeView view_;
     double slab_angle_ = 0; // result of slab_angle()
 };

@@ -9,7 +9,7 @@
 namespace ciel::render {
 namespace {
 
-constexpr float never = 1e30F; // depth behind everything; `never` in the shaders
+constexpr float never = 1e30F; // a depth behind everything; the constant `never` of the shaders
 
 enum Unit : int { limits_unit = 0, opaque_unit = 2, first_part_unit = 3, kept_unit = first_part_unit + most_ray_parts };
 static_assert(kept_unit < 16); // OpenGL guarantees 16 texture units per program stage
@@ -51,8 +51,8 @@ double VolumeView::eye_along(const Vec3d& normal) const {
     return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
 }
 
-// Returns whether the eye may be inside a mesh. Then the entries of rays are moved back where boundary faces coincide
-// (part_fragment in volume_shaders.cpp).
+// Returns whether the eye may be inside a mesh. If so, part_fragment (volume_shaders.cpp) moves the entries of rays
+// away from the eye, because boundary faces may coincide.
 bool VolumeView::eye_is_in_bounds() const {
     const Vec3d& eye = frame->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -80,7 +80,7 @@ PixelBox VolumeView::seen_box(int pixels_across, int pixels_up) const {
         from = glm::min(from, at);
         to = glm::max(to, at);
     }
-    constexpr double beside = 2; // pixels, for rounding and for programs that read neighbors of a pixel
+    constexpr double beside = 2; // margin in pixels, for rounding and for programs that read neighbors of a pixel
     const glm::ivec2 first(glm::clamp(glm::floor(from - beside), glm::dvec2(0), size));
     const glm::ivec2 last(glm::clamp(glm::ceil(to + beside), glm::dvec2(first), size));
     return {first.x, first.y, last.x - first.x, last.y - first.y};
@@ -106,7 +106,7 @@ const RaySheets& VolumeRays::find(const VolumeBuffers& buffers) {
                                     [&](const RaySheets& rays) { return rays.boundary == buffers.boundary_places(); });
     if (found != end) return *found;
     RaySheets& rays = end != sheets_.end() ? *end : sheets_.emplace_back(gl_);
-    // All transparent layers of one frame have the same ray parts, which are found once.
+    // All transparent layers of one frame have the same ray parts, so they are found only once.
     if (const RayPlaces places = view_.places(); rays.boundary != buffers.boundary_places() || rays.places != places) {
         rays.boundary = 0; // not valid if anything below throws
         find_parts(buffers, rays);
@@ -145,7 +145,7 @@ void VolumeRays::find_parts(const VolumeBuffers& buffers, RaySheets& rays) {
     gl_.Disable(GL_BLEND);
 }
 
-// Returns false when no ray enters the mesh again; the part is then invalid.
+// Returns false if no ray enters the mesh again. The part is then invalid.
 bool VolumeRays::find_next_part(const VolumeBuffers& buffers, RaySheets& rays, int part) {
     Sheet& sheet = rays.parts[static_cast<std::size_t>(part)];
     sheet.size(GL_RG32F, view_.width, view_.height);

@@ -1,4 +1,5 @@
-// Where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of opaque surfaces.
+// Finds where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of opaque
+// surfaces.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -12,7 +13,8 @@
 
 namespace ciel::render {
 
-// Inputs of the ray parts, which are the stretches of the rays inside a mesh. Parts found for equal inputs are reused.
+// Inputs of the ray parts. A ray part is an interval of a ray that is inside a mesh. Parts are reused if their inputs
+// are equal.
 struct RayPlaces {
     glm::dmat4 view{1}, projection{1};
     int width = 0, height = 0;
@@ -20,31 +22,34 @@ struct RayPlaces {
     bool operator==(const RayPlaces&) const = default;
 };
 
-// View of the picture being drawn. Frame and transform are borrowed.
+// View of the picture being drawn. Does not own frame and transform, which must outlive the VolumeView.
 struct VolumeView {
     const Frame* frame = nullptr;
     const annotations::ViewTransform* transform = nullptr;
-    GLuint opaque = 0;         // texture of window depths that end rays, or 0
-    int width = 0, height = 0; // of the volumes' picture, one ray per pixel
-    // Box of all volumes' meshes: offsets from the frame's origin.
+    GLuint opaque = 0;         // texture of the window depths at which rays end, or 0
+    int width = 0, height = 0; // size of the volumes' picture in pixels, one ray per pixel
+    // Bounding box of the meshes of all volumes, as offsets from the frame's origin.
     Vec3d low{}, high{};
 
-    // Ray of pixel p in eye space: xy at a depth = side_corner + side_step * p + depth * (corner + step * p).
+    // The ray of pixel p in eye space. Its x and y at a given depth are
+    // side_corner + side_step * p + depth * (corner + step * p).
     struct Rays {
         glm::dvec2 corner, step, side_corner, side_step;
     };
     [[nodiscard]] Rays rays_of_pixels() const;
     void set_rays(const ShaderProgram& program) const; // `program` must be in use
-    [[nodiscard]] glm::vec2 parallel_depths() const;   // (nearest, farthest - nearest depth); zero for a perspective
+    // Returns (nearest depth, farthest depth - nearest depth); (0, 0) for a perspective view.
+    [[nodiscard]] glm::vec2 parallel_depths() const;
     [[nodiscard]] double eye_along(const Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
     [[nodiscard]] RayPlaces places() const;
-    // Returns the pixels of a picture of width x height that the box may cover. Other rays meet no volume.
+    // Returns the pixels that the volumes may cover in a picture of width x height pixels. Rays of other pixels meet no
+    // volume.
     [[nodiscard]] PixelBox seen_box(int width, int height) const;
 };
 
-// Ray parts and limits of one boundary, valid until the next begin().
+// Ray parts and limits for one boundary. They are valid until the next VolumeRays::begin().
 struct RaySheets {
     explicit RaySheets(const Gl& gl) : limits(gl) {
         for (int i = 0; i < most_ray_parts; ++i) parts.emplace_back(gl);
@@ -56,7 +61,7 @@ struct RaySheets {
     RayPlaces places; // inputs of the parts
 };
 
-// GL objects are freed only with their context.
+// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
 class VolumeRays {
 public:
     explicit VolumeRays(const Gl& gl);
@@ -64,16 +69,16 @@ public:
     VolumeRays& operator=(const VolumeRays&) = delete;
 
     void begin(const VolumeView& view);
-    // Returns the sheets of the boundary, valid until the next begin(). Volumes with the same boundary share them.
+    // Returns the textures for the boundary, valid until the next begin(). Volumes with the same boundary share them.
     const RaySheets& find(const VolumeBuffers& buffers);
     // Sets the sampler uniforms of a slab program, which must be in use.
     static void set_units(const ShaderProgram& program);
-    void bind(const RaySheets& rays) const; // binds the textures to the units of set_units(): 0, and from 3 on
-    // Call after the last find(): makes begin_of_all() from the limits of all boundaries.
+    // Binds the textures to the units that set_units() sets: 0, and from 3 on.
+    void bind(const RaySheets& rays) const;
+    // Call after the last find(). Computes begin_of_all() from the limits of all boundaries.
     void finish();
-    [[nodiscard]] GLuint begin_of_all() const {
-        return begins_;
-    } // begin_of_all(): RGBA32F, only A is valid: window depth where volumes begin; 0 before finish()
+    // RGBA32F texture. Only A is valid: the window depth at which the volumes begin. 0 before finish().
+    [[nodiscard]] GLuint begin_of_all() const { return begins_; }
 
 private:
     void find_kept();

@@ -28,9 +28,9 @@ void main() {
 }
 )";
 
-// Writes the depth buffer: a depth one slab behind the layer, and 0 where neither the ray nor a neighbor meets the
-// layer. Neighbors count because compositing reads them. The depth is one slab behind, because a fragment behind the
-// layer may draw a piece that begins up to a slab before the fragment.
+// Writes the depth buffer. Usually the depth is one slab behind the layer, because a fragment behind the layer may draw
+// a piece that begins up to one slab in front of the fragment. The depth is 0 if neither the ray nor the ray of a
+// neighbor pixel meets the layer. Neighbors are included because compositing reads them.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;

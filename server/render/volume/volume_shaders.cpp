@@ -16,7 +16,7 @@ invariant gl_Position;
 void main() { gl_Position = transform * vec4(position, 1.0); }
 )";
 
-// fragment_depth() returns the depth of a fragment: its distance from the eye along the view's axis.
+// GLSL of fragment_depth(), which returns the depth of a fragment: its distance from the eye along the view direction.
 constexpr const char* depth = R"(
 // Nearest depth, and difference from it to the farthest; (0, 0) for a perspective.
 uniform vec2 parallel_depths;
@@ -26,9 +26,10 @@ float fragment_depth() {
 )";
 
 // Finds a part of a ray inside the mesh: an entry and an exit. Where two boundary faces coincide, a ray leaves and
-// enters the mesh at once. The corners of the two triangles are rounded to fractions of a pixel, so their depths
-// differ; more so on steeply seen faces. In a ray's first part, an entry behind the exit means that the eye is inside
-// the mesh. So for an eye within the bounds, entries are moved back by the largest rounding.
+// enters the mesh at the same depth. The GL rounds the corners of triangles to fractions of a pixel, so the computed
+// depths of the two faces differ, most of all on steep faces. In the first part of a ray, an entry behind the exit
+// means that the eye is inside the mesh. Therefore, if the eye is within the bounds, entries are moved away from the
+// eye by the largest rounding error.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
@@ -120,7 +121,7 @@ out vec4 copy;
 void main() { copy = texelFetch(limits, ivec2(gl_FragCoord.xy), 0); }
 )";
 
-// Returns GLSL that selects the first part of a ray that the clip planes do not remove.
+// Returns GLSL that selects the first part of a ray that the clip planes do not remove completely.
 std::string next_parts_seen(int parts) {
     std::string text;
     for (int i = 1; i < parts; ++i) {
@@ -130,10 +131,12 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
-// seen_from() where a ray serves several pixels. Such a ray ends on one side of an outline of an opaque surface. So a
-// pixel beside the outline takes, of the four rays around it, the ray that ends nearest to its own depth. Window depth
-// is linear over a plane, so a difference from the depth interpolated between the rays means an outline. Differences
-// below 1 % of the depth range hide too little of a volume to be seen.
+// This seen_from() is for pictures in which one ray is used for several pixels. At an outline of an opaque surface,
+// such a ray ends on one side of the outline only. Therefore a pixel beside the outline uses one of the four rays
+// around it: the ray whose opaque depth is nearest to the opaque depth of the pixel.
+// Window depth is linear over a plane. Therefore an outline is where the depth of the pixel differs from the depth
+// interpolated between the rays. Differences below 1 % of the depth range are ignored, because a piece of a volume that
+// is so thin is not visible.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;
@@ -157,10 +160,10 @@ vec2 seen_from() {
 }
 )";
 
-// Composites the volumes onto the picture. A pixel that the clipped mesh covers in part has the light of the covered
-// part. A mesh is thin at its outline, but a dense one is nearly opaque a pixel farther inward. So the optical depth is
-// taken to rise linearly inward, as it does from this pixel's ray to the next one's. Where this pixel's ray misses the
-// mesh, the next two rays give the rise.
+// Composites the volumes onto the picture. In a pixel that the clipped mesh covers only in part, only the covered part
+// gets light. A mesh is thin at its outline, but a dense mesh is nearly opaque one pixel farther inward. Therefore the
+// optical depth is assumed to increase linearly inward. The increase is the difference between the ray of this pixel
+// and the ray of the next pixel inward. If the ray of this pixel misses the mesh, the next two rays give the increase.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;

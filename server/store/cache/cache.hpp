@@ -1,4 +1,5 @@
-// Cache: keeps values up to a budget in bytes and a number, and drops the least recently used ones. Thread-safe.
+// Cache: a least-recently-used cache. It limits the total bytes of the values and the number of values, but always
+// keeps the most recently used value. Thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +23,9 @@ public:
     explicit Cache(std::size_t budget_bytes, std::size_t most_values = std::numeric_limits<std::size_t>::max())
         : budget_(budget_bytes), most_(most_values) {}
 
-    // Returns the value kept under `key`, or the result of `make`. If several threads ask for a key, one calls `make`
-    // and the others wait; threads that ask for other keys do not wait. A value lives as long as a caller holds it,
-    // also after the cache has dropped it.
+    // Returns the cached value of `key`. If there is none, calls `make` and caches the result. If several threads
+    // request the same key, one thread calls `make` and the other threads wait. Threads that request other keys do not
+    // wait. A value exists as long as a caller holds it, even after the cache has dropped it.
     template <typename T>
     [[nodiscard]] std::shared_ptr<const T> get(const std::string& key, const std::function<Made()>& make) {
         return std::static_pointer_cast<const T>(get_erased(key, make));

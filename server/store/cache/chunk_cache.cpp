@@ -32,7 +32,7 @@ ChunkCache::Entry& ChunkCache::entry(const std::filesystem::path& file) {
 }
 
 void ChunkCache::keep(Entry& entry, const std::shared_ptr<const PagedFile>& file) {
-    Kept let_go; // unmapped after the lock
+    Kept let_go; // destroyed after `lock`, so that the file is unmapped without the lock
     const std::lock_guard lock(mutex_);
     if (const auto known = place_.find(&entry); known != place_.end()) {
         known->second->second = file;

@@ -1,5 +1,5 @@
-// ChunkCache: maps the chunk files of a dataset. Their pages are checked when they are first read. All refreshes of the
-// dataset share one ChunkCache. Thread-safe.
+// ChunkCache: maps the chunk files of a dataset. A page of a chunk file is checked when it is first read. A dataset and
+// its refreshed versions (Dataset::refreshed) share one ChunkCache. Thread-safe.
 #pragma once
 
 #include "store/cache/paged_file.hpp"
@@ -14,28 +14,29 @@
 
 namespace ciel::store {
 
-// Keeps the most_kept files that were used last mapped, and those that somebody holds. It does not map all, because the
-// system allows a process 65,530 mappings, and a dataset can have more chunks.
+// Keeps the `most_kept` most recently used files mapped, and all files that a caller still holds. Does not keep all
+// files mapped, because the system allows a process 65,530 mappings, and a dataset can have more chunks.
 class ChunkCache {
 public:
     static constexpr std::size_t most_kept = 64;
 
     ChunkCache(AnyLost any_lost, FileAccess access) : any_lost_(std::move(any_lost)), access_(access) {}
-    // Returns `file`, mapped; checks no page. `checks`: called when the file is mapped for the first time or has
-    // changed. If it throws, the next call tries again. A file that has been let go and has not changed since is mapped
-    // again, and its pages that were checked are not checked again. Throws Error when the file was truncated or
-    // rewritten since it was mapped. With FileAccess::read, a file that was let go is read and checked again.
+    // Returns the mapped `file`, which must have `bytes` bytes. Checks no page. Calls `checks` to get the checksums of
+    // the pages when the file is mapped for the first time or has changed; if `checks` throws, the next call of get
+    // calls it again. If the file was unmapped and has not changed since, it is mapped again, and pages that were
+    // checked are not checked again. With FileAccess::read, such a file is read and checked again. Throws Error when
+    // the file was truncated or rewritten while it was mapped.
     [[nodiscard]] std::shared_ptr<const PagedFile> get(const std::filesystem::path& file, std::size_t bytes,
                                                        const std::function<PageChecks()>& checks);
     void check_sizes() const;
     void check_intact() const;
-    [[nodiscard]] std::size_t memory_bytes() const; // of copied pages (FileAccess::read)
+    [[nodiscard]] std::size_t memory_bytes() const; // size of copied pages; 0 with FileAccess::mapped
 
 private:
     struct Entry {
         std::mutex mutex; // one per chunk, so that a slow read of one chunk does not block others
         std::weak_ptr<const PagedFile> mapped;
-        std::optional<FileVersion> version; // of the file that `pages` describes
+        std::optional<FileVersion> version; // version of the file whose pages `pages` describes
         std::shared_ptr<PageStates> pages;
     };
     using Kept = std::list<std::pair<Entry*, std::shared_ptr<const PagedFile>>>;

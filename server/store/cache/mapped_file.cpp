@@ -15,10 +15,10 @@ namespace ciel::store {
 namespace {
 
 void check_status(const std::filesystem::path& file, const struct stat& status, std::size_t bytes) {
-    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file; restore it or import the data again");
     if (static_cast<std::size_t>(status.st_size) != bytes)
-        refuse(file, "has " + std::to_string(status.st_size) + " bytes where " + std::to_string(bytes) +
-                         " are declared; restore it or import the data again");
+        refuse(file, "has " + std::to_string(status.st_size) + " bytes, but must have " + std::to_string(bytes) +
+                         "; restore it or import the data again");
 }
 
 [[noreturn]] void refuse_absent(const std::filesystem::path& file) {
@@ -52,7 +52,8 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
     seen_ = opened_;
-    // Maps zeros for the file and its tail, and then, unless the file is to be read, the file over their begin.
+    // First maps zero pages for the file and its tail. Then maps the file over the first pages, unless the access is
+    // FileAccess::read.
     mapped_ = bytes + tail;
     const bool is_read = access == FileAccess::read;
     const int protection = is_read ? PROT_READ | PROT_WRITE : PROT_READ;
@@ -118,15 +119,14 @@ void MappedFile::copy(std::span<const std::byte> part) const {
 
 void MappedFile::load(std::span<const std::byte> part) const {
     if (access() == FileAccess::read) return copy(part);
-    constexpr int populate_read = 22; // MADV_POPULATE_READ, since Linux 5.14; older kernels answer EINVAL, and pages
-                                      // are read when they are touched
+    // MADV_POPULATE_READ, since Linux 5.14. Older kernels return EINVAL; pages are then read at their first access.
+    constexpr int populate_read = 22;
     static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const auto address = reinterpret_cast<std::uintptr_t>(part.data());
     const std::uintptr_t before = address % page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its page
     auto* const begin = reinterpret_cast<void*>(address - before);
-    // Where random reads are expected, the system reads each page of the part alone, unless it is told of the whole
-    // part.
+    // After expect_random_reads, the system reads each page separately. MADV_WILLNEED makes it read the whole part.
     (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
     if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();
@@ -135,7 +135,7 @@ void MappedFile::load(std::span<const std::byte> part) const {
 void MappedFile::check_size() const {
     check_intact();
     struct stat status {};
-    // If no file is at the path any more, it was deleted, and the mapping keeps its content.
+    // If there is no file at the path, the file was deleted, and the mapping keeps its content.
     if (size_ == 0 || ::stat(path_.c_str(), &status) != 0) return;
     if (static_cast<std::size_t>(status.st_size) < size_) refuse_shrunken(path_);
 }

@@ -1,9 +1,9 @@
 // MappedFile: a file of a known size, mapped for reading.
 //
 // Programs that change a dataset must replace its files (new file + rename), and never truncate or rewrite them in
-// place. A mapping of a replaced or deleted file stays valid. If a mapped file shrinks all the same, its mapping reads
-// as zeros from then on. If it is rewritten, the mapping shows the new content. In both cases the mapping is lost:
-// check_intact throws as soon as the change has been noticed (watched_mappings.hpp).
+// place. A mapping of a replaced or deleted file stays valid. If a mapped file shrinks nevertheless, its mapping reads
+// as zeros from then on. If a mapped file is rewritten, its mapping shows the new content. In both cases the mapping
+// is called lost: check_intact throws as soon as the change has been detected (watched_mappings.hpp).
 #pragma once
 
 #include "store/files/files.hpp"
@@ -22,24 +22,25 @@ namespace ciel::store {
 
 struct WatchedMapping; // watched_mappings.hpp
 
-// Identifies a file and its content: it changes when the file at a path is replaced or written to.
+// Identifies a file and its content. The FileVersion at a path changes when the file is replaced or written to.
 struct FileVersion {
     std::uint64_t device = 0, inode = 0;
-    std::array<std::int64_t, 2> modified{}, status_changed{}; // seconds, nanoseconds
+    std::array<std::int64_t, 2> modified{}, status_changed{}; // [seconds, nanoseconds]
     [[nodiscard]] bool operator==(const FileVersion&) const = default;
 };
 
-// Shared by the mapped files of a dataset. True once one of them is lost; until then no single file needs a check.
+// A flag that all mapped files of a dataset share. It becomes true when the mapping of a file is lost. While the flag
+// is false, callers need not check the files one by one.
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
-// Thread-safe, except moving and was_touched.
+// Thread-safe, except for moves and was_touched.
 class MappedFile {
 public:
     MappedFile() = default;
-    // Throws Error when `file` is missing, not a regular file, or not `bytes` long. If `bytes` is 0, opens no file.
-    // `tail`: number of bytes behind the file that can be read, too; they are 0. FileAccess::read: there are zeros in
-    // place of the file, until `load` copies parts of it.
+    // Throws Error when `file` is missing, is not a regular file, or does not have `bytes` bytes. If `bytes` is 0,
+    // opens no file. `tail`: number of zero bytes that can be read after the end of the file. FileAccess::read: the
+    // memory has zeros until `load` copies parts of the file.
     MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost(), std::size_t tail = 0,
                FileAccess access = FileAccess::mapped);
     ~MappedFile();
@@ -55,26 +56,27 @@ public:
         return {static_cast<const T*>(data_), size_ / sizeof(T)};
     }
 
-    [[nodiscard]] FileVersion version() const; // of the file when it was opened
-    // Tells the system to expect reads at random places, so that it does not read ahead.
+    [[nodiscard]] FileVersion version() const; // version of the file when it was opened
+    // Advises the system that reads will be at random offsets, so that the system does not read ahead.
     void expect_random_reads() const;
-    // Reads a part from the disk at once, not page by page when it is touched. Throws Error when it cannot be read: the
-    // mapping is lost then. With FileAccess::read, the same part must not be loaded or used on two threads at once.
+    // Reads `part`, a part of bytes(), from the disk with one request, not page by page at the first access. Throws
+    // Error when `part` cannot be read. The mapping is then lost, except after a read error with FileAccess::read. With
+    // FileAccess::read, two threads must not load or use the same part at the same time.
     void load(std::span<const std::byte> part) const;
     [[nodiscard]] FileAccess access() const { return in_.get() < 0 ? FileAccess::mapped : FileAccess::read; }
 
     // Throws Error when the mapping is lost, or when the file at the path is shorter than the mapping.
     void check_size() const;
     [[nodiscard]] bool is_lost() const;
-    // Throws Error when the mapping is lost. Then everything that was read from it must be discarded.
+    // Throws Error when the mapping is lost. The caller must then discard all data that it has read from the mapping.
     void check_intact() const;
-    // Returns whether the file at the path is the mapped one, unchanged since it was opened.
+    // Returns true if the file at the path is still the mapped file and has not changed since it was opened.
     [[nodiscard]] bool is_current() const;
-    // Returns whether the file at the path was written to or replaced since it was opened or since the last call. Then
-    // the content of the mapping has to be checked again: a file that was replaced can have been damaged when it was
-    // mapped.
+    // Returns true if the file at the path was written to or replaced since the last call, or since it was opened. The
+    // caller must then check the content of the mapping again. This includes a replaced file: a file may have been
+    // replaced because it was damaged, and the mapping still has the damaged content.
     [[nodiscard]] bool was_touched();
-    // Marks the mapping as lost, because its content has changed, and throws Error.
+    // Marks the mapping as lost, because its content has changed. Throws Error.
     [[noreturn]] void refuse() const;
 
 private:
@@ -82,10 +84,10 @@ private:
 
     std::filesystem::path path_;
     void* data_ = nullptr;
-    std::size_t size_ = 0, mapped_ = 0; // mapped_: with the tail
+    std::size_t size_ = 0, mapped_ = 0; // mapped_: size with the tail, in bytes
     Descriptor in_;                     // the open file, with FileAccess::read only
     struct stat opened_ {};             // status of the file when it was opened
-    struct stat seen_ {};               // at the last was_touched
+    struct stat seen_ {};               // status of the file at the last call of was_touched
     AnyLost any_lost_;
     WatchedMapping* watched_ = nullptr;
 };

@@ -32,7 +32,7 @@ bool is_cell_type(std::uint8_t type) {
     return false;
 }
 
-// Has no branches, so that a pass over tens of millions of indices takes hardly longer than reading them.
+// The loop has no branches. Therefore it takes hardly more time than reading the indices.
 Index highest(std::span<const Index> ids) {
     Index result = 0;
     for (const Index id : ids) result = std::max(result, id);
@@ -49,7 +49,8 @@ void check_below(const MappedFile& file, std::uint64_t limit, const char* of_wha
 void check_offsets(const MappedFile& file, std::uint64_t corners) {
     const auto offsets = file.as<std::uint64_t>();
     if (offsets.front() != 0 || offsets.back() != corners)
-        refuse_damage(file.path(), "does not span the " + std::to_string(corners) + " corners of face_vertex");
+        refuse_damage(file.path(), "must begin with 0 and end with " + std::to_string(corners) +
+                                       ", the number of corners in face_vertex");
     bool short_loop = false;
     for (std::size_t i = 1; i < offsets.size(); ++i)
         short_loop |= offsets[i] < offsets[i - 1] || offsets[i] - offsets[i - 1] < 3;
@@ -67,13 +68,14 @@ void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std:
     bool wrong = false;
     for (std::size_t i = 0; i < other.size(); ++i)
         wrong |= other[i] != none && (other[i] >= cells || other[i] <= own[i]);
-    if (wrong) refuse_damage(neighbour.path(), "names a cell that does not exist or comes before its face's owner");
+    if (wrong)
+        refuse_damage(neighbour.path(), "has a cell that does not exist or is not greater than the owner of its face");
 }
 
 void check_ascending(const MappedFile& file) {
     const auto ids = file.as<Index>();
     if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
-        refuse_damage(file.path(), "is not sorted or holds an id twice");
+        refuse_damage(file.path(), "is not sorted or contains an id twice");
 }
 
 void check_group(const Group& group, const MappedFile& file, std::uint64_t limit) {
@@ -102,7 +104,8 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     if (vertex_count_ == 0 || cell_count() == 0 || (!has_numbers() && stored_faces() == 0))
         refuse_damage(directory_, "is an empty mesh");
     if (vertex_count_ >= none || cell_count() >= none || stored_faces() >= none)
-        refuse(directory_, "has more than 4,294,967,294 vertices, faces or cells, the most that a mesh can have");
+        refuse(directory_,
+               "has more than 4,294,967,294 vertices, faces or cells, the limit for a mesh; import a smaller mesh");
     check_sizes();
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i);
     std::error_code error;
@@ -117,14 +120,14 @@ void MappedMesh::check_sizes() const {
     if (attributes_.info.vertices != vertex_count_ || attributes_.info.cells != cell_count() ||
         (!has_numbers() && attributes_.info.faces != faces))
         refuse_damage(directory_ / layout::attributes_document,
-                      "declares other numbers of vertices, faces or cells than the arrays hold");
+                      "declares other numbers of vertices, faces or cells than the arrays have");
     const auto expect = [&](const std::string& name, std::uint64_t want) {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return;
         const std::uint64_t have = found->second.bytes().size() / element_bytes(type_of(name));
         if (have != want)
-            refuse_damage(found->second.path(),
-                          "has " + std::to_string(have) + " entries where " + std::to_string(want) + " are needed");
+            refuse_damage(found->second.path(), "has " + std::to_string(have) + " entries, but must have " +
+                                                    std::to_string(want) + " entries");
     };
     expect("original_cell", cell_count());
     expect(face_array("neighbour"), faces);
@@ -138,8 +141,8 @@ void MappedMesh::check_sizes() const {
 void MappedMesh::check_boundary_count(std::uint64_t count) const {
     if (count != attributes_.info.boundary_faces)
         refuse_damage(directory_ / layout::attributes_document,
-                      "counts " + std::to_string(attributes_.info.boundary_faces) + " boundary faces, but there are " +
-                          std::to_string(count));
+                      "declares " + std::to_string(attributes_.info.boundary_faces) +
+                          " boundary faces, but there are " + std::to_string(count));
 }
 
 void MappedMesh::map(const std::string& name, ElementType type) {
@@ -147,7 +150,9 @@ void MappedMesh::map(const std::string& name, ElementType type) {
     const auto document = path / layout::array_document;
     const ZarrArray zarr = parse_zarr_array(read_text(document, layout::document_bytes), document);
     if (zarr.type != type || zarr.shape.size() != 1 || (zarr.shape != zarr.chunks && zarr.shape[0] != 0))
-        refuse_damage(document, std::string("is not the one-chunk array that '") + name + "' must be");
+        refuse_damage(document,
+                      std::string("declares a wrong type, number of dimensions or number of chunks for the array '") +
+                          name + "'");
     arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
     keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
     verified_[name];
@@ -167,7 +172,7 @@ PageStates& MappedMesh::pages_of(const std::string& ids) const {
         const std::string& sum = checksum_of(ids);
         const MappedFile& file = array(ids);
         const ArrayLayout layout{directory_ / ids, 1, 1, file.bytes().size(), false};
-        std::optional<ValueRanges> ranges; // none if the file has been replaced: then the array is one page
+        std::optional<ValueRanges> ranges; // nullopt if the file was replaced; the array is then one page
         if (file.is_current()) ranges = read_ranges(layout, 0, sum, 0, 0, dataset_id_);
         pages = std::make_unique<PageStates>(layout.chunk_bytes, page_checks(layout, sum, std::move(ranges)));
     });
@@ -216,19 +221,20 @@ void MappedMesh::verify_faces() const {
 void MappedMesh::verify_types() const {
     verify_checksums({"cell_types"});
     if (!std::all_of(cell_types().begin(), cell_types().end(), is_cell_type))
-        refuse_damage(array("cell_types").path(), "names a cell type that does not exist");
+        refuse_damage(array("cell_types").path(), "contains a cell type that does not exist");
 }
 
-// Throws Error unless the faces are sorted by owner. Numbered faces have two sorted parts: the boundary, then the rest.
+// Throws Error unless the faces are sorted by owner. Numbered faces have two sorted parts: first the boundary faces,
+// then the faces inside the mesh.
 void MappedMesh::check_order() const {
     const auto& owner = array(face_array("owner"));
     const auto neighbour = array(face_array("neighbour")).as<Index>();
     const std::size_t boundary = attributes_.info.boundary_faces, first_inner = has_numbers() ? boundary : 0;
     check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(neighbour, none)));
     if (!is_sorted(owner, 0, first_inner) || !is_sorted(owner, first_inner, neighbour.size()))
-        refuse_damage(owner.path(), "is not sorted");
+        refuse_damage(owner.path(), "is not sorted in ascending order");
     if (std::ranges::any_of(neighbour.first(first_inner), [](Index cell) { return cell != none; }))
-        refuse_damage(array(face_array("neighbour")).path(), "has a face inside the mesh among those on the boundary");
+        refuse_damage(array(face_array("neighbour")).path(), "has a face inside the mesh among the boundary faces");
 }
 
 void MappedMesh::verify_groups() const {
@@ -260,7 +266,8 @@ void MappedMesh::verify() const {
     const MeshInfo& info = attributes_.info;
     if (counts.vertices != info.vertices || counts.cells != info.cells || counts.faces != info.faces ||
         counts.boundary_faces != info.boundary_faces)
-        refuse_damage(directory_ / layout::attributes_document, "declares other counts than the blocks have");
+        refuse_damage(directory_ / layout::attributes_document,
+                      "declares other numbers of vertices, faces or cells than the blocks have");
     for (const RecordKind kind : record_kinds)
         parallel_for(blocks_->block_count(), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t b = begin; b < end; ++b) (void)blocks_->read(static_cast<Index>(b), kind);
@@ -283,17 +290,18 @@ FaceMeshView MappedMesh::with_stored_faces(FaceMeshView points) const {
     return points;
 }
 
-// Numbers the faces of a mesh of format 1, and replaces the ids of faces in its groups by numbers.
+// Numbers the faces of a mesh of format 1, and replaces face ids in its groups by face numbers.
 void MappedMesh::number_faces() const {
     verified_.at("groups").once([this] { verify_groups(); });
     verified_.at("numbers").once([this] {
         std::vector<std::vector<Index>> ids(groups_.size());
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
-        FaceMeshView mesh = with_stored_faces(view_points({})); // no positions, so its vertex count is 0:
+        // view_points({}) has no positions. Therefore its vertex count is 0, and the limit of face_vertex is set here.
+        FaceMeshView mesh = with_stored_faces(view_points({}));
         mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
         NumberedGroups numbered = number_groups(mesh, ids);
-        // Checks the files again: they may have changed since they were verified, and the numbers made from them stay.
+        // Checks the files again, because they may have changed since the first check, and `numbered` is kept.
         for (const auto& [name, file] : arrays_)
             if (!has_its_checksum(name, file)) file.refuse();
         check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, none)));
@@ -336,8 +344,8 @@ FaceMeshView MappedMesh::all_faces(FaceMeshView points) const {
     return mesh;
 }
 
-// Throws Error that names the array whose checksum no longer matches. A contradiction between two arrays is found in
-// one of them, `suspected`, but the other one may have changed.
+// Throws Error that names the array that no longer matches its checksum. `suspected`: the array in which a wrong index
+// was found. If this index contradicts another array, the other array may be the one that has changed.
 void MappedMesh::refuse_changed(const std::string& suspected) const {
     check_intact(); // throws if another thread has found the changed array already
     if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();
@@ -350,9 +358,10 @@ void MappedMesh::check_unchanged() {
     const std::lock_guard lock(checking_);
     for (auto& [name, file] : arrays_) {
         file.check_size();
-        if (!file.was_touched()) continue; // before the checksum, so that a write during it is found by the next call
+        // Called before the checksum is computed, so that the next call detects a write that happens meanwhile.
+        if (!file.was_touched()) continue;
         const bool is_whole = has_its_checksum(name, file);
-        file.check_intact(); // a truncated file reads as zeros, which may have the checksum
+        file.check_intact(); // throws if the file was truncated: the zeros in the mapping may match the checksum
         if (!is_whole) file.refuse();
     }
     if (blocks_) blocks_->check_unchanged();

@@ -1,4 +1,4 @@
-// MappedMesh: the arrays of one mesh, mapped, and its blocks. All refreshes of a dataset share it.
+// MappedMesh: the mapped arrays of one mesh, and its blocks. A dataset and its refreshed versions share the object.
 #pragma once
 
 #include "store/cache/paged_file.hpp"
@@ -19,26 +19,28 @@ class MappedMesh {
 public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;
-    // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Reads no array. Throws
-    // Error that names the file when one is missing, has a wrong size, or is not of this dataset. `any_lost`: whether
-    // any mapped file has changed since. `access`: whether the records are mapped or copied.
+    // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Does not read the
+    // content of an array. Throws Error that names the file when a file is missing, has a wrong size, or belongs to
+    // another dataset. `any_lost`: the dataset's flag (AnyLost), which becomes true when a mapping is lost. `access`:
+    // whether the records are mapped or copied.
     MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }
     [[nodiscard]] std::uint64_t vertex_count() const { return vertex_count_; }
     [[nodiscard]] std::uint64_t cell_count() const { return cell_types().size(); }
-    // These functions compare an array with its checksum, and its indices with the arrays that they point into, when it
-    // is first asked for. They throw Error that names the file. Files may change afterwards, so views check each index
-    // that they read.
+    // When an array is first requested, the functions below compare the array with its checksum and check that its
+    // indices are in range. They throw Error that names the file if a check fails. Files may change later. Therefore
+    // views check each index again when the index is read.
     [[nodiscard]] const std::vector<Group>& groups() const;
     [[nodiscard]] std::span<const Index> original_vertex() const { return ids<Index>("original_vertex"); }
     [[nodiscard]] std::span<const Index> original_cell() const { return ids<Index>("original_cell"); }
-    // Ids that the solver gave to vertices and cells, -1 where it gave none; empty if the source has no such ids.
+    // Return the ids that the solver gave to the vertices and cells. An id of -1 means that the solver gave no id.
+    // Empty if the imported file has no solver ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
-    // Return the ids of one vertex or cell; nullopt if the source has no such ids. Only the page that holds the id is
-    // compared with its checksum.
+    // Return the id of one vertex or cell; nullopt if the imported file has no solver ids. Only the page that contains
+    // the id is compared with its checksum.
     [[nodiscard]] Index original_vertex(Index vertex) const { return *id<Index>("original_vertex", vertex); }
     [[nodiscard]] Index original_cell(Index cell) const { return *id<Index>("original_cell", cell); }
     [[nodiscard]] std::optional<std::int64_t> solver_vertex(Index vertex) const {
@@ -47,26 +49,28 @@ public:
     [[nodiscard]] std::optional<std::int64_t> solver_cell(Index cell) const {
         return id<std::int64_t>("solver_cell", cell);
     }
-    // Returns the mesh with these positions, which are offsets from its origin, and without faces. Reads no array.
+    // Returns the mesh with `positions`, which are offsets from the mesh's origin, and without faces. Reads no array.
     [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
-    // Returns these points with the numbered faces (ciel/numbered_faces.hpp).
+    // Returns `points` with the numbered faces (ciel/numbered_faces.hpp).
     [[nodiscard]] FaceMeshView numbered_faces(FaceMeshView points) const;
-    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const; // the first of these: those on the boundary
-    // Returns these points with all faces. Those inside come from the blocks, except in format 1.
+    // Returns `points` with the boundary faces, which are the first numbered faces.
+    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const;
+    // Returns `points` with all faces of the mesh. The faces inside the mesh are made from the blocks, or, in format 1,
+    // read from the arrays.
     [[nodiscard]] FaceMeshView all_faces(FaceMeshView points) const;
     // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
     [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
-    void verify() const; // reads all arrays and records; throws Error at the first that is damaged
-    // Throws Error when a file has shrunk, or when it was written to or replaced and its mapping no longer has the
-    // checksum. Makes a stat call per file.
+    void verify() const; // reads and checks all arrays and records; throws Error at the first damaged file
+    // Throws Error when a file has shrunk. Also throws Error when a file was written to or replaced and the mapping no
+    // longer matches the file's checksum. Calls stat once for each file.
     void check_unchanged();
     void check_intact() const;
 
 private:
     [[nodiscard]] const MappedFile& array(const std::string& name) const { return arrays_.at(name); }
-    // Returns an array of ids that are no indices; empty if the mesh does not have the array.
+    // Returns an array of layout::id_arrays; empty if the mesh does not have the array.
     template <typename T>
     [[nodiscard]] std::span<const T> ids(const std::string& name) const {
         const auto found = arrays_.find(name);
@@ -83,7 +87,8 @@ private:
     }
     [[nodiscard]] PageStates& pages_of(const std::string& ids) const;
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
-    // Throws the Error of views when an index of this array is out of range or contradicts another array. Any thread.
+    // A view calls refuse() when an index of its array is out of range or contradicts another array. Any thread may
+    // call refuse().
     class Keeper final : public ArrayKeeper {
     public:
         Keeper(const MappedMesh& mesh, std::string name) : mesh_(mesh), name_(std::move(name)) {}
@@ -106,7 +111,8 @@ private:
     void check_order() const;
     void verify_groups() const;
     void check_boundary_count(std::uint64_t count) const;
-    // Returns the name of an array of faces with its folder. Format 1 has no folder, and its arrays have all faces.
+    // Returns the path of an array of faces inside the mesh's directory, such as "faces/owner". In format 1, these
+    // arrays are not in the folder and have all faces.
     [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
     [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
     [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<Index>().size(); }
@@ -117,19 +123,19 @@ private:
     std::filesystem::path directory_;
     std::string dataset_id_;
     AnyLost any_lost_;
-    std::mutex checking_; // held by check_unchanged: was_touched must not run twice at the same time
+    std::mutex checking_; // held by check_unchanged, because two threads must not call was_touched at the same time
     MeshAttributes attributes_;
     std::uint64_t vertex_count_ = 0;
-    std::map<std::string, MappedFile> arrays_; // by name; groups as "groups/<index>"
-    std::map<std::string, Keeper> keepers_;    // with the keys of arrays_
+    std::map<std::string, MappedFile> arrays_; // by name; the name of a group is "groups/<index>"
+    std::map<std::string, Keeper> keepers_;    // same keys as arrays_
     mutable std::vector<Group> groups_;
     std::string face_folder_;                    // "faces/", or empty in format 1
     std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
-    mutable NumberedGroups numbered_;            // in format 1: made at the first use of the faces or the groups
+    mutable NumberedGroups numbered_;            // only in format 1; made when faces or groups are first used
     mutable std::mutex making_faces_;
-    mutable std::weak_ptr<const FaceLists> all_faces_; // null unless somebody uses them
+    mutable std::weak_ptr<const FaceLists> all_faces_; // null if no caller uses all faces
 
-    // Runs a check until it has passed once. Thread-safe.
+    // Runs a check at the first call of once(). If the check throws, the next call runs it again. Thread-safe.
     class Verified {
     public:
         template <typename Check>
@@ -145,9 +151,9 @@ private:
         std::mutex checking_;
         std::atomic<bool> done_ = false;
     };
-    // By name of an array of ids that are no indices; null before their first use.
+    // By name of an array of layout::id_arrays; null until the array is first used.
     mutable std::map<std::string, std::unique_ptr<PageStates>> pages_;
-    mutable std::map<std::string, Verified> verified_; // by name of an array of ids, or of a check
+    mutable std::map<std::string, Verified> verified_; // by name of an array, or of a check of several arrays
 };
 
 } // namespace ciel::store

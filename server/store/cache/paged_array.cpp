@@ -21,8 +21,8 @@ ArrayLayout read_layout(const fs::path& directory, std::uint64_t items, int comp
     };
     const bool is_real = array.type == ElementType::f4 || array.type == ElementType::f8;
     if (!is_real || !is_step(array.shape) || !is_step(array.chunks) || array.chunks[0] != 1)
-        refuse(document, "does not hold one chunk of float32 or float64 per step, of " + std::to_string(items) + " x " +
-                             std::to_string(components) + " values");
+        refuse(document, "must declare one chunk of float32 or float64 for each step, of " + std::to_string(items) +
+                             " x " + std::to_string(components) + " values");
     return {directory, array.shape[0], array.shape.size(), array.chunk_bytes(document), array.type == ElementType::f8};
 }
 
@@ -46,7 +46,7 @@ PageChecks page_checks(const ArrayLayout& array, const std::string& sum, std::op
 void refuse_infinite(std::span<const std::byte> page, bool doubles, const fs::path& file) {
     const auto check = [&]<class T>(const T* begin) {
         if (!std::all_of(begin, begin + page.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
-            refuse(file, "holds a coordinate that is not finite");
+            refuse(file, "contains a coordinate that is not finite; restore the file or import the data again");
     };
     if (doubles)
         check(reinterpret_cast<const double*>(page.data()));

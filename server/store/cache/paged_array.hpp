@@ -1,4 +1,5 @@
-// An array of values or positions in its files: one chunk a step or coordinate set, each with its pages and ranges.
+// An array of values or positions on the disk. It has one chunk file for each step or coordinate set. The ranges of a
+// chunk and the checksums of its pages are in another file beside the chunk file.
 #pragma once
 
 #include "ciel/value_source.hpp"
@@ -25,29 +26,31 @@ struct ArrayLayout {
     }
 };
 
-// Throws Error that names the .zarray when it does not hold one chunk of float32 or float64 per step, of items x
-// components values.
+// Reads the .zarray in `directory`. Throws Error that names the .zarray unless each step or coordinate set is one chunk
+// of items x components values of type float32 or float64.
 [[nodiscard]] ArrayLayout read_layout(const std::filesystem::path& directory, std::uint64_t items, int components);
 
-// Returns the ranges that are stored beside a chunk; nullopt if there are none, or if they belong to another chunk.
-// `sum`: checksum of the chunk; if it is empty, nullopt is returned. `scalars`, `blocks`: how many of these the ranges
-// must have. Throws Error when the file is damaged.
+// Returns the ranges that are stored beside a chunk. Returns nullopt if none are stored, if they were written for
+// another chunk, or if `sum` is empty. `sum`: checksum of the chunk. `scalars`, `blocks`: the numbers of scalars and of
+// blocks that the ranges must have. Throws Error when the file is damaged.
 [[nodiscard]] std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t chunk,
                                                      const std::string& sum, std::size_t scalars, std::size_t blocks,
                                                      const std::string& dataset_id);
 
-// Returns the checksums with which the pages of a chunk are compared. A chunk whose pages have no checksums is one
-// page.
+// Returns the page size and the checksums of a chunk's pages. If `ranges` has no checksums of pages, the whole chunk is
+// one page with the checksum `sum`. If `sum` is empty, there is no checksum.
 [[nodiscard]] PageChecks page_checks(const ArrayLayout& array, const std::string& sum,
                                      std::optional<ValueRanges> ranges);
 
-// Throws Error that names the file when a page of positions has a number that is not finite.
+// Throws Error that names `file` when a page of positions contains a number that is not finite. `doubles`: whether the
+// numbers are doubles.
 void refuse_infinite(std::span<const std::byte> page, bool doubles, const std::filesystem::path& file);
 
+// Returns the numbers of a chunk file. Loads no page.
 [[nodiscard]] PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles);
 [[nodiscard]] Values loaded(PagedValues paged); // loads all pages
 
-// Loads positions by vertex. Keeps their file open.
+// Loads the pages that have the positions of given vertices. Keeps the file of positions mapped.
 class PositionsLoader final : public VertexLoader {
 public:
     PositionsLoader(PagedValues positions, std::size_t blocks)

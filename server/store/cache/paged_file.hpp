@@ -1,5 +1,5 @@
-// PagedFile: a file of numbers whose pages are compared with their checksums when they are first read. An unread page
-// costs nothing.
+// PagedFile: a file of numbers. Each page is compared with its checksum when the page is first loaded. Pages that are
+// never loaded are not read from the disk.
 #pragma once
 
 #include "ciel/values_view.hpp"
@@ -11,15 +11,16 @@
 
 namespace ciel::store {
 
-// What the pages of a file are compared with.
+// How the pages of a file are checked.
 struct PageChecks {
     std::size_t page_bytes = 0;
-    std::vector<std::uint64_t> checksums; // XXH3-64 by page; empty if none are known
-    std::function<void(std::span<const std::byte>)>
-        numbers{}; // throws Error if a page has numbers that it must not have
+    std::vector<std::uint64_t> checksums; // XXH3-64 of each page; empty if not known
+    // Throws Error if a page contains a forbidden number, such as a coordinate that is not finite. May be empty.
+    std::function<void(std::span<const std::byte>)> numbers{};
 };
 
-// Tells which pages of one version of a file have been checked. Outlives the mappings of the file. Thread-safe.
+// Records which pages of one version of a file have been checked. The object is kept when the file is unmapped.
+// Thread-safe.
 class PageStates {
 public:
     PageStates(std::size_t file_bytes, PageChecks checks);
@@ -40,21 +41,21 @@ private:
     std::atomic<std::size_t> left_;
 };
 
-// Checks the pages that hold the bytes from `begin` to `end` - 1 of a file with FileAccess::mapped, unless they are
-// checked already. Throws Error like PagedFile::load. Any thread.
+// Checks the pages that contain the bytes from `begin` to `end` - 1, except pages that are checked already. `file` must
+// have FileAccess::mapped. Throws Error as PagedFile::load does. May be called on any thread.
 void load_pages(const MappedFile& file, PageStates& pages, std::size_t begin, std::size_t end);
 
-// Thread-safe. Pages may change after their check, as all mapped files may (MappedFile). With FileAccess::read, they
-// are copied before their check and do not change.
+// Thread-safe. A mapped page may change after its check, when another process rewrites the file (MappedFile). With
+// FileAccess::read, a page is copied before its check and does not change.
 class PagedFile {
 public:
     PagedFile(MappedFile file, std::shared_ptr<PageStates> pages) : file_(std::move(file)), pages_(std::move(pages)) {}
 
     [[nodiscard]] const MappedFile& file() const { return file_; }
-    // Check the pages that hold the bytes from `begin` to `end` - 1, or all pages, unless they are checked already.
-    // Throw Error that names the file when a page cannot be read, does not match its checksum, or has numbers that it
-    // must not have. A wrong checksum loses the mapping if the file at the path was replaced or changed, so that the
-    // dataset is opened again.
+    // load checks the pages that contain the bytes from `begin` to `end` - 1. load_all checks all pages. Pages that are
+    // checked already are skipped. Both throw Error that names the file when a page cannot be read, does not match its
+    // checksum, or contains a forbidden number (PageChecks::numbers). If a checksum is wrong and the file at the path
+    // was replaced or changed, the mapping is also marked as lost, so that the dataset is opened again.
     void load(std::size_t begin, std::size_t end) const {
         if (begin >= end || pages_->are_all_checked()) return;
         const std::size_t size = pages_->checks().page_bytes, last = (end - 1) / size;
@@ -62,17 +63,17 @@ public:
             if (!pages_->is_checked(page)) check(page);
     }
     void load_all() const;
-    [[nodiscard]] std::size_t memory_bytes() const; // of copied pages
+    [[nodiscard]] std::size_t memory_bytes() const; // size of copied pages; 0 with FileAccess::mapped
 
 private:
     void check(std::size_t page) const;
 
     MappedFile file_;
     std::shared_ptr<PageStates> pages_;
-    mutable std::array<std::mutex, 16> copying_; // page p uses number p % 16, so that each page is copied once
+    mutable std::array<std::mutex, 16> copying_; // page p uses mutex p % 16, so that a page is copied only once
 };
 
-// The numbers in a PagedFile. The pages of numbers must be loaded before the numbers are read.
+// The numbers in a PagedFile. The caller must load the pages that contain the numbers before it reads the numbers.
 struct PagedValues {
     ValuesView values; // empty if `file` is null
     std::shared_ptr<const PagedFile> file;

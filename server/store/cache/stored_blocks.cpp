@@ -11,7 +11,8 @@
 namespace ciel::store {
 namespace {
 
-// Zeros behind each mapped file. An index in a changed record can lead there (RecordSource).
+// Number of zero bytes after each mapped file. A wrong index in a changed record can lead to these bytes. RecordSource
+// requires at least 1 MiB.
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 
 class MappedSource final : public RecordSource {
@@ -48,7 +49,8 @@ public:
 private:
     std::shared_ptr<const StoredBlocks> blocks_;
     bool is_trusted_;
-    std::array<std::vector<std::vector<std::uint64_t>>, 3> kept_; // by kind, by block; empty until it is read
+    // By record kind, by block; empty until the record is read.
+    std::array<std::vector<std::vector<std::uint64_t>>, 3> kept_;
     std::array<std::mutex, 16> reading_;
     std::atomic<std::size_t> bytes_ = 0;
 };
@@ -58,12 +60,12 @@ BlockIndex read_index(const std::filesystem::path& mesh, const std::string& data
     return parse_block_index(bytes_of(read_text(file, layout::index_bytes)), dataset_id, file);
 }
 
-// Opens a file of records and compares its size with the index.
+// Opens a file of records. Throws Error unless its size is `bytes`, the size in the index.
 InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes) {
     InputFile file(layout::records(mesh, kind, number));
     if (file.size() != bytes)
-        refuse_damage(file.path(),
-                      "has " + std::to_string(file.size()) + " bytes where " + std::to_string(bytes) + " are declared");
+        refuse_damage(file.path(), "has " + std::to_string(file.size()) + " bytes, but the index declares " +
+                                       std::to_string(bytes) + " bytes");
     return file;
 }
 
@@ -93,7 +95,7 @@ Topology StoredBlocks::topology(bool is_trusted) const {
     return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }
 
-// Checks the first bytes of a file before its first record is used.
+// Checks the head of a file of records, unless it has been checked before.
 void StoredBlocks::check_head(File& file, RecordKind kind) const {
     if (file.has_head) return;
     const auto mapped = file.mapped.bytes();
@@ -108,7 +110,7 @@ void StoredBlocks::check_head(File& file, RecordKind kind) const {
     file.has_head = true;
 }
 
-// Reads a record into `record`. Returns whether it has its checksum.
+// Reads a record into `record`. Returns true if the record matches its checksum.
 bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const {
     record.resize(place.raw);
     const auto bytes = std::as_writable_bytes(std::span(record));
@@ -160,7 +162,8 @@ void StoredBlocks::check_file(std::size_t kind, std::size_t number) const {
     std::vector<std::uint64_t> record;
     for (const RecordPlace& place : index_.places[kind])
         if (place.file == number && !read_into(place, file, record)) lose(file);
-    file.changed_at = now; // the time before the checks, so that a write during them is found by the next call
+    // `now` was read before the records, so that the next call detects a write that happened meanwhile.
+    file.changed_at = now;
 }
 
 void StoredBlocks::check_intact() const {

@@ -1,5 +1,5 @@
-// StoredBlocks: the records of a mesh's blocks in their files. A record is compared with its checksum when it is first
-// asked for.
+// StoredBlocks: reads the records of a mesh's blocks from their files. A record is compared with its checksum when it
+// is first requested.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -14,40 +14,41 @@
 
 namespace ciel::store {
 
-// Thread-safe. Topologies that are made from it keep it alive. When a file is found to have been truncated or rewritten
-// in place, check_intact throws. Copied records stay as they are; mapped ones may then read as zeros or as the new
-// content, and a topology stays in bounds with any content (RecordSource).
+// Thread-safe. A topology that was made from this object keeps the object alive. If a file was truncated or rewritten
+// in place and this has been detected, check_intact throws. Copied records of such a file do not change. Mapped records
+// read as zeros or as the new content. Any content is safe: a topology never accesses memory out of bounds
+// (RecordSource).
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
-    // Reads the index of the mesh and opens the files of records; reads nothing of them. Throws Error that names the
-    // file when one is missing or has another size, or when the index is damaged, of a newer format, or of a dataset
-    // with another id.
+    // Reads the index of the mesh's blocks and opens the files of records. Reads no record. Throws Error that names the
+    // file when a file is missing or has a wrong size, or when the index is damaged, has a newer format, or belongs to
+    // another dataset.
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
-    // Returns a topology that takes a record when it is first used. is_trusted: this process has written the records,
-    // so their content is not checked. Such records are always copied.
+    // Returns a topology that reads a record when the record is first used. is_trusted: true if this process has
+    // written the records. The topology then uses copies of the records and does not check their content.
     [[nodiscard]] Topology topology(bool is_trusted = false) const;
-    // Reads a record. Throws Error that names the file when it cannot be read, is of a newer format or of another
-    // dataset, or when the record does not match its checksum.
+    // Reads and returns a copy of a record. Throws Error that names the file when the file cannot be read, has a newer
+    // format or belongs to another dataset, or when the record does not match its checksum.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
-    // Returns a record in its mapped file. Throws like read. Only for FileAccess::mapped.
+    // Returns the bytes of a record in the mapped file. Throws Error as read does. Only for FileAccess::mapped.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
-    // Throws Error when a file was changed in place or replaced, and a record of the open file does not have its
-    // checksum. Makes a stat call per file.
+    // Throws Error when a file was changed in place or replaced, and a record of the open file no longer matches its
+    // checksum. Calls stat once for each file.
     void check_unchanged() const;
-    void check_intact() const; // throws Error when a file is known to be lost
+    void check_intact() const; // throws Error when a file is known to have changed or shrunk
 
 private:
     struct File {
         explicit File(InputFile file) : in(std::move(file)), changed_at(in.changed_at()) {}
 
         InputFile in;
-        MappedFile mapped;                      // empty if records are read
-        std::array<std::int64_t, 2> changed_at; // when its content was last known to be right
-        std::atomic<bool> has_head = false;     // its first bytes were found to be right
+        MappedFile mapped;                      // empty with FileAccess::read
+        std::array<std::int64_t, 2> changed_at; // result of in.changed_at() when the records were last correct
+        std::atomic<bool> has_head = false;     // the head of the file has been checked
         std::atomic<bool> is_lost = false;
     };
     [[nodiscard]] bool read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const;
@@ -60,9 +61,9 @@ private:
     AnyLost any_lost_;
     FileAccess access_;
     BlockIndex index_;
-    std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by kind, by number
+    std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by record kind, by number of the file
     mutable std::mutex checking_;                             // guards changed_at of all files
-    // By kind, by block: 1 if the mapped record was once found to have its checksum.
+    // By record kind, by block: 1 if the mapped record has matched its checksum once.
     std::array<std::unique_ptr<std::atomic<std::uint8_t>[]>, 3> verified_;
 };
 

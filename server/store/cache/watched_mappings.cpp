@@ -54,9 +54,10 @@ bool replace_by_zeros(std::uintptr_t address) {
 }
 
 void on_bus_error(int number, siginfo_t* info, void*) {
-    // si_addr is the address whose access failed: an address of the mapping behind the file's new end.
+    // si_addr is the address whose access failed. It lies in the mapping, behind the new end of the file.
     if (replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) return;
-    // No watched mapping: restores the previous handler, which gets the signal when the access is repeated.
+    // The address is in no watched mapping. Restores the previous handler, which gets the signal when the access is
+    // repeated.
     ::sigaction(number, &previous, nullptr);
 }
 

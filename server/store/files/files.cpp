@@ -18,7 +18,7 @@
 namespace ciel::store {
 namespace {
 
-constexpr std::string_view beside_mark = ".new-"; // in names of temporary files: FILE.new-PID
+constexpr std::string_view beside_mark = ".new-"; // part of the names of temporary files, which are FILE.new-PID
 
 Descriptor create(const std::filesystem::path& file) {
     Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
@@ -60,7 +60,7 @@ bool is_out_of_memory(const std::exception& error) {
         return failed->code() == std::errc::not_enough_memory ||
                failed->code() == std::errc::resource_unavailable_try_again;
     if (dynamic_cast<const Error*>(&error) != nullptr) return false;
-    // TBB throws when it cannot start a thread, and only the message of its exception tells this error from others.
+    // TBB throws an exception when it cannot start a thread. Only the message distinguishes it from other exceptions.
     return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
 }
 
@@ -95,11 +95,11 @@ InputFile::InputFile(const std::filesystem::path& file)
     // O_NONBLOCK: if the file was replaced by a FIFO, opening it must not block.
     : path_(file), in_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     if (in_.get() < 0) {
-        if (errno == ENOENT) refuse(file, "is missing");
+        if (errno == ENOENT) refuse(file, "is missing; check the path or restore the file");
         refuse_errno(file, "cannot be opened");
     }
     const struct stat status = status_of(in_, file);
-    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file");
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file; check the path or restore the file");
     size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -135,7 +135,8 @@ void InputFile::read(std::uint64_t offset, std::span<std::byte> to) const {
 std::string read_text(const std::filesystem::path& file, std::size_t limit) {
     const InputFile in(file);
     if (in.size() > limit)
-        refuse(file, "is longer than " + std::to_string(limit) + " bytes, the limit for a file of its kind");
+        refuse(file, "is longer than " + std::to_string(limit) +
+                         " bytes, the limit for this kind of file; restore the file or use a smaller file");
     std::string text(in.size(), '\0');
     text.resize(in.read_some(0, std::as_writable_bytes(std::span(text))));
     return text;
@@ -151,8 +152,10 @@ void append_after(const std::filesystem::path& file, std::uint64_t size, std::sp
     struct stat status {};
     if (::fstat(out.get(), &status) != 0) refuse_errno(file, "cannot be read");
     if (static_cast<std::uint64_t>(status.st_size) < size)
-        refuse_damage(file, "has " + std::to_string(status.st_size) + " bytes instead of " + std::to_string(size));
-    if (status.st_nlink > 1) { // a backup shares the file, and must not change
+        refuse_damage(file, "has " + std::to_string(status.st_size) + " bytes, but must have at least " +
+                                std::to_string(size));
+    // Another hard link to the file, such as a backup, must keep the old content.
+    if (status.st_nlink > 1) {
         std::vector<std::byte> all(size);
         InputFile(file).read(0, all);
         all.insert(all.end(), bytes.begin(), bytes.end());
@@ -179,7 +182,8 @@ void replace_file(const std::filesystem::path& file, std::span<const std::byte> 
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
         const Descriptor out = create(beside);
-        // remove_left_beside skips locked files. It cannot go by process ids, because each container has its own.
+        // remove_left_beside does not remove locked files. It cannot use process ids to find running processes, because
+        // each container has its own process ids.
         (void)::flock(out.get(), LOCK_EX | LOCK_NB);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");

@@ -8,7 +8,7 @@
 namespace ciel::store {
 
 bool is_on_this_machine(const std::filesystem::path& path) {
-    // The numbers are those of statfs(2) and of the file systems' own headers.
+    // Values of statfs::f_type that identify file systems, from statfs(2) and from the headers of the file systems.
     constexpr std::array<std::uint32_t, 13> remote{
         0x6969,     // NFS
         0x517b,     // SMB
@@ -22,7 +22,7 @@ bool is_on_this_machine(const std::filesystem::path& path) {
         0x19830326, // BeeGFS
         0x5346414f, // AFS
         0x73757245, // Coda
-        0x61756673, // a union of file systems, which may be remote
+        0x61756673, // aufs: a union of file systems, which may be remote
     };
     struct statfs status {};
     if (::statfs(path.c_str(), &status) != 0) return true;

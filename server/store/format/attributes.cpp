@@ -98,11 +98,12 @@ constexpr std::array mesh_counts{Count{"vertices", &MeshInfo::vertices},
                                  Count{"components", &MeshInfo::components},
                                  Count{"cells", &MeshInfo::cells}};
 
-// Returns the member "ciel", which has all attributes that CIEL writes. Throws Error when it is absent: the directory
-// is then a Zarr group of another program.
+// Returns the member "ciel", which contains all attributes that CIEL writes. Throws Error if the member is absent,
+// because another program then wrote the Zarr group.
 JsonReader ciel_member(const JsonReader& document, const std::filesystem::path& file) {
     if (!document.is_object() || !document.find("ciel"))
-        refuse(file, "has no 'ciel' attributes: the directory is a Zarr group, but not a CIEL dataset");
+        refuse(file, "has no 'ciel' attributes: the directory is a Zarr group, but not a CIEL dataset; "
+                     "make a dataset with 'ciel import'");
     return document.at("ciel");
 }
 

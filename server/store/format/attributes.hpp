@@ -22,8 +22,10 @@ struct MeshAttributes {
     Vec3d origin{};
     MeshInfo info;
     std::vector<GroupName> groups;
-    std::map<std::string, std::string> checksums;  // by name of the topology array; groups as "groups/<index>"
-    std::vector<std::string> coordinate_checksums; // of the first coordinate sets; sets added with plain Zarr have none
+    // By name of the topology array. The name of a group is "groups/<index>".
+    std::map<std::string, std::string> checksums;
+    // One checksum for each coordinate set, by index. The list ends before the sets that were added with plain Zarr.
+    std::vector<std::string> coordinate_checksums;
 };
 [[nodiscard]] MeshAttributes parse_mesh_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const MeshAttributes& mesh);

@@ -7,13 +7,14 @@
 namespace ciel::store {
 namespace {
 
-// Follows the head of the index. Offsets count from the begin of the file.
+// The bytes of the index after the common file head (file_head.hpp). Offsets are in bytes from the beginning of the
+// file.
 struct IndexHead {
     std::array<double, 6> bounds{};
     std::uint64_t blocks = 0;
     std::uint64_t tables_begin = 0, tables_bytes = 0;
     std::uint64_t places_begin = 0;
-    std::array<std::uint64_t, 3> files{}; // by kind: number of files
+    std::array<std::uint64_t, 3> files{}; // number of files of each record kind
     std::uint64_t files_begin = 0;
 };
 static_assert(sizeof(IndexHead) == 112);
@@ -23,7 +24,7 @@ void check_place(const RecordPlace& place, std::span<const std::uint64_t> files,
     const std::uint64_t begin = place.offset * record_alignment;
     if (place.file >= files.size() || place.stored != place.raw || begin < record_alignment ||
         begin + place.stored * record_word > files[place.file])
-        in.refuse_damage("places a record outside of its file");
+        in.refuse_damage("lists a record that is not inside its file");
 }
 
 } // namespace

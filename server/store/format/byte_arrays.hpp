@@ -1,5 +1,6 @@
-// The binary files of a dataset that are read as a whole: the head (file_head.hpp), arrays at offsets that the file
-// tells, and at the end XXH3-64 of all bytes before.
+// ByteWriter and ByteReader write and read the binary files of a dataset that are read as a whole. Such a file consists
+// of the head (file_head.hpp), arrays at offsets that are stored in the file, and the XXH3-64 checksum of all bytes
+// before the checksum.
 #pragma once
 
 #include "store/files/files.hpp"
@@ -33,10 +34,10 @@ private:
     std::vector<std::byte> out_;
 };
 
-// Borrows the bytes and the path.
+// Does not own the bytes and the path. Both must outlive the reader.
 class ByteReader {
 public:
-    // Throws Error when the head is not of this kind and dataset, or the checksum is wrong.
+    // Throws Error when the head has another kind or dataset id, or when the checksum is wrong.
     ByteReader(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
                const std::filesystem::path& file)
         : bytes_(bytes), file_(file) {
@@ -45,17 +46,18 @@ public:
         bytes_ = bytes.first(bytes.size() - sizeof sum);
         if (checksum_number(bytes_) != sum) refuse_damage("does not match its checksum");
     }
-    // Throws Error when the array does not lie inside the file.
+    // Returns a copy of `count` elements that begin at the offset `begin`, in bytes. Throws Error when they do not lie
+    // inside the file.
     template <class T>
     [[nodiscard]] std::vector<T> array(std::uint64_t begin, std::uint64_t count) const {
         if (begin > bytes_.size() || count > (bytes_.size() - begin) / sizeof(T))
-            refuse_damage("lists more than the file holds");
+            refuse_damage("lists an array that does not fit into the file");
         std::vector<T> out(count);
         if (count > 0) std::memcpy(out.data(), bytes_.data() + begin, count * sizeof(T));
         return out;
     }
     [[noreturn]] void refuse_unknown(const std::string& what) const {
-        refuse(file_, "names " + what + ", which this CIEL does not know; update CIEL");
+        refuse(file_, "uses " + what + ", which the installed CIEL does not know; update CIEL");
     }
     [[noreturn]] void refuse_damage(const std::string& what) const { store::refuse_damage(file_, what); }
 

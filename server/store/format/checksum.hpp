@@ -1,4 +1,4 @@
-// XXH3-64 of bytes. In documents it is written as "xxh3:" and 16 hexadecimal digits.
+// XXH3-64 checksums of bytes. In JSON documents, a checksum is written as "xxh3:" and 16 hexadecimal digits.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 namespace ciel::store {
 
 [[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
-// Returns the checksum of each page of `checksum_page_bytes`; the last page may be shorter.
+// Size of a page in bytes. page_checksums returns the checksum of each page. The last page may be shorter.
 inline constexpr std::size_t checksum_page_bytes = 1 << 16;
 [[nodiscard]] std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum_text(std::uint64_t number);
-[[nodiscard]] std::uint64_t checksum_number(const std::string& text); // the number in a text that `checksum` returned
+[[nodiscard]] std::uint64_t checksum_number(const std::string& text); // parses a text that `checksum` returned
 [[nodiscard]] bool is_checksum(const std::string& text);
 
 } // namespace ciel::store

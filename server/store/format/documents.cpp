@@ -14,7 +14,7 @@ namespace {
 void check_is_dataset(const fs::path& directory) {
     std::error_code error;
     const auto status = fs::status(directory, error);
-    if (!fs::exists(status)) refuse(directory, "does not exist");
+    if (!fs::exists(status)) refuse(directory, "does not exist; check the path");
     if (!fs::is_directory(status))
         refuse(directory, "is a file, not a dataset directory; make a dataset from the file with 'ciel import'");
     if (!fs::exists(directory / layout::group_document, error))
@@ -30,7 +30,8 @@ Documents read_documents(const fs::path& directory) {
     check_group_text(read_text(group, layout::document_bytes), group);
     std::error_code error;
     if (!fs::exists(attributes, error))
-        refuse(directory, "is a Zarr group, but not a CIEL dataset: the group has no .zattrs");
+        refuse(directory, "is a Zarr group, but not a CIEL dataset: the group has no .zattrs; make a dataset with "
+                          "'ciel import'");
     Documents documents;
     documents.info = parse_root_attributes(read_text(attributes, layout::document_bytes), attributes);
     documents.marker = parse_marker(read_text(marker, layout::marker_bytes), marker);

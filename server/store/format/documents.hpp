@@ -1,4 +1,4 @@
-// Reads the text files of a dataset that list its content: attributes and commit marker.
+// Reads the JSON documents that describe a dataset: the root attributes and the commit marker.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -10,8 +10,8 @@ struct Documents {
     Marker marker;
 };
 
-// Reads the documents without opening an array. Throws Error that names the file when the directory is not a dataset,
-// is damaged or has a newer format version.
+// Reads the documents. Opens no array. Throws Error that names the file when the directory is not a dataset, when a
+// document is damaged, or when the format version is newer.
 [[nodiscard]] Documents read_documents(const std::filesystem::path& directory);
 
 } // namespace ciel::store

@@ -16,8 +16,8 @@ constexpr std::array<std::uint8_t, 8> magic{0x89, 'C', 'I', 'E', 'L', '\r', '\n'
 struct Head {
     std::array<std::uint8_t, 8> magic{};
     FileKind kind{};
-    std::uint16_t oldest_reader = 0, writer = 0; // versions of the format
-    std::array<char, 32> dataset_id{};           // the rest is zeros
+    std::uint16_t oldest_reader = 0, writer = 0; // format versions, see store/README.md
+    std::array<char, 32> dataset_id{};           // padded with zeros
     std::array<std::uint64_t, 2> reserved{};
 };
 static_assert(sizeof(Head) == file_head_bytes);
@@ -34,9 +34,10 @@ std::array<std::byte, file_head_bytes> file_head(FileKind kind, const std::strin
 void check_file_head(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
                      const std::filesystem::path& file) {
     Head head;
-    if (bytes.size() < sizeof head) refuse_damage(file, "is too short");
+    if (bytes.size() < sizeof head) refuse_damage(file, "is too short: the first 64 bytes are not complete");
     std::memcpy(&head, bytes.data(), sizeof head);
-    if (head.magic != magic || head.kind != kind) refuse_damage(file, "does not begin as such a file of CIEL must");
+    if (head.magic != magic || head.kind != kind)
+        refuse_damage(file, "does not begin with the bytes that mark this kind of file");
     if (head.oldest_reader > layout::records_version)
         refuse(file, "was written by a newer CIEL, in format " + std::to_string(head.writer) + "; update CIEL");
     const auto& id = head.dataset_id;

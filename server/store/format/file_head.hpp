@@ -1,5 +1,6 @@
-// The first 64 bytes of each binary file of a dataset: what it is, the versions of its format, and the dataset's id,
-// which tells files of two datasets apart (store/README.md, "Blocks").
+// The head: the first 64 bytes of each binary file of a dataset. The head has the kind of the file, the format
+// versions, and the dataset's id. With the id, a reader detects a file of another dataset. Bytes: store/README.md,
+// "Blocks".
 #pragma once
 
 #include "ciel/record_source.hpp"
@@ -12,7 +13,7 @@
 
 namespace ciel::store {
 
-// Four characters. The files of records have the kinds of their records (RecordKind).
+// The kind of a file, four characters. A file of records has the kind of its records (RecordKind).
 enum class FileKind : std::uint32_t {
     index = 0x78646e69,       // "indx"
     ranges = 0x676e6172,      // "rang"
@@ -24,7 +25,8 @@ enum class FileKind : std::uint32_t {
 inline constexpr std::size_t file_head_bytes = 64;
 
 [[nodiscard]] std::array<std::byte, file_head_bytes> file_head(FileKind kind, const std::string& dataset_id);
-// Throws Error that names the file when its first bytes are damaged, of another kind or dataset, or of a newer format.
+// Throws Error that names the file when its head is damaged, or is of another kind, of another dataset or of a newer
+// format.
 void check_file_head(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
                      const std::filesystem::path& file);
 

@@ -10,7 +10,7 @@ namespace ciel::store {
 void Histogram::add(ValuesView values) {
     const double low = range[0], high = range[1];
     const auto bins = static_cast<double>(counts.size());
-    const double scale = std::isfinite(high - low) ? 1 : 0.5; // the width of the widest ranges overflows a double
+    const double scale = std::isfinite(high - low) ? 1 : 0.5; // halves all numbers if the width overflows a double
     const double width = high * scale - low * scale;
     values.with([&](const auto& all) {
         for (const double value : all) {
@@ -28,7 +28,8 @@ void Histogram::add(ValuesView values) {
     });
 }
 
-// Multiplying by a power of two is exact, so a value's bin among half as many is its bin divided by two.
+// A bin of the new histogram is a group of `together` consecutive bins. This gives exactly the counts of a histogram
+// that is made with `bins` bins, because multiplication by a power of two is exact in floating point.
 std::optional<Histogram> Histogram::with_bins(std::size_t bins) const {
     if (bins == 0 || counts.size() % bins != 0 || !std::has_single_bit(counts.size() / bins)) return std::nullopt;
     Histogram fewer = *this;

@@ -1,4 +1,4 @@
-// Histogram: how many values of a scalar lie in each of the equal bins of a range.
+// Histogram: the number of values of a scalar in each bin. All bins have the same width.
 #pragma once
 
 #include "ciel/values_view.hpp"
@@ -10,25 +10,28 @@
 
 namespace ciel::store {
 
-inline constexpr std::size_t stored_bins = 256; // of the histograms beside arrays (README.md, "Ranges")
+// Number of bins of the histograms that are stored in a dataset (store/README.md, "Ranges").
+inline constexpr std::size_t stored_bins = 256;
 
-// A bin is [low, high); the last one includes its upper end.
+// A bin includes its lower end and excludes its upper end. The last bin includes both ends.
 struct Histogram {
     Histogram() = default;
     Histogram(const std::array<double, 2>& of_range, std::size_t bins) : range(of_range), counts(bins) {}
 
-    std::array<double, 2> range{};      // of all bins; if both ends are equal, that value is in the first bin
-    std::vector<std::uint64_t> counts;  // by bin
+    // Lower end of the first bin and upper end of the last bin. If both ends are equal, values equal to them are in the
+    // first bin.
+    std::array<double, 2> range{};
+    std::vector<std::uint64_t> counts;  // number of values in each bin
     std::uint64_t below = 0, above = 0; // finite values outside the range
     std::uint64_t invalid = 0;          // NaN and infinite values
 
     void add(ValuesView values);
 
-    // Returns the histogram that counting with fewer bins gives; nullopt unless `bins` is the number of bins of this
-    // one divided by a power of two.
+    // Returns the histogram of the same values with `bins` bins. Returns nullopt unless the number of bins of this
+    // histogram is `bins` times a power of two.
     [[nodiscard]] std::optional<Histogram> with_bins(std::size_t bins) const;
-    // Returns the value below which a share of the finite values lie, from 0 to 1, as if the values of a bin were
-    // evenly spread over it. The lower end of the range if there are no finite values.
+    // Returns the value below which `share` (0 to 1) of the finite values lie. Assumes that the values of a bin are
+    // spread evenly over the bin. Returns the lower end of the range if there are no finite values.
     [[nodiscard]] double quantile(double share) const;
 
     [[nodiscard]] bool operator==(const Histogram&) const = default;
@@ -44,7 +47,7 @@ private:
     double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-// Returns the histogram over the range of the finite values.
+// Returns a histogram whose range is [min, max] of the finite values.
 [[nodiscard]] Histogram histogram_of(ValuesView values, std::size_t bins);
 
 } // namespace ciel::store

@@ -20,7 +20,7 @@ std::string valid_utf8(const std::string& text) {
 }
 
 std::string to_text(const nlohmann::json& json) {
-    // ASCII only: python3-zarr 2.13 decodes attributes as ASCII.
+    // Writes ASCII only, because python3-zarr 2.13 decodes attributes as ASCII.
     return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -1,5 +1,5 @@
-// JsonReader: checked access to JSON of unknown origin. A missing member or a wrong type throws Error that names the
-// file and the place in it.
+// JsonReader: checked access to JSON from files that may be damaged. If a member is missing or has a wrong type, the
+// functions throw Error. The message has the file and the path of the value in the document.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,13 @@ namespace ciel::store {
 
 // Throws Error when `text` is not JSON.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
-// Returns `text` with bytes that are not UTF-8 replaced by U+FFFD. Names in imported files may hold any bytes.
+// Returns a copy of `text` in which bytes that are not valid UTF-8 are replaced by U+FFFD. Names in imported files may
+// contain any bytes.
 [[nodiscard]] std::string valid_utf8(const std::string& text);
 [[nodiscard]] std::string to_text(const nlohmann::json& json);
 
-// Refers to the document and to `file`, which must outlive it. Messages name `file` and `place` ("steps[3].time").
+// Does not own the document and `file`. Both must outlive the reader. `place`: path of the value in the document, such
+// as "steps[3].time". Error messages contain `file` and `place`.
 class JsonReader {
 public:
     JsonReader(const nlohmann::json& value, const std::filesystem::path& file, std::string place = {})

@@ -5,7 +5,7 @@
 
 namespace ciel::store::layout {
 namespace {
-constexpr std::size_t longest_directory_name = 200; // file systems allow 255 bytes
+constexpr std::size_t longest_directory_name = 200; // in bytes; file systems allow 255
 }
 
 std::filesystem::path mesh(const std::filesystem::path& dataset, std::size_t mesh) {

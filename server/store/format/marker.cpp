@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::uint64_t most_meshes = 1'000'000;
 constexpr std::uint64_t most_table_steps = 100'000'000;
-// Values of `ciel_steps`. Readers of version 1 must refuse a dataset with a table, because they would see its last
-// steps only.
+// Values of `ciel_steps`: version 2 has a table of steps. A reader of version 1 must refuse such a dataset, because it
+// would see only the steps after the table.
 constexpr std::uint64_t plain_version = 1, table_version = 2;
 
 std::array<double, 2> parse_range(const JsonReader& value) {
@@ -61,7 +61,7 @@ MarkedStep parse_step(const JsonReader& value, std::vector<std::uint64_t>& next_
     step.time = value.at("time").number();
     if (const auto mesh = value.find("mesh")) step.mesh = mesh->count();
     if (step.mesh >= next_chunk.size())
-        value.refuse("names mesh " + std::to_string(step.mesh) + ", but there are " +
+        value.refuse("is on mesh " + std::to_string(step.mesh) + ", but the number of meshes is " +
                      std::to_string(next_chunk.size()));
     if (const auto coordinates = value.find("coordinates")) step.coordinates = coordinates->count();
     const std::uint64_t default_chunk = next_chunk[step.mesh]++;
@@ -98,7 +98,7 @@ TableFacts parse_table(const JsonReader& value, std::uint64_t meshes) {
         TableArray& array = table.arrays.emplace_back(TableArray{item.at("name").text(), {}});
         for (const JsonReader& mesh : item.at("meshes").items()) {
             array.meshes.push_back(mesh.count());
-            if (array.meshes.back() >= meshes) mesh.refuse("is not the number of a mesh");
+            if (array.meshes.back() >= meshes) mesh.refuse("is not the number of a mesh of the dataset");
         }
     }
     for (const JsonReader& chunks : value.at("chunks").items()) table.chunks.push_back(chunks.count());

@@ -1,6 +1,6 @@
-// The commit marker, steps.json: the list of the steps that readers see, or of the last ones and the facts of the table
-// that has the others (step_table.hpp). Readers ignore chunks that it does not list. Writers only replace it as a
-// whole.
+// The commit marker, steps.json. It lists the steps that readers see. If the dataset has a table of steps
+// (step_table.hpp), the marker lists only the steps after the table and describes the table. Readers ignore chunks that
+// neither the marker nor the table lists. Writers replace the marker as a whole.
 #pragma once
 
 #include "store/format/dataset_info.hpp"
@@ -13,9 +13,9 @@ namespace ciel::store {
 
 struct MarkedArray {
     std::uint64_t chunk = 0;
-    std::string checksum;                // empty if not given, as for chunks written with plain Zarr
-    std::optional<ArrayStep> statistics; // nullopt if not given; the reader then computes them
-    bool lazy = false;                   // the chunk need not be written yet
+    std::string checksum;                // checksum of the chunk file; empty if the file was written with plain Zarr
+    std::optional<ArrayStep> statistics; // nullopt if the marker has no statistics; the reader then computes them
+    bool lazy = false;                   // true: the chunk file may not be written yet
 };
 
 struct MarkedStep {
@@ -26,25 +26,26 @@ struct MarkedStep {
 
 struct TableArray {
     std::string name;
-    std::vector<std::uint64_t> meshes; // those that have steps with the array
+    std::vector<std::uint64_t> meshes; // indices of the meshes that have steps with the array
 };
 
 struct TableFacts {
-    std::uint64_t steps = 0; // 0: there is no table
-    std::string checksum;    // of the rows
+    std::uint64_t steps = 0; // number of steps in the table; 0 if there is no table
+    std::string checksum;    // checksum of the table's rows
     std::vector<TableArray> arrays;
-    std::vector<std::uint64_t> chunks; // by mesh: number after the last chunk; 0 for meshes without an entry
+    // By mesh: 1 + the number of the last chunk in the table. 0 for a mesh without an entry.
+    std::vector<std::uint64_t> chunks;
 };
 
 struct Marker {
     std::size_t meshes = 0;
     TableFacts table;
-    std::vector<MarkedStep> steps; // after those of the table
+    std::vector<MarkedStep> steps; // the steps after the steps of the table
 };
 
-// Throws Error that names `file` and the place in it, also when times do not increase or a step is on a mesh that does
-// not exist. `chunk` defaults to the number in the table's `chunks` plus that of earlier steps of the marker on the
-// same mesh.
+// Throws Error that names `file` and the path of the wrong value in the document. Also throws Error when times do not
+// increase, or when a step is on a mesh that does not exist. If an array has no `chunk`, its chunk number is the entry
+// of the step's mesh in the table's `chunks`, plus the number of earlier steps on this mesh in the marker.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 

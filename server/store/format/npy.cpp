@@ -28,7 +28,7 @@ Header find_header(std::string_view text, const std::filesystem::path& file) {
     std::size_t length = byte(8) | byte(9) << 8;
     if (is_long) length |= byte(10) << 16 | byte(11) << 24;
     const std::size_t begin = is_long ? 12 : 10;
-    if (length > text.size() - begin) refuse(file, "is cut off in its header");
+    if (length > text.size() - begin) refuse(file, "ends inside its header; save the array again with numpy.save");
     return {text.substr(begin, length), begin + length};
 }
 
@@ -36,7 +36,9 @@ Header find_header(std::string_view text, const std::filesystem::path& file) {
 std::string_view value_of(std::string_view dictionary, std::string_view key, const std::filesystem::path& file) {
     const std::string quoted = std::string("'").append(key).append("':");
     const auto at = dictionary.find(quoted);
-    if (at == std::string_view::npos) refuse(file, std::string("has no '").append(key).append("' in its header"));
+    if (at == std::string_view::npos)
+        refuse(file,
+               std::string("has no '").append(key).append("' in its header; save the array again with numpy.save"));
     dictionary.remove_prefix(at + quoted.size());
     dictionary.remove_prefix(std::min(dictionary.find_first_not_of(' '), dictionary.size()));
     return dictionary;
@@ -46,12 +48,13 @@ std::vector<std::size_t> parse_shape(std::string_view text, const std::filesyste
     std::vector<std::size_t> shape;
     const auto end = text.find(')');
     if (!text.starts_with('(') || end == std::string_view::npos)
-        refuse(file, "has a shape in its header that cannot be read");
+        refuse(file, "has a shape in its header that cannot be read; save the array again with numpy.save");
     const char *at = text.data() + 1, *const stop = text.data() + end;
     while (at < stop) {
         std::size_t extent = 0;
         const auto [after, error] = std::from_chars(at, stop, extent);
-        if (error != std::errc()) refuse(file, "has a shape in its header that cannot be read");
+        if (error != std::errc())
+            refuse(file, "has a shape in its header that cannot be read; save the array again with numpy.save");
         shape.push_back(extent);
         at = std::find_if(after, stop, [](char c) { return c != ',' && c != ' '; });
     }

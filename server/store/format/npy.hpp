@@ -12,12 +12,12 @@
 namespace ciel::store {
 
 struct NpyArray {
-    std::vector<std::size_t> shape; // one or two extents
+    std::vector<std::size_t> shape; // one or two entries
     Values values;
 };
 
-// Reads an array of float32 or float64. Throws Error that names `file` unless the array is little-endian, in C order
-// and of one or two dimensions, and its size fits its shape.
+// Reads an array of float32 or float64. Throws Error that names `file` unless the array is little-endian, in C order,
+// and has one or two dimensions. Also throws Error if the size of the file does not match the array's shape.
 [[nodiscard]] NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path& file);
 [[nodiscard]] NpyArray read_npy(const std::filesystem::path& file);
 

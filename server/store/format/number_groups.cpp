@@ -17,7 +17,7 @@ NumberedGroups number_groups(const FaceMeshView& mesh, std::span<const std::vect
     for (const std::vector<Index>& ids : groups) all.insert(all.end(), ids.begin(), ids.end());
     sort_once(all);
     if (!all.empty() && all.back() >= mesh.face_count())
-        throw Error("a group names the face " + std::to_string(all.back()) + ", but the mesh has only " +
+        throw Error("a group contains face " + std::to_string(all.back()) + ", but the mesh has only " +
                     std::to_string(mesh.face_count()) + " faces");
     const std::vector<Index> on_boundary = boundary_numbers(mesh, all);
     for (std::size_t i = 0; i < all.size(); ++i)

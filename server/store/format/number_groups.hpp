@@ -1,4 +1,4 @@
-// Numbers the faces that groups have.
+// Gives numbers to the boundary faces and to the faces of groups (ciel/numbered_faces.hpp).
 #pragma once
 
 #include "ciel/numbered_faces.hpp"
@@ -6,12 +6,13 @@
 namespace ciel::store {
 
 struct NumberedGroups {
-    FaceLists faces;                     // those with numbers
-    std::vector<std::vector<Index>> ids; // by group: numbers in ascending order, each once
+    FaceLists faces;                     // the numbered faces
+    std::vector<std::vector<Index>> ids; // by group: the numbers of its faces, ascending, without duplicates
 };
 
-// Returns the boundary faces and all faces inside the mesh that a group has. `groups`: ids of faces of the mesh. Reads
-// all faces of the mesh. Throws Error when an index of the mesh or an id of a group is out of range.
+// Returns the boundary faces, followed by the faces inside the mesh that are in a group, and the groups with the
+// numbers of these faces. `groups`: ids of faces of the mesh, by group. Reads all faces of the mesh. Throws Error when
+// an index of the mesh or an id of a group is out of range.
 [[nodiscard]] NumberedGroups number_groups(const FaceMeshView& mesh, std::span<const std::vector<Index>> groups);
 
 } // namespace ciel::store

@@ -19,10 +19,10 @@ namespace {
 enum Flag : std::uint32_t { has_checksum = 1, has_statistics = 2, is_lazy = 4 };
 
 struct Entry {
-    std::uint32_t array, flags; // array: index in the names of the table
+    std::uint32_t array, flags; // array: index in TableFacts::arrays
     std::uint64_t chunk, checksum, invalid, missing;
     std::array<double, 2> range;
-    std::uint32_t components, extremes; // numbers of pairs that follow
+    std::uint32_t components, extremes; // numbers of component ranges and of extremes that follow
 };
 static_assert(sizeof(Entry) == 64);
 
@@ -36,7 +36,7 @@ constexpr std::size_t most_step_bytes = std::size_t{1} << 26;
 fs::path rows_file(const fs::path& dataset) { return dataset / layout::step_table / "rows"; }
 fs::path arrays_file(const fs::path& dataset) { return dataset / layout::step_table / "arrays"; }
 
-// Takes values from the bytes of one step.
+// Reads values one after another from the bytes of one step.
 class Taker {
 public:
     Taker(std::span<const std::byte> bytes, const fs::path& file) : bytes_(bytes), file_(file) {}
@@ -58,12 +58,12 @@ private:
 
 void check_finite(const fs::path& file, std::span<const double> numbers) {
     if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
-        refuse_damage(file, "has a range or a place that is not finite");
+        refuse_damage(file, "has a range or a position that is not finite");
 }
 
 CellExtreme taken(Taker& from, const fs::path& file) {
     const auto stored = from.take<Extreme>();
-    if (stored.cell >= none) refuse_damage(file, "names a cell that no mesh has");
+    if (stored.cell >= none) refuse_damage(file, "has a cell id that is too large for any mesh");
     check_finite(file, stored.place);
     return {static_cast<Index>(stored.cell), stored.place};
 }
@@ -120,7 +120,7 @@ void put_array(std::vector<std::byte>& out, std::uint32_t number, const MarkedAr
     }
 }
 
-// Throws FileError when the file has fewer than `size` bytes, or is of another kind or dataset.
+// Throws FileError when the file has fewer than `size` bytes, or belongs to another kind or another dataset.
 void check_head(const InputFile& file, FileKind kind, const std::string& dataset_id, std::uint64_t size) {
     if (file.size() < size)
         refuse_damage(file.path(), "has " + std::to_string(file.size()) + " bytes, but the commit marker needs " +
@@ -146,8 +146,10 @@ StepTable::StepTable(const fs::path& dataset, const TableFacts& facts, const std
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (!std::isfinite(rows_[i].time) || (i > 0 && !(rows_[i].time > rows_[i - 1].time)))
             refuse_damage(file.path(), "has a step that is not later than the step before it");
-        if (rows_[i].mesh >= facts.chunks.size()) refuse_damage(file.path(), "names a mesh that does not exist");
-        if (rows_[i].begin != begin) refuse_damage(file.path(), "has a step that does not follow the step before it");
+        if (rows_[i].mesh >= facts.chunks.size())
+            refuse_damage(file.path(), "has a step on a mesh that does not exist");
+        if (rows_[i].begin != begin)
+            refuse_damage(file.path(), "has a step whose bytes do not follow the bytes of the step before it");
         begin += rows_[i].bytes;
     }
     arrays_ = std::make_unique<InputFile>(arrays_file(dataset));
@@ -168,9 +170,9 @@ MarkedStep StepTable::step(std::size_t step) const {
     for (std::uint32_t i = 0; i < row.arrays; ++i) {
         const auto entry = from.take<Entry>();
         if (entry.array >= arrays_of_.size() || !std::ranges::count(arrays_of_[entry.array].meshes, row.mesh))
-            refuse_damage(arrays_->path(), "names an array that the commit marker does not list for the mesh");
+            refuse_damage(arrays_->path(), "has an array that the commit marker does not list for the step's mesh");
         if (!out.arrays.emplace(arrays_of_[entry.array].name, array_of(entry, from, arrays_->path())).second)
-            refuse_damage(arrays_->path(), "has an array twice at a step");
+            refuse_damage(arrays_->path(), "has the same array twice at a step");
     }
     if (!from.is_at_end()) refuse_damage(arrays_->path(), "has a step that is longer than its arrays");
     return out;
@@ -198,7 +200,9 @@ TableFacts append_to_table(const fs::path& dataset, const TableFacts& facts, con
         }
         const auto bytes = std::span(arrays).subspan(first);
         if (bytes.size() > most_step_bytes)
-            refuse(arrays_file(dataset), "cannot hold a step of " + std::to_string(step.arrays.size()) + " arrays");
+            refuse(arrays_file(dataset),
+                   "cannot hold a step of " + std::to_string(step.arrays.size()) +
+                       " arrays, because their entries need more than 64 MiB; write fewer arrays at a step");
         rows.push_back({step.time, static_cast<std::uint32_t>(step.mesh), static_cast<std::uint32_t>(step.coordinates),
                         begin + first, static_cast<std::uint32_t>(bytes.size()),
                         static_cast<std::uint32_t>(step.arrays.size()), checksum_number(bytes)});

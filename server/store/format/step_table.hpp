@@ -1,6 +1,6 @@
-// The table of steps: two binary files with all steps of a dataset but the last few, which are in the commit marker
-// (store/README.md, "The table of steps"). Opening a dataset reads 40 bytes for a step of the table. The arrays of a
-// step are read at its first use.
+// The table of steps: two binary files with all steps of a dataset except the last steps, which are in the commit
+// marker (store/README.md, "The table of steps"). Opening a dataset reads 40 bytes for each step of the table. The
+// arrays of a step are read when the step is first used.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -14,11 +14,11 @@ namespace ciel::store {
 
 class InputFile; // files/files.hpp
 
-// Immutable and thread-safe. Keeps the file of arrays open.
+// Immutable and thread-safe. Keeps the file `steps/arrays` open.
 class StepTable {
 public:
-    // Reads the rows of the steps that `facts` counts; the files may be longer. Throws FileError when one is missing,
-    // damaged or of another dataset.
+    // Reads the first `facts.steps` rows. The files may be longer. Throws FileError when a file is missing, damaged or
+    // of another dataset.
     StepTable(const std::filesystem::path& dataset, const TableFacts& facts, const std::string& dataset_id);
     ~StepTable();
     StepTable(const StepTable&) = delete;
@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
     [[nodiscard]] double time(std::size_t step) const { return rows_[step].time; } // ascending
-    // Reads a step. Throws FileError when its part of the file is damaged.
+    // Reads a step from the file `steps/arrays`. Throws FileError when the bytes of the step are damaged.
     [[nodiscard]] MarkedStep step(std::size_t step) const;
 
 private:
@@ -35,9 +35,9 @@ private:
     struct Row {
         double time;
         std::uint32_t mesh, coordinates;
-        std::uint64_t begin; // in the file of arrays, in bytes
-        std::uint32_t bytes, arrays;
-        std::uint64_t checksum; // XXH3-64 of these bytes
+        std::uint64_t begin;         // offset of the step's arrays in the file `steps/arrays`, in bytes
+        std::uint32_t bytes, arrays; // length of the step's arrays in bytes; number of arrays
+        std::uint64_t checksum;      // XXH3-64 of the step's arrays
     };
     static_assert(sizeof(Row) == 40);
 
@@ -46,9 +46,10 @@ private:
     std::unique_ptr<InputFile> arrays_;
 };
 
-// Appends steps to the table that `facts` describes, and returns the facts of the longer one. Bytes of the longer table
-// count only when the commit marker has been replaced, so a reader sees the old or the new table. Truncates bytes that
-// no marker counts. Flushes the files to the disk. Throws FileError when they cannot be written or are damaged.
+// Appends steps to the table that `facts` describes. Returns the description of the new table, which the caller writes
+// to the commit marker. Until the commit marker is replaced, readers see the old table. First removes all bytes after
+// the old table, which no marker describes. Flushes the files to the disk. Throws FileError when a file is damaged or
+// cannot be written.
 [[nodiscard]] TableFacts append_to_table(const std::filesystem::path& dataset, const TableFacts& facts,
                                          const std::string& dataset_id, std::span<const MarkedStep> steps);
 

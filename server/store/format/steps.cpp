@@ -17,7 +17,8 @@ const Step& Steps::operator[](std::size_t step) const {
         const std::lock_guard lock(mutex_);
         if (known_[step]) return *known_[step];
     }
-    // Reads without the lock, because a read can take long: it computes the ranges of arrays appended with plain Zarr.
+    // Calls read_ without the lock, because the call can take long: it computes the ranges of arrays that were appended
+    // with plain Zarr.
     auto read = std::make_shared<const Step>(read_(step));
     const std::lock_guard lock(mutex_);
     if (!known_[step]) known_[step] = std::move(read);
@@ -26,7 +27,8 @@ const Step& Steps::operator[](std::size_t step) const {
 
 const Step& Steps::at(std::size_t step) const {
     if (step >= size())
-        throw Error("the dataset has " + std::to_string(size()) + " steps, and no step " + std::to_string(step));
+        throw Error("the dataset has " + std::to_string(size()) + " steps, numbered from 0; there is no step " +
+                    std::to_string(step));
     return (*this)[step];
 }
 

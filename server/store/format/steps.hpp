@@ -1,4 +1,4 @@
-// Steps: the steps of a dataset, each read when it is first asked for.
+// Steps: the steps of a dataset. Each step is read when it is first requested.
 #pragma once
 
 #include "store/format/dataset_info.hpp"
@@ -11,11 +11,12 @@
 
 namespace ciel::store {
 
-// By ascending time. Thread-safe. A reference to a step is valid as long as the dataset. Functions that return a step
-// throw Error when it is damaged.
+// The steps are in the order of ascending times. Thread-safe. A reference to a step is valid as long as this object
+// exists. Functions that return a step throw Error when the step is damaged.
 class Steps {
 public:
-    // `read`: returns a step; may be called by several threads. `before`: the same dataset with fewer steps, or null.
+    // `read`: reads and returns a step. Several threads may call it at the same time. `before`: null, or the steps of
+    // the same dataset when it had fewer steps. Steps that `before` has already read are not read again.
     Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before);
 
     [[nodiscard]] std::size_t size() const { return times_.size(); }
@@ -56,7 +57,7 @@ private:
     std::vector<double> times_;
     std::function<Step(std::size_t)> read_;
     mutable std::mutex mutex_;
-    mutable std::vector<std::shared_ptr<const Step>> known_; // null until a step is read
+    mutable std::vector<std::shared_ptr<const Step>> known_; // by step; null until the step is read
 };
 
 } // namespace ciel::store

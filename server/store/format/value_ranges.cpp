@@ -8,11 +8,12 @@
 namespace ciel::store {
 namespace {
 
-// Follows the head of the file. Offsets count from the begin of the file; 0: the file has no such array.
+// The bytes after the common file head (file_head.hpp). Offsets are in bytes from the beginning of the file. An offset
+// is 0 if the file does not have the array.
 struct RangesHead {
     std::uint64_t blocks = 0, scalars = 0;
     std::uint64_t chunk_checksum = 0;
-    std::array<char, 8> type{}; // of the limits: floats_type or doubles_type
+    std::array<char, 8> type{}; // number type of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
     std::uint64_t histograms = 0;
     std::uint64_t page_checksums = 0;
@@ -55,7 +56,7 @@ std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t beg
     std::vector<Histogram> histograms;
     for (const StoredHistogram& row : read.array<StoredHistogram>(begin, count)) {
         if (!std::isfinite(row.range[0]) || !std::isfinite(row.range[1]) || row.range[0] > row.range[1])
-            read.refuse_damage("has a histogram without a range");
+            read.refuse_damage("has a histogram whose range is not valid");
         Histogram& histogram = histograms.emplace_back(row.range, stored_bins);
         histogram.invalid = row.invalid;
         std::ranges::copy(row.counts, histogram.counts.begin());
@@ -63,7 +64,7 @@ std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t beg
     return histograms;
 }
 
-// Throws Error for a limit that is NaN: blocks are sorted by their limits, and NaN would break the order.
+// Throws Error if a limit is NaN, because blocks are sorted by their limits and NaN cannot be sorted.
 std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
     std::vector<double> limits;
     if (floats) {
@@ -73,7 +74,7 @@ std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std
         limits = read.array<double>(begin, count);
     }
     if (std::ranges::any_of(limits, [](double limit) { return std::isnan(limit); }))
-        read.refuse_damage("has a limit that is no number");
+        read.refuse_damage("has a limit that is not a number");
     return limits;
 }
 

@@ -1,5 +1,6 @@
-// What is stored beside the values of an array at one step: [min, max] in each block of the mesh, histograms, checksums
-// of pages. With them an iso-surface opens the blocks that it crosses, and no other. Bytes: store/README.md, "Ranges".
+// ValueRanges: the content of the file that is stored beside a chunk of an array. It has [min, max] in each block of
+// the mesh, histograms, and checksums of pages. With [min, max], the extraction of an iso-surface reads only the blocks
+// that the surface crosses. Bytes: store/README.md, "Ranges".
 #pragma once
 
 #include "ciel/block_ranges.hpp"
@@ -12,17 +13,17 @@
 namespace ciel::store {
 
 struct ValueRanges {
-    // Of the magnitude if the array has one, then of each component:
-    std::vector<BlockRanges> scalars;          // of no blocks if the array is not on points
-    std::vector<Histogram> histograms;         // with stored_bins; empty if none are stored
-    std::vector<std::uint64_t> page_checksums; // of the chunk (checksum.hpp); empty if none are stored
+    // The first two vectors have an entry for the magnitude, if the array has a magnitude, then one for each component.
+    std::vector<BlockRanges> scalars;          // without blocks if the array is not on points
+    std::vector<Histogram> histograms;         // with stored_bins bins; empty if the file has none
+    std::vector<std::uint64_t> page_checksums; // of the chunk (checksum.hpp); empty if the file has none
 };
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                               std::uint64_t chunk_checksum);
-// Returns nullopt when the ranges belong to another chunk than the one with the checksum `chunk_checksum`. Throws Error
-// that names `file` when the bytes are damaged, of another dataset, or of other numbers of blocks or scalars.
-// `chunk_bytes`: size of the chunk.
+// Returns nullopt if the ranges were written for a chunk with another checksum than `chunk_checksum`. `scalars`,
+// `blocks`: the numbers that the file must have. `chunk_bytes`: size of the chunk. Throws Error that names `file` when
+// the bytes are damaged, are of another dataset, or have other numbers of scalars or blocks.
 [[nodiscard]] std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes,
                                                             const std::string& dataset_id, std::size_t scalars,
                                                             std::size_t blocks, std::size_t chunk_bytes,

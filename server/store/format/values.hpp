@@ -10,14 +10,14 @@
 
 namespace ciel::store {
 
-// A ValuesView that keeps its numbers alive as long as the object or a copy of it lives. Numbers of a mapped file may
-// change while another process rewrites the file (Dataset).
+// A ValuesView that also keeps the numbers alive as long as the object or a copy of the object exists. If the numbers
+// are in a mapped file, they may change when another process rewrites the file (see Dataset).
 class Values : public ValuesView {
 public:
     Values() = default;
     Values(ValuesView numbers, std::shared_ptr<const void> keep_alive)
         : ValuesView(numbers), keep_alive_(std::move(keep_alive)) {}
-    // Takes the numbers over. T: float or double.
+    // Moves the numbers into the object. T: float or double.
     template <class T>
     explicit Values(std::vector<T>&& own) : Values(std::make_shared<const std::vector<T>>(std::move(own))) {}
 
@@ -30,7 +30,8 @@ private:
     std::shared_ptr<const void> keep_alive_;
 };
 
-// Returns the values as doubles or as the nearest floats; a view if they have that type already.
+// Returns the values as doubles, or as the nearest floats if `to_doubles` is false. If the values have that type
+// already, they are not copied, and the array of `values` must outlive the result.
 [[nodiscard]] inline Values converted(ValuesView values, bool to_doubles) {
     if (values.has_doubles() == to_doubles) return {values, nullptr};
     return values.with([&](auto all) {

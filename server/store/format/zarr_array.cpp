@@ -27,7 +27,7 @@ ElementType parse_type(const JsonReader& value) {
     const std::string name = value.text();
     for (const TypeRow& r : type_table)
         if (name == r.name) return r.type;
-    value.refuse("is '" + name + "', which is not a type of a CIEL dataset");
+    value.refuse("is '" + name + "', which is not a type of a CIEL dataset; use |u1, <u4, <u8, <i8, <f4 or <f8");
 }
 
 std::vector<std::uint64_t> parse_extents(const JsonReader& value) {
@@ -41,7 +41,8 @@ void check_version(const JsonReader& document) {
     if (document.at("zarr_format").count() != 2) document.at("zarr_format").refuse("must be 2");
 }
 
-// Puts the fill value NaN in quotes. zarr-python 3.0 writes it without quotes, which is not JSON; Zarr 2 requires them.
+// Puts the fill value NaN in quotes. zarr-python 3.0 writes NaN without quotes, which is not valid JSON. Zarr 2
+// requires the quotes.
 std::string with_nan_as_text(std::string text) {
     constexpr std::string_view key = "\"fill_value\"", bare = "NaN", blank = " \t\r\n";
     const auto found = text.find(key);
@@ -59,12 +60,12 @@ std::string with_nan_as_text(std::string text) {
 std::size_t element_bytes(ElementType type) { return row(type).bytes; }
 
 std::size_t ZarrArray::chunk_bytes(const std::filesystem::path& file) const {
-    // An empty array has no chunk file, although it declares a chunk of one element, because Zarr forbids 0.
+    // An empty array has no chunk file. It declares a chunk of one element only because Zarr forbids 0.
     if (std::find(shape.begin(), shape.end(), 0U) != shape.end()) return 0;
     std::uint64_t bytes = element_bytes(type);
     for (const std::uint64_t extent : chunks) {
         if (extent > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) / bytes)
-            refuse(file, "declares a chunk of more than 2^63 bytes; the file is damaged");
+            refuse(file, "declares a chunk of more than 2^63 bytes; restore the file or import the data again");
         bytes *= extent;
     }
     return bytes;
@@ -89,7 +90,7 @@ ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& f
                     parse_extents(document.at("chunks"))};
     if (array.shape.size() != array.chunks.size()) document.at("chunks").refuse("must have as many entries as 'shape'");
     if (std::find(array.chunks.begin(), array.chunks.end(), 0U) != array.chunks.end())
-        document.at("chunks").refuse("must not hold a zero");
+        document.at("chunks").refuse("must not contain zero");
     return array;
 }
 

@@ -16,16 +16,17 @@ enum class ElementType { u1, u4, u8, i8, f4, f8 };
 struct ZarrArray {
     ElementType type = ElementType::f4;
     std::vector<std::uint64_t> shape;
-    std::vector<std::uint64_t> chunks; // extents of one chunk: as many as in `shape`, none is 0
+    std::vector<std::uint64_t> chunks; // extents of one chunk; as many entries as `shape`; no entry is 0
 
-    // Returns the size of a chunk file, 0 for an empty array. Throws Error that names `file` when it exceeds 2^63 - 1.
+    // Returns the size of a chunk file in bytes; 0 for an empty array. Throws Error that names `file` when the size
+    // exceeds 2^63 - 1.
     [[nodiscard]] std::size_t chunk_bytes(const std::filesystem::path& file) const;
 };
 
 // Returns a one-dimensional array of `count` elements in one chunk.
 [[nodiscard]] ZarrArray whole_array(ElementType type, std::uint64_t count);
 
-// Throws Error that names `file` for an array that the store cannot map.
+// Throws Error that names `file` when `text` is not valid, or describes an array that the store cannot map.
 [[nodiscard]] ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const ZarrArray& array);
 

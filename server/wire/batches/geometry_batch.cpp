@@ -15,9 +15,9 @@ namespace {
 
 struct Batch {
     const Primitives* mesh = nullptr;
-    std::size_t first = 0;       // index of its first triangle, line or point in the mesh
+    std::size_t first = 0;       // index of the batch's first triangle, line or point in the mesh
     std::vector<Index> vertices; // indices into the mesh's vertices, in order of first use
-    std::vector<Index> indices;  // into `vertices`
+    std::vector<Index> indices;  // indices into `vertices`
 };
 
 // The vertices or the values of a batch, quantized but not yet compressed.
@@ -25,7 +25,7 @@ struct Quantized {
     std::uint64_t id = 0;
     std::vector<std::uint8_t> bytes; // records, one per vertex or value
     std::size_t stride = 4;
-    std::array<std::int64_t, 3> low{}; // smallest place per axis, in steps; values use low[0] only
+    std::array<std::int64_t, 3> low{}; // smallest coordinate per axis, in grid steps; values use low[0] only
 };
 
 std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
@@ -178,7 +178,7 @@ std::string hexadecimal(std::uint64_t id) {
     return text;
 }
 
-struct Counts { // compressed bytes per array; 0: not sent, the receiver has it
+struct Counts { // compressed bytes per array; 0: not sent, because the receiver has the array
     std::size_t vertices = 0, indices = 0, values = 0;
 };
 
@@ -208,7 +208,7 @@ void append_parts(std::string& json, const Primitives& mesh, const Quantized& sh
     json += "}";
 }
 
-struct Place { // number of a batch, number of batches in the frame, HeldArrays::base
+struct Place { // index of a batch in the frame, number of batches in the frame, HeldArrays::base
     std::size_t number = 0, batches = 0;
     std::uint32_t base = 0;
 };

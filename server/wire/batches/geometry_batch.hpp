@@ -12,13 +12,14 @@
 
 namespace ciel::wire {
 
-// Triangles, lines or points of one layer. The arrays are borrowed. `range` and `color` must be finite.
+// Triangles, lines or points of one layer. Does not own the arrays. `range` and `color` must be finite.
 struct Primitives {
     std::string layer; // id in the scene
     std::span<const Vec3f> positions, normals;
     ValuesView scalars; // one per vertex; empty if there are `values`
     ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
-    // Quantization step of scalars or values; the error is at most half a step. 0: they are sent as floats.
+    // Quantization step of scalars or values; the error is at most half a step. 0: scalars or values are sent as
+    // floats.
     double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
@@ -26,9 +27,10 @@ struct Primitives {
     std::array<double, 2> range{0, 1};
     std::array<float, 4> color{};
     bool lit = true;
-    float line_width = 1.5F;                    // pixels
-    std::span<const std::array<float, 4>> clip; // (normal, offset): shown where dot(normal, position) + offset >= 0
-    std::string scale = "{}";                   // JSON object, the member `scale` of protocol/frame.md
+    float line_width = 1.5F; // pixels
+    // Planes (normal, offset). Points with dot(normal, position) + offset >= 0 are shown.
+    std::span<const std::array<float, 4>> clip;
+    std::string scale = "{}"; // JSON object, the member `scale` of protocol/frame.md
 };
 
 inline constexpr std::size_t batch_vertices = 65536;
@@ -48,8 +50,8 @@ struct EncodedGeometry {
 
 // Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained: its
 // indices refer to its own vertices, and vertices shared between batches are repeated with the same grid position.
-// Triangles keep their order. An array in `held` is named by its id and not sent. `step`: grid step in length units, a
-// power of two (quantize.hpp). Throws Error when array sizes or indices are inconsistent.
+// Triangles keep their order. For an array in `held`, the payload contains only the id of the array. `step`: grid step
+// in length units, a power of two (quantize.hpp). Throws Error if array sizes or indices are inconsistent.
 [[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 

@@ -1,5 +1,5 @@
-// meshoptimizer's codecs in the versions that protocol/frame.md names: vertices 0xA0, triangles 0xE1, sequences 0xD1.
-// The bitstreams are described in the glTF extension EXT_meshopt_compression.
+// meshoptimizer's codecs in the versions that protocol/frame.md requires: vertices 0xA0, triangles 0xE1, sequences
+// 0xD1. The glTF extension EXT_meshopt_compression describes the bitstreams.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -16,8 +16,8 @@ std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std:
 // Appends three indices per triangle, each below `vertices`, in compressed form. Decoding keeps the order of the
 // triangles, but can rotate their corners. Returns the number of bytes appended.
 std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
-// Appends indices of lines or points, each below `vertices`, in compressed form. They are decoded exactly. Returns the
-// number of bytes appended.
+// Appends indices of lines or points, each below `vertices`, in compressed form. Decoding returns the same indices in
+// the same order. Returns the number of bytes appended.
 std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
 
 } // namespace ciel::wire

@@ -26,7 +26,7 @@ Vec3f facet_normal(const std::array<Vec3f, 3>& corners) {
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons triangles = exported_polygons(surface.surface, true);
     std::array<char, 80> title{};
-    std::string text = "CIEL surface"; // must not begin with "solid", which marks ASCII files
+    std::string text = "CIEL surface"; // must not begin with "solid", because "solid" marks ASCII files
     if (surface.file_origin != Vec3d{}) text += ", origin " + origin_text(surface.file_origin);
     std::copy_n(text.begin(), std::min(text.size(), title.size()), title.begin());
     out.write(title.data(), title.size());

@@ -11,12 +11,12 @@
 namespace ciel::wire {
 namespace {
 
-// Distance from the origin, in diagonals of the mesh, up to which floats are fine enough. Beyond it, adjacent floats
-// differ by more than a millionth of the diagonal.
+// Up to this distance from the origin, in diagonals of the mesh, floats are precise enough. At a larger distance,
+// adjacent floats differ by more than a millionth of the diagonal.
 constexpr double most_diagonals_away = 8;
 
-// Returns whether a polygon has an area. Computes Newell's normal about the first corner in double: it is exactly zero
-// for repeated points, and negligible compared with the squared extent for collinear points.
+// Returns whether a polygon has an area. Computes Newell's normal relative to the first corner in double. This normal
+// is exactly zero for repeated points, and negligible compared with the squared extent for collinear points.
 bool has_area(const Surface& surface, std::span<const Index> polygon) {
     if (polygon.size() < 3) return false;
     const Vec3f& base = surface.positions[polygon[0]];

@@ -42,10 +42,10 @@ struct ExportSurface {
     }
 };
 
-// Returns the point to subtract from the coordinates in a file. Formats with floats need it, others use it on request.
-// It is zero if floats are fine enough for the mesh's bounds, else the center of the bounds, rounded to whole
-// numbers. `bounds`: minimum and maximum per axis. Files of one mesh fit together, because the point depends only on
-// the bounds.
+// Returns the point to subtract from the coordinates in a file. Formats with floats need this point; other formats use
+// it on request. It is zero if floats are precise enough for the bounds of the mesh. Otherwise it is the center of the
+// bounds, rounded to whole numbers. `bounds`: minimum and maximum per axis. Files of one mesh fit together, because the
+// point depends only on the bounds.
 [[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 struct ExportedCounts {
@@ -59,8 +59,8 @@ struct ExportedCounts {
 // vertex has exactly the iso-value.
 struct ExportedPolygons {
     std::vector<Index> vertices;  // indices of the used surface vertices
-    std::vector<Index> offset{0}; // start of each polygon in `corner`, and the end of the last
-    std::vector<Index> corner;    // into `vertices`
+    std::vector<Index> offset{0}; // start of each polygon in `corner`, and the end of the last polygon
+    std::vector<Index> corner;    // indices into `vertices`
 
     [[nodiscard]] ExportedCounts counts() const { return {offset.size() - 1, vertices.size()}; }
 };

@@ -18,8 +18,8 @@ const NamedValues* find(const std::vector<NamedValues>& values, const std::strin
 }
 
 // Returns for each surface vertex the vertex that replaces it. If a mesh vertex has exactly the iso-value, each of its
-// edges has a separate surface vertex there. Merging these keeps the surface closed when polygons without area are left
-// out. Surface vertices with different values are not merged.
+// edges has a separate surface vertex at this position. Merging these surface vertices keeps the surface closed when
+// polygons without area are left out. Surface vertices with different values are not merged.
 std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vector<NamedValues>& values) {
     std::vector<Index> kept(surface.positions.size());
     std::unordered_map<Index, Index> at_mesh_vertex;
@@ -32,7 +32,7 @@ std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vecto
         kept[v] = v;
         if (v >= surface.points.size()) continue;
         const EdgePoint& point = surface.points[v];
-        const auto t = static_cast<float>(point.t); // rounded as the positions are
+        const auto t = static_cast<float>(point.t); // rounded to float like the positions
         if (t != 0 && t != 1) continue;
         const Index first = at_mesh_vertex.try_emplace(t == 0 ? point.a : point.b, v).first->second;
         if (have_equal_values(first, v)) kept[v] = first;

@@ -1,4 +1,5 @@
-// Joins several surfaces to one, for file formats that hold one surface: the iso-values of a layer, or all layers.
+// Joins several surfaces (the iso-values of a layer, or all layers) to one surface, for file formats that hold one
+// surface.
 #pragma once
 
 #include "wire/files/exported_surface.hpp"
@@ -6,15 +7,16 @@
 namespace ciel::wire {
 
 // Owns the joined arrays. Vertices of one added surface that lie on the same mesh vertex are merged if their values are
-// equal. Normals are kept only if all added surfaces have them. Values of a name are kept only if all added surfaces
-// have values of that name.
+// equal. Normals are kept only if all added surfaces have normals. Values of a name are kept only if all added surfaces
+// have values of this name.
 class JoinedSurface {
 public:
     // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: as in ExportSurface.
     void add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places = {});
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }
-    // Returns the places of all vertices; empty if a surface was added without places.
+    // Returns the positions of all vertices, as precise as the mesh (ExportSurface::places). Returns an empty span if a
+    // surface was added without places.
     [[nodiscard]] std::span<const Vec3d> places() const {
         return places_.size() == surface_.positions.size() ? std::span<const Vec3d>(places_) : std::span<const Vec3d>();
     }

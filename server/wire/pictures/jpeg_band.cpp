@@ -14,8 +14,8 @@
 namespace ciel::wire {
 namespace {
 
-// Pixels per side of an MCU (minimum coded unit): 4 luminance blocks and one of each chrominance, by libjpeg's
-// default.
+// Pixels per side of an MCU (minimum coded unit). By libjpeg's default, an MCU has 4 luminance blocks and one block of
+// each chrominance component.
 constexpr int unit = 16;
 constexpr int wished_units = 4; // fewest MCUs in a piece
 
@@ -129,7 +129,8 @@ void JpegBand::encode(std::span<const std::uint8_t> rgb) {
 }
 
 void JpegBand::take(std::span<const std::uint8_t> file, Span span) {
-    const std::uint8_t* at = file.data() + 2; // skips SOI; a segment has a mark, its kind, its length in two bytes
+    // Skips SOI. A segment begins with a mark, its kind, and its length in two bytes.
+    const std::uint8_t* at = file.data() + 2;
     const std::uint8_t* frame = nullptr;
     for (bool is_last = false; !is_last; at += 2 + 256 * at[2] + at[3]) {
         if (at[1] == frame_start) frame = at;
@@ -137,7 +138,7 @@ void JpegBand::take(std::span<const std::uint8_t> file, Span span) {
     }
     if (header_.empty() && top_ == 0) {
         header_.assign(file.data(), at);
-        std::uint8_t* size = header_.data() + (frame - file.data()) + 5; // two bytes each of height and width
+        std::uint8_t* size = header_.data() + (frame - file.data()) + 5; // height and width, two bytes each
         size[0] = static_cast<std::uint8_t>(height_ >> 8), size[1] = static_cast<std::uint8_t>(height_);
         size[2] = static_cast<std::uint8_t>(width_ >> 8), size[3] = static_cast<std::uint8_t>(width_);
     }

@@ -1,5 +1,6 @@
-// A band of rows of a JPEG picture, made of pieces that each end at a restart marker (jpeg_stream.hpp). A band is
-// encoded independently of all other bands, because nothing is predicted across a restart (T.81, E.1.4).
+// A band of rows of a JPEG picture. A band consists of pieces, and each piece ends at a restart marker
+// (jpeg_stream.hpp). A band is encoded independently of all other bands, because nothing is predicted across a restart
+// (T.81, E.1.4).
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ class JpegBand {
 public:
     static constexpr int most_rows = 64; // pixel rows
 
-    // Makes the band that begins at pixel row `top` of pictures of this size. `quality`: 1 to 100. Throws Error when
+    // Makes the band that begins at pixel row `top` of pictures of this size. `quality`: 1 to 100. Throws Error if
     // libjpeg cannot be set up.
     JpegBand(int width, int height, int top, int quality);
     ~JpegBand();

@@ -13,7 +13,7 @@ void JpegStream::encode(int width, int height, std::span<const std::uint8_t> rgb
     out.insert(out.end(), header.begin(), header.end());
     std::size_t piece = 0;
     for (const JpegBand& band : bands) piece = band.append(piece, out);
-    out.back() = end_of_image; // replaces the last piece's restart marker
+    out.back() = end_of_image; // replaces the restart marker of the last piece
 }
 
 } // namespace ciel::wire

@@ -23,7 +23,7 @@ void write_bytes(png_structp png, png_bytep bytes, png_size_t count) {
     } catch (const std::bad_alloc&) {
         sink.out_of_memory = true;
     }
-    png_error(png, "out of memory"); // throwing through libpng's C frames is not allowed
+    png_error(png, "out of memory"); // an exception must not pass through libpng's C functions
 }
 
 void keep_error(png_structp png, png_const_charp message) {

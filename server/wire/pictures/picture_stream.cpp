@@ -20,7 +20,7 @@ void check_picture(const char* format, int longest_side, int width, int height, 
         throw Error("a picture of " + size + " pixels cannot be written as " + format);
     if (rgb.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw Error("a picture of " + size + " pixels has " + std::to_string(rgb.size()) +
-                    " bytes instead of 3 a pixel");
+                    " bytes; it must have 3 bytes for each pixel");
 }
 
 } // namespace ciel::wire

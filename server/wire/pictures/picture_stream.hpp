@@ -19,15 +19,16 @@ public:
     PictureStream(const PictureStream&) = delete;
     PictureStream& operator=(const PictureStream&) = delete;
 
-    // Appends the encoded picture to `out`. `rgb`: rows from the top, 3 bytes a pixel. Throws Error when sizes do not
-    // match or exceed the codec's limit; later calls still work.
+    // Appends the encoded picture to `out`. `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do
+    // not match or exceed the codec's limit; later calls still work.
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };
 
 // Returns an encoder. `jpeg_quality`: 1 to 100; ignored for PNG, which is lossless.
 [[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality = 80);
 
-// Throws Error, naming the format, unless `rgb` has 3 bytes per pixel and both sides are from 1 to longest_side.
+// Throws Error unless `rgb` has 3 bytes per pixel and both sides are from 1 to `longest_side`. The error names the
+// format.
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb);
 
 } // namespace ciel::wire

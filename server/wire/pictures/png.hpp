@@ -1,4 +1,4 @@
-// Encodes pictures as PNG (ISO/IEC 15948) with libpng, optimized for size: for stills and files.
+// Encodes pictures as PNG (ISO/IEC 15948) with libpng, optimized for size: for still pictures and files.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace ciel::wire {
 
-// Appends the picture as PNG to `out`. `rgb`: rows from the top, 3 bytes a pixel. Throws Error when sizes do not match.
+// Appends the picture as PNG to `out`. `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do not
+// match.
 void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out);
 
 } // namespace ciel::wire

@@ -50,9 +50,9 @@ TEST(PrintableNames, AreInWholeSentences) {
     EXPECT_EQ(refused("a", {{"type", "surface"}, {"color", {{"array", name}}}}),
               "dataset 'box' has no scalar '" + shown + "'; it has U:magnitude, U:x, U:y, U:z, p, late");
     EXPECT_TRUE(refused("a", {{"type", "surface"}, {"color", {{"array", "p"}, {"map", name}}}})
-                    .starts_with("there is no color map " + shown + "; there are "));
+                    .starts_with("there is no color map " + shown + "; choose one of "));
     EXPECT_EQ(refused("a", {{"type", "surface"}, {"groups", {name}}}),
-              "there is no patch " + shown + "; there are left, body");
+              "there is no patch " + shown + "; choose one of left, body");
     EXPECT_TRUE(refused("a", {{"type", "surface"}, {name, 1}})
                     .starts_with("/layers/a/" + shown + " is not a known member; the known members are "));
     EXPECT_EQ(refused(name, {{"type", "surface"}, {"opacity", 7}}), "/layers/" + shown + "/opacity must be at most 1");

@@ -65,11 +65,11 @@ TEST(Limits, of_memory_are_shares_of_the_machines) {
 TEST(Limits, that_make_no_sense_are_refused_in_a_sentence) {
     EXPECT_EQ(problem("sessions", "0"), "0 is not between 1 and 1000000");
     EXPECT_EQ(problem("histogram_bins", "5000"), "5000 is not between 1 and 4096");
-    EXPECT_EQ(problem("sessions", "1K"), "1K is not a whole number");
-    EXPECT_EQ(problem("message_bytes", "-1"), "-1 is not a whole number, such as 64M");
-    EXPECT_EQ(problem("message_bytes", "25%"), "25% is not a whole number, such as 64M");
-    EXPECT_EQ(problem("dataset_memory_bytes", "101%"), "101% is not a whole number, such as 64M or 25%");
-    EXPECT_EQ(problem("message_bytes", ""), " is not a whole number, such as 64M");
+    EXPECT_EQ(problem("sessions", "1K"), "1K is not a whole number; give a whole number");
+    EXPECT_EQ(problem("message_bytes", "-1"), "-1 is not a whole number; give a size such as 64M");
+    EXPECT_EQ(problem("message_bytes", "25%"), "25% is not a whole number; give a size such as 64M");
+    EXPECT_EQ(problem("dataset_memory_bytes", "101%"), "101% is not a whole number; give a size such as 64M or 25%");
+    EXPECT_EQ(problem("message_bytes", ""), " is not a whole number; give a size such as 64M");
     EXPECT_EQ(problem("message_bytes", "18446744073709551615T"),
               "18446744073709551615T is not between 4 KiB and 1024 TiB");
 }

@@ -142,11 +142,12 @@ TEST_F(Append, malformed_uploads_are_refused_before_a_piece_is_taken) {
     const std::vector<Row> rows{
         {with("dataset", "bax"), not_found, "bax"},
         {with("dataset", "../box"), not_found, "box"},
-        {with("time", 2), failed, "not later than the last step of box, 2"},
+        {with("time", 2), failed, "not later than the last step of box, which is at time 2"},
         {with("time", "9"), invalid_params, "number"},
         {with("arrays", json::array()), invalid_params, "/arrays"},
         {with("arrays", {{{"name", "p"}}, {{"name", "p"}}}), failed, "given twice"},
-        {with("arrays", {{{"name", "p"}, {"components", 3}}}), failed, "'p' has 1 components, not 3"},
+        {with("arrays", {{{"name", "p"}, {"components", 3}}}), failed,
+         "'p' has 1 components in the dataset, but the values have 3"},
         {with("arrays", {{{"name", "new"}, {"components", 65}}}), invalid_params, "components"},
         {with("arrays", {{{"name", "a/b"}}}), failed, "holds a '/'"},
         {with("arrays", {{{"name", "cell:.."}}}), failed, "is . or .."},
@@ -254,7 +255,8 @@ TEST_F(Append, two_uploads_at_once_do_not_mix_and_the_later_time_wins) {
     fill(third, 5);
     EXPECT_EQ(client_.call("append.commit", only(first))["step"], 3);
     EXPECT_EQ(client_.call("append.commit", only(second))["step"], 4);
-    EXPECT_THAT(refusal("append.commit", only(third), failed), HasSubstr("not later than the last step of box, 4"));
+    EXPECT_THAT(refusal("append.commit", only(third), failed),
+                HasSubstr("not later than the last step of box, which is at time 4"));
     const auto dataset = store::Dataset::open(folder_ / "box.ciel");
     EXPECT_THAT(dataset->values("p", 3), testing::Each(3.0F));
     EXPECT_THAT(dataset->values("p", 4), testing::Each(4.0F));

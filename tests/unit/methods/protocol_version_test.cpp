@@ -93,7 +93,8 @@ TEST_F(ProtocolVersion, a_malformed_declaration_is_refused) {
          {"1", "null", "[1, 1]", R"("1.1")", "{}", R"({"major": 1})", R"({"major": 1, "minor": -1})",
           R"({"major": 1.5, "minor": 1})", R"({"major": "1", "minor": 1})"}) {
         const json answer = ask(json::parse(declared), "dataset.list", json::object());
-        EXPECT_EQ(answer["error"]["data"]["reason"], R"(protocol is of the form {"major": 1, "minor": 0})") << declared;
+        EXPECT_EQ(answer["error"]["data"]["reason"], R"(protocol must be of the form {"major": 1, "minor": 0})")
+            << declared;
     }
 }
 

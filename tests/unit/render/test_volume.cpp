@@ -302,7 +302,7 @@ TEST(VolumeTest, RefusesWhatDoesNotFitTogether) {
     volume = scene.volume({0, 1, 0}, 4);
     SlabMesh broken{{}, {0, 1, 2}};
     volume.slices = std::span(&broken, 1);
-    refused(volume, "name vertices beyond its 0 vertices");
+    refused(volume, "less than 0, the number of vertices");
     volume = scene.volume({0, 1, 0}, 4);
     volume.scale.map = "nothing";
     refused(volume, "there is no color map 'nothing'");

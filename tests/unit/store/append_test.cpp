@@ -59,11 +59,11 @@ struct Refused {
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const std::string long_name(201, 'x');
 const std::vector<Refused> refused{
-    {"the same time", 0, {{"p", {}}}, "time 0 is not later than the last step of box, 0"},
+    {"the same time", 0, {{"p", {}}}, "time 0 is not later than the last step of box, which is at time 0"},
     {"an earlier time", -1, {{"p", {}}}, "not later"},
     {"no time", nan, {{"p", {}}}, "must be a finite number"},
     {"twice", 1, {{"p", {}}, {"p", {}}}, "'p' is given twice"},
-    {"other components", 1, {{"U", 2}}, "'U' has 3 components, not 2"},
+    {"other components", 1, {{"U", 2}}, "'U' has 3 components in the dataset, but the values have 2"},
     {"no components", 1, {{"new", 0}}, "1 to 64"},
     {"too many components", 1, {{"new", 65}}, "1 to 64"},
     {"an empty name", 1, {{"", {}}}, "is empty"},

@@ -290,7 +290,7 @@ const std::vector<Damage> damages{
     {"rows cut off", "steps/rows", [](std::string& b) { b.resize(1000); }, "the commit marker needs 6064"},
     {"no rows", "steps/rows", [](std::string& b) { b.clear(); }, "has 0 bytes"},
     {"rows changed", "steps/rows", [](std::string& b) { b[500] ^= 1; }, "does not match the checksum in the commit"},
-    {"another kind", "steps/rows", [](std::string& b) { b[8] = 'i'; }, "does not begin as such a file"},
+    {"another kind", "steps/rows", [](std::string& b) { b[8] = 'i'; }, "does not begin with the bytes"},
     {"another dataset", "steps/rows", [](std::string& b) { b[16] ^= 1; }, "belongs to another dataset"},
     {"arrays of another dataset", "steps/arrays", [](std::string& b) { b[16] ^= 1; }, "belongs to another dataset"},
     {"arrays cut off", "steps/arrays", [](std::string& b) { b.resize(70); }, "steps/arrays"},
@@ -345,8 +345,8 @@ TEST_F(TabledSteps, ThatNameWhatDoesNotExistAreRefused) {
         return sentence;
     };
     EXPECT_EQ(refusal(64, 0), "");
-    EXPECT_THAT(refusal(64, 77), HasSubstr("names an array that the commit marker does not list for the mesh"));
-    EXPECT_THAT(refusal(64 + 8, 100'000), HasSubstr("the commit marker names step 100000"));
+    EXPECT_THAT(refusal(64, 77), HasSubstr("has an array that the commit marker does not list for the step's mesh"));
+    EXPECT_THAT(refusal(64 + 8, 100'000), HasSubstr("the commit marker lists step 100000"));
     EXPECT_THAT(refusal(64 + 56, 2), HasSubstr("is damaged"));
     EXPECT_THAT(refusal(64 + 56, 1'000'000), HasSubstr("ends too early"));
     EXPECT_THAT(refusal(64 + 4, 0), HasSubstr("is damaged"));

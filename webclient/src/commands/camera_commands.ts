@@ -1,4 +1,3 @@
-// Commands for the camera.
 import {
   axisView,
   centre,
@@ -17,7 +16,7 @@ import type { Vec3 } from "../generated/protocol";
 import type { Deps } from "./deps";
 
 const NOTHING_THERE =
-  "Nothing is drawn at the cursor. A double click on a surface centres the surface. R shows everything that is drawn, Shift-R the whole box";
+  "Nothing is drawn at the cursor. Double-click a surface to center the view on it. Press R to show everything that is drawn, or Shift-R to show the whole bounding box";
 
 export class CameraCommands {
   constructor(
@@ -25,7 +24,7 @@ export class CameraCommands {
     private readonly probe: (x: number, y: number) => Promise<Vec3 | null | undefined>,
   ) {}
 
-  /** Camera of the newest scene. The shown picture may still have an older camera. */
+  /** Returns the camera of the newest scene. The shown picture may have been drawn with an older camera. */
   get(): FullCamera | null {
     return cameraOf(this.deps.model);
   }
@@ -39,7 +38,10 @@ export class CameraCommands {
     if (camera !== null) this.set(change(camera), gesture);
   }
 
-  /** Zooms about (x, y), in CSS pixels of the canvas. Returns the same camera at the limit of zooming. */
+  /**
+   * Returns the camera zoomed about the point (x, y), in CSS pixels of the canvas. A factor below 1 moves the camera
+   * closer. At the zoom limit, returns `camera` itself.
+   */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
     const bounds = this.bounds();
     const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
@@ -58,14 +60,17 @@ export class CameraCommands {
     this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
-  /** Orbits by (dx, dy) CSS pixels. `anew`: starts a new orbit about the surface point in the middle of the canvas. */
+  /**
+   * Orbits the camera like a drag by (dx, dy) CSS pixels. If `anew` is true, starts a new orbit about the surface point
+   * in the middle of the canvas.
+   */
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
     this.change((camera) => orbit(camera, dx, dy, css, this.pivotOf(camera)), gesture);
   }
 
-  /** Starts an orbit about the surface point at (x, y), in CSS pixels of the canvas. */
+  /** Starts an orbit about the surface point at (x, y). The coordinates are CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
     this.deps.view.pivot.seek(x, y);
   }
@@ -74,7 +79,7 @@ export class CameraCommands {
     return this.deps.view.pivot.of(camera);
   }
 
-  /** Shows the default view of the drawn geometry. `wholeBox`: of the dataset's whole bounding box. */
+  /** Shows the drawn geometry in the default view. If `wholeBox` is true, shows the dataset's whole bounding box. */
   reset(wholeBox = false): void {
     const { size } = this.deps.server;
     void this.framed(wholeBox, (bounds, now) => defaultView(bounds, size.aspect, now.fov, now.parallel));

@@ -9,8 +9,8 @@ export async function copyText(text: string): Promise<boolean> {
 }
 
 /**
- * Copies by selecting the text. Needed on pages loaded by plain HTTP from another machine, where browsers provide no
- * navigator.clipboard.
+ * Copies the text by selecting it. This is needed on pages loaded over plain HTTP from another machine, because
+ * browsers provide no navigator.clipboard there.
  */
 function copyBySelection(text: string): boolean {
   const area = document.createElement("textarea");

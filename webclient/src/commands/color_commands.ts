@@ -11,12 +11,12 @@ const USUAL_SHARES = [0.01, 0.99] as const;
 const USUAL_BINS = 1024;
 
 export class ColorCommands {
-  /** Colorings before the logarithmic scale was switched on, by the layers and contour lines that have them. */
+  /** Colorings before the logarithmic scale was switched on. Key: the layers and contour lines as JSON text. */
   private readonly beforeLog = new Map<string, Coloring>();
 
   constructor(private readonly deps: Deps) {}
 
-  /** Changes the colorings of layers and contour lines in one undo step. Members that are undefined are removed. */
+  /** Changes the colorings of layers and contour lines in one undo step. Removes the members that are undefined. */
   set({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
@@ -26,7 +26,7 @@ export class ColorCommands {
     this.deps.server.editor.change({ layers: patch }, gesture);
   }
 
-  /** Switches the logarithmic scale on or off. Switching it off restores `symmetric` and the range (withLog). */
+  /** Switches the logarithmic scale on or off. Switching off restores `symmetric` and the range, see withLog(). */
   setLog(of: Colored, coloring: Coloring, on: boolean): void {
     const key = JSON.stringify(of);
     this.set(of, withLog(coloring, on, this.beforeLog.get(key)));
@@ -34,7 +34,7 @@ export class ColorCommands {
     else this.beforeLog.delete(key);
   }
 
-  /** Colors by an array, or with one color if `array` is null. Removes the range of the previous array. */
+  /** Colors the layers by an array, or with one color if `array` is null. Removes the range of the previous array. */
   by(of: Colored, array: string | null): void {
     const { description, scene } = this.deps.model;
     if (array === null) this.set(of, { array: undefined, range: undefined });
@@ -42,8 +42,8 @@ export class ColorCommands {
   }
 
   /**
-   * Returns the range between the quantiles USUAL_SHARES. null if the array has no values or the server does not
-   * answer.
+   * Returns the range between the quantiles USUAL_SHARES at the shown time. Returns null if the array has no values or
+   * the call fails.
    */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
@@ -62,7 +62,10 @@ export class ColorCommands {
     }
   }
 
-  /** Returns the range of the visible values. null if there are none or the call failed; the user is told why. */
+  /**
+   * Returns the range of the values that are in view. If no values are in view or the call fails, tells the user and
+   * returns null.
+   */
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { server } = this.deps;
     const of = async (part: keyof Colored): Promise<Range[]> => {
@@ -76,7 +79,7 @@ export class ColorCommands {
       const ranges = [...(await of("layers")), ...(await of("contours"))];
       if (ranges.length > 0)
         return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
-      this.deps.tell("No value of these layers is in view; the range stays as it is", "error");
+      this.deps.tell("No value of these layers is in view; move the layers into view and try again", "error");
       return null;
     } catch (error) {
       this.deps.unanswered(error, "The range in view cannot be computed");

@@ -89,7 +89,7 @@ export class Commands {
     model.chosen.value = name;
     try {
       const upcoming = await server.session.call("dataset.describe", { dataset: name });
-      if (model.chosen.peek() !== name) return; // another dataset was chosen meanwhile
+      if (model.chosen.peek() !== name) return; // the user has chosen another dataset meanwhile
       update(model, { upcoming });
       const scene = openingScene(upcoming, server.size, this.page.background());
       if (server.editor.isConnected) server.editor.replace(scene);
@@ -102,8 +102,8 @@ export class Commands {
   }
 
   /**
-   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. A panel that
-   * calls this is rendered again on arrival.
+   * Returns the histogram of a scalar at a time. Returns null until the histogram has arrived, and also if the array
+   * has no values at this time. A panel that calls this function is rendered again when the histogram arrives.
    */
   histogram(dataset: string, array: string, time: number): Histogram | null {
     return this.server.histograms.get(dataset, array, time);
@@ -119,7 +119,7 @@ export class Commands {
     await this.server.session.open();
   }
 
-  /** Sends the token that the user typed. Returns null if the server accepted it, else a sentence for the user. */
+  /** Sends the token that the user typed. Returns null if the server accepted it, otherwise an error sentence. */
   enterToken(typed: string): Promise<string | null> {
     return this.server.entry.enter(typed);
   }

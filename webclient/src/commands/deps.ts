@@ -8,6 +8,9 @@ export interface Deps {
   readonly server: Server;
   readonly view: View;
   tell(text: string, kind?: "error" | "info"): void;
-  /** Tells the user that a call failed. A call is not repeated after a reconnection, unlike changes of the scene. */
+  /**
+   * Tells the user that a call failed. `failed`: start of the message if the connection was lost. Unlike a change of
+   * the scene, a failed call is not repeated after a reconnection.
+   */
   unanswered(error: unknown, failed: string): void;
 }

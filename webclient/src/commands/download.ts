@@ -1,4 +1,4 @@
-// Downloads data as a file to the user's machine.
+// Saves base64 data as a file on the user's machine.
 import { fromBase64 } from "../model/link";
 
 export function download(name: string, mime: string, base64: string): void {

@@ -1,9 +1,9 @@
-// Explains to the user who drops a file on the page how to open it. The page cannot: the server reads its data on its
-// own machine.
+// Explains how to open a file that the user drops on the page. The page cannot open the file itself, because the server
+// reads files only from its own machine.
 
 const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** Returns the explanation for a file of this name. */
+/** Returns the sentence that explains how to open a file of this name. */
 export function answerToDrop(name: string): string {
   if (/\.ciel$/i.test(name))
     return `${name} cannot be opened in the page. Start the server with the dataset, ciel serve ${name}, or put the dataset into a folder that is served`;
@@ -12,14 +12,14 @@ export function answerToDrop(name: string): string {
 }
 
 /**
- * Calls `answer` when a file is dropped, and keeps the browser from showing the file instead of the page. Returns a
+ * Calls `answer` when a file is dropped, and prevents the browser from showing the file instead of the page. Returns a
  * function that stops listening.
  */
 export function listenToDrops(answer: (sentence: string) => void): () => void {
   const over = (event: DragEvent): void => {
     if (!isFile(event)) return;
     event.preventDefault();
-    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // with "none" no drop event comes
+    if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy"; // with "none", no drop event is sent
   };
   const drop = (event: DragEvent): void => {
     if (!isFile(event)) return;

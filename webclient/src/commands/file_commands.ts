@@ -15,7 +15,7 @@ export class FileCommands {
     private readonly links: Links,
   ) {}
 
-  /** Downloads a picture. `size`: in pixels; default: size of the view. */
+  /** Downloads a picture of the scene. `size` is in pixels. Without `size`, the picture has the size of the view. */
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
     const { server } = this.deps;
     await this.whileBusy("Drawing the picture", "The picture cannot be saved", async (progress, signal) => {
@@ -49,18 +49,19 @@ export class FileCommands {
       await navigator.clipboard.writeText(address);
       this.deps.tell(`The link to this ${what} is in the clipboard`);
     } catch {
-      history.replaceState(null, "", address); // the clipboard needs a secure origin
+      history.replaceState(null, "", address); // browsers allow writeText() only on secure origins
       this.deps.tell(`The link to this ${what} is in the address bar`);
     }
   }
 
-  /** Cancels the picture or file that was asked for last, if it is not here yet. */
+  /** Cancels the newest request for a picture or a surface file, if it has not been answered yet. */
   cancel(): void {
     this.canceller?.abort();
   }
 
   /**
-   * Shows `words` and the progress of the call during `work`. `failed`: start of the message if the connection is lost.
+   * Shows `words` and the progress of the call while `work` runs. `failed` is the start of the message if the
+   * connection is lost.
    */
   private async whileBusy(
     words: string,
@@ -68,7 +69,8 @@ export class FileCommands {
     work: (progress: string, signal: AbortSignal) => Promise<void>,
   ): Promise<void> {
     const { longCall } = this.deps.model;
-    // Other pages of the session also receive the progress of this call. The random part distinguishes it from theirs.
+    // Other pages of the session also receive this progress. The random number distinguishes this call from other
+    // calls.
     const name = `${++this.calls} ${Math.random()}`;
     const canceller = new AbortController();
     this.canceller = canceller;

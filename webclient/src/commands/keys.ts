@@ -1,4 +1,4 @@
-// Keyboard shortcuts of the page. Controls that use a key stop the propagation of its event.
+// Keyboard shortcuts of the page. A control that uses a key stops the propagation of the key event.
 import type { AxisView } from "../model/camera";
 import type { Commands } from "./commands";
 
@@ -54,7 +54,10 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
 
 const SLIDER_KEYS = /^(Arrow\w+|Home|End|Page\w+)$/;
 
-/** Whether the focused control uses the key itself. Applies to keys without control or meta. */
+/**
+ * Whether the focused control uses the key itself, so that the key is not a shortcut. Only for keys without Control and
+ * Meta.
+ */
 function takesKey({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
   const control = target.closest("input, select, textarea, dialog, .menu-body");

@@ -22,7 +22,7 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: null } });
   }
 
-  /** Moves a layer. `place`: its new index in the drawing order. */
+  /** Moves a layer. `place`: index of the layer in the new drawing order. */
   move(id: string, place: number): void {
     const scene = this.scene();
     const layers = scene === null ? null : movedTo(scene, id, place);
@@ -38,7 +38,10 @@ export class LayerCommands {
     return id;
   }
 
-  /** Middle of the array's range at the shown time. It is the value of a new iso-surface. */
+  /**
+   * Returns the middle of the scalar's range at the shown time. A new iso-surface has this value. Until the histogram
+   * has arrived, uses the range over all times.
+   */
   middleOf(array: string): number {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -48,7 +51,7 @@ export class LayerCommands {
     return (low + high) / 2;
   }
 
-  /** Hides one patch of the boundary. If the layer showed the whole boundary, it shows all other patches afterwards. */
+  /** Hides one patch of the boundary. A layer that showed the whole boundary shows all other patches afterwards. */
   hidePatch(id: string, patch: string): void {
     const layer = this.scene()?.layers?.[id];
     if (layer?.type !== "surface") return;

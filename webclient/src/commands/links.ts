@@ -10,7 +10,7 @@ const PAUSE_MS = 400;
 
 export class Links {
   private timer: ReturnType<typeof setTimeout> | null = null;
-  /** Scene of the address with which the page was opened; null if the address had none. */
+  /** Scene in the address with which the page was opened; null if the address contained no scene. */
   first: Scene | null = null;
   private written = "";
 
@@ -20,8 +20,8 @@ export class Links {
   ) {}
 
   /**
-   * Reads the scene of the address. From then on, opens scenes of changed addresses and writes the scene into the
-   * address.
+   * Reads the scene in the address. After that, opens the scene of each changed address, and writes each change of the
+   * scene into the address.
    */
   async start(): Promise<void> {
     this.first = await this.decoded();
@@ -44,17 +44,17 @@ export class Links {
     return url.href;
   }
 
-  /** Opens the scene of a link. Called after the user has pasted it into the address bar. */
+  /** Opens the scene in the address. Called when the address has changed, for example by a pasted link. */
   private async follow(): Promise<void> {
     if (location.hash === this.written) return;
     if (decodeSession(location.hash) !== null) {
-      location.reload(); // a page uses only one session, so it is loaded again
+      location.reload(); // a page can use only one session: the session of the link needs a new page load
       return;
     }
     const scene = await this.decoded();
     if (scene === null) return;
-    // The link may be of another server or written by hand. So the local scene changes only after the server has
-    // accepted the scene of the link.
+    // The scene may be invalid, because the link may come from another server or be written by hand. Therefore the
+    // local scene changes only after the server has accepted the scene of the link.
     const { editor, session } = this.server();
     if (this.model.fatal.peek() === null) await editor.propose(scene);
     else await session.begin(scene);

@@ -1,4 +1,4 @@
-// Plays time steps. Requests each step after the previous one is on the screen.
+// Plays the time steps. Requests each step only after the previous step is on the screen.
 
 export interface PlayerHost {
   times(): readonly number[];
@@ -44,7 +44,7 @@ export class Player {
     this.host.changed(false);
   }
 
-  /** A frame of this simulation time was drawn on the screen. */
+  /** Call when a frame of this simulation time has been drawn on the screen. */
   presented(time: number): void {
     if (this.wanted === null || this.host.times()[this.wanted] !== time) return;
     this.wanted = null;

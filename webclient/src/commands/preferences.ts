@@ -1,4 +1,4 @@
-// Settings stored in the browser: theme and stream permanently, the session until the tab is closed.
+// Settings stored in the browser: the theme and the stream permanently, the session until the tab is closed.
 import { decodeSession, encodeSession } from "../model/link";
 import type { StreamChoice, Theme } from "../model/state";
 
@@ -40,8 +40,8 @@ export function savedStream(): StreamChoice {
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
 /**
- * Session of this tab: that of the page's address, else the stored one, else a new random id. `known`: the id is not
- * new.
+ * Returns the session id of this tab: the id in the page's address, otherwise the stored id, otherwise a new random id.
+ * `known` is false for a new id.
  */
 export function tabSession(): { id: string; known: boolean } {
   const known = decodeSession(location.hash) ?? decodeSession(encodeSession(read(tab, SESSION) ?? ""));

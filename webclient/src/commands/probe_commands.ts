@@ -1,4 +1,3 @@
-// Commands for probing the values under the cursor.
 import { probeText } from "../model/probe_text";
 import { unitsOf } from "../model/scalars";
 import type { Vec3 } from "../generated/protocol";
@@ -9,8 +8,8 @@ export class ProbeCommands {
   constructor(private readonly deps: Deps) {}
 
   /**
-   * Probes the values at (x, y), in CSS pixels of the canvas. Returns the position hit, null if nothing is there, or
-   * undefined if the call failed.
+   * Shows the values at the point (x, y), in CSS pixels of the canvas. Returns the 3-D position that is shown there,
+   * null if nothing is drawn there, or undefined if the call failed.
    */
   async at(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { model, server } = this.deps;
@@ -44,6 +43,6 @@ export class ProbeCommands {
       }),
     );
     if (isCopied) this.deps.tell("The values are in the clipboard");
-    else this.deps.tell("The browser does not let the page write to the clipboard", "error");
+    else this.deps.tell("The clipboard is blocked; allow the page to use it in the browser's settings", "error");
   }
 }

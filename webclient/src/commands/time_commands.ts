@@ -1,4 +1,3 @@
-// Commands for time steps and playback.
 import { clamp } from "../model/numbers";
 import { nearestStep } from "../model/scalars";
 import type { Deps } from "./deps";
@@ -45,7 +44,7 @@ export class TimeCommands {
     this.player.stop();
   }
 
-  /** A frame of this simulation time was drawn on the screen. */
+  /** Call when a frame of this simulation time has been drawn on the screen. */
   presented(time: number): void {
     this.player.presented(time);
   }

@@ -1,5 +1,5 @@
-// Preview of changes that the shown picture does not contain yet, drawn by the page: box edges, plane outlines, and
-// texts with new iso-values and times. Coordinates are CSS pixels.
+// Changes of the scene that the shown picture does not contain yet. The page draws them over the picture: box edges,
+// plane outlines, and texts with new iso-values and times. Coordinates are CSS pixels.
 import { boundsCentre, complete, corners, project, type Bounds, type FullCamera, type Size } from "./camera";
 import { add, cross, dot, normalize, scale, subtract } from "./vector";
 import type { ClipLayer, Layer, Scene, SliceLayer, Vec3 } from "../generated/protocol";
@@ -21,7 +21,10 @@ export interface Ahead {
 
 type Segment = [Vec3, Vec3];
 
-/** Box edges as pairs of indices into corners(). Each bit of an index is an axis, so an edge changes one bit. */
+/**
+ * Box edges as pairs of indices into corners(). Each bit of an index selects the low or high end along one axis. The
+ * two indices of an edge differ in one bit.
+ */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((from) =>
   [1, 2, 4].flatMap((bit): [number, number][] => ((from & bit) === 0 ? [[from, from | bit]] : [])),
 );
@@ -31,7 +34,7 @@ function boxEdges(bounds: Bounds): Segment[] {
   return EDGES.map(([from, to]) => [all[from] as Vec3, all[to] as Vec3]);
 }
 
-/** Intersection of a plane with a box, as the sides of a convex polygon. Empty if the plane misses the box. */
+/** Returns the intersection of a plane with a box as sides of a convex polygon. Empty if the plane misses the box. */
 export function planeOutline(origin: Vec3, normal: Vec3, bounds: Bounds): Segment[] {
   const points = boxEdges(bounds).flatMap(([from, to]): Vec3[] => {
     const [a, b] = [dot(subtract(from, origin), normal), dot(subtract(to, origin), normal)];
@@ -62,7 +65,8 @@ const placeOf = ({ axis, value, origin, normal }: SliceLayer | ClipLayer): strin
   JSON.stringify([axis, value, origin, normal]);
 
 /**
- * Preview of the differences between two scenes. `shown`: the scene of the picture; `camera`: projects to the canvas.
+ * Returns what to draw for the changes from `shown`, the scene of the shown picture, to `wanted`, the newest scene.
+ * `camera` projects the lines to the canvas.
  */
 export function ahead(shown: Scene, wanted: Scene, camera: FullCamera, bounds: Bounds, size: Size): Ahead {
   const segments: Segment[] = [];

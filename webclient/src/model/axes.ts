@@ -4,7 +4,7 @@ import type { Range } from "../generated/protocol";
 
 export const AXES = ["x", "y", "z"] as const;
 export type Axis = (typeof AXES)[number];
-/** The axis that a plane is perpendicular to. "free": the plane has an origin and a normal instead. */
+/** Axis to which a plane is perpendicular. A "free" plane has an origin and a normal instead of an axis. */
 export type Across = Axis | "free";
 
 export function endsOf(axis: Axis, bounds: Bounds): Range {

@@ -17,11 +17,11 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
   return NAMED[name] ?? { top: [0, 0, 0], bottom: [0, 0, 0] };
 }
 
-/** Luma above which text is drawn dark, below which it is drawn light. */
+/** Luma from 0 to 1. Text is dark on a background above this luma, and light on a darker background. */
 const MIDDLE_GRAY = 0.46;
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
 
-/** Whether text on the background must be dark. Depends on the luma of the average of its top and bottom colors. */
+/** Whether text on the background must be dark: whether its mean luma is above MIDDLE_GRAY. */
 export function isBright(background: string | undefined): boolean {
   const { top, bottom } = backgroundColors(background);
   const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);

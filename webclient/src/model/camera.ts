@@ -31,9 +31,7 @@ export interface Axes {
   forward: Vec3;
 }
 
-/**
- * Returns the camera's axes as unit vectors. Chooses another up direction if `up` is parallel to the view direction.
- */
+/** Returns the camera's axes as unit vectors. If `up` is parallel to the view direction, chooses another `up`. */
 export function frame(camera: FullCamera): Axes {
   const forward = normalize(subtract(camera.target, camera.position), [0, 1, 0]);
   let right = cross(forward, camera.up);
@@ -52,8 +50,8 @@ export function viewHeight(camera: FullCamera): number {
 }
 
 /**
- * Rotates the camera about the pivot. A drag over the canvas's shorter side is half a turn. The pivot keeps its pixel
- * and its distance.
+ * Rotates the camera about the pivot by a drag of (dx, dy) pixels. A drag as long as the shorter side of the canvas is
+ * half a turn. The pivot keeps its pixel and its distance from the camera.
  */
 export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
@@ -64,13 +62,16 @@ export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pi
   return { ...camera, position: about(camera.position), target: about(camera.target), up: turned(up) };
 }
 
-/** Turns the camera about its line of sight by `angle` in radians. */
+/** Rotates the camera about the view direction by `angle` radians. */
 export function roll(camera: FullCamera, angle: number): FullCamera {
   const { forward, up } = frame(camera);
   return { ...camera, up: rotate(up, forward, angle) };
 }
 
-/** Moves camera and target parallel to the picture plane. Points at the target's depth follow the pointer. */
+/**
+ * Moves camera and target parallel to the picture plane by a drag of (dx, dy) pixels. Points at the target's depth
+ * follow the pointer.
+ */
 export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
   const perPixel = viewHeight(camera) / Math.max(1, size.height);
   const { right, up } = frame(camera);
@@ -79,8 +80,8 @@ export function pan(camera: FullCamera, dx: number, dy: number, size: Size): Ful
 }
 
 /**
- * Zooms towards pixel (x, y); factor < 1 comes closer. The point under this pixel at the target's depth keeps its
- * pixel.
+ * Zooms towards pixel (x, y). A factor below 1 moves the camera closer. The point at this pixel and at the target's
+ * depth keeps its pixel.
  */
 export function zoom(camera: FullCamera, factor: number, x: number, y: number, size: Size): FullCamera {
   const offsetX = x - size.width / 2;
@@ -92,12 +93,14 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
 }
 
 /**
- * Nearest and furthest distance from the target for zooming, in diagonals of the bounding box. A scene may exceed them.
+ * Zoom limits: smallest and largest distance from the target, as multiples of the bounding box's diagonal. In a
+ * parallel view, the limits apply to the view height. The camera of a scene may be outside these limits.
  */
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
 /**
- * Clamps a zoom factor so that the distance stays within REACH. Outside REACH, only zooming back towards it is allowed.
+ * Clamps a zoom factor so that the distance from the target stays within REACH. If the distance is already outside
+ * REACH, only a zoom back towards REACH is allowed.
  */
 export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
@@ -106,10 +109,10 @@ export function withinReach(camera: FullCamera, factor: number, bounds: Bounds):
     number,
   ];
   const allowed = Math.min(Math.max(factor, Math.min(1, nearest)), Math.max(1, furthest));
-  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit of REACH, rounding errors must not zoom
+  return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit of REACH, such a factor is only a rounding error
 }
 
-/** Moves the target to `point`. Direction and distance of the view stay the same. */
+/** Moves the target to `point`. The view direction and the distance from the target stay the same. */
 export function centre(camera: FullCamera, point: Vec3): FullCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
 }
@@ -130,7 +133,7 @@ export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
-/** Sets the view height at the target. In a perspective view this changes the distance. */
+/** Sets the view height at the target. In a perspective view, this changes the distance from the target. */
 export function withViewHeight(camera: FullCamera, height: number): FullCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
@@ -168,7 +171,7 @@ export function fit(
     away = Math.max(away, (half * MARGIN) / tan - dot(arm, axes.forward));
     height = Math.max(height, 2 * half * MARGIN);
   }
-  // All corners coincide: the box is a point.
+  // The box is a point: all corners coincide.
   if (away <= 0) away = 1;
   return { ...start, up: axes.up, position: subtract(target, scale(axes.forward, away)), parallel_height: height || 1 };
 }
@@ -176,7 +179,7 @@ export function fit(
 export type AxisView = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 export const AXIS_VIEWS: readonly AxisView[] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
-/** View of the box along an axis. "+x": the camera stands on the positive x axis and looks towards the box. */
+/** Returns a view of the box along an axis. "+x" is a view from the positive x side of the box. */
 export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): FullCamera {
   const sign = side.startsWith("+") ? -1 : 1;
   const forward: Vec3 = [0, 0, 0];
@@ -185,18 +188,21 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** The server's default view: from the front right and above. */
+/**
+ * Returns the server's default view of the box, from the front, right and above: the camera has larger x, smaller y and
+ * larger z than the center of the box.
+ */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
   return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Largest factor for moving the camera back. If more would be needed, legends cover the box. */
+/** Largest factor by which clearOf() moves the camera back. If this is not enough, legends cover a part of the box. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {
-  const ends = corners(bounds); // index bits are x, y, z: adjacent corners differ in one bit
+  const ends = corners(bounds); // the bits of an index are x, y, z: adjacent corners differ in one bit
   const pairs = ends.flatMap((_, i) => [1, 2, 4].filter((bit) => (i & bit) === 0).map((bit) => [i, i | bit] as const));
   const at = (i: number): Vec3 => ends[i] ?? [0, 0, 0];
   return pairs.flatMap(([i, j]) =>
@@ -205,8 +211,8 @@ function edgePoints(bounds: Bounds): Vec3[] {
 }
 
 /**
- * Moves the camera back until no box edge lies in one of the `taken` rectangles at the top right corner of the canvas.
- * Returns the camera unchanged if that needs a factor above FURTHEST.
+ * Moves the camera back until no box edge lies in any of the `taken` rectangles, which lie at the top right corner of
+ * the canvas. Returns the camera unchanged if this needs a factor above FURTHEST.
  */
 export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
@@ -225,8 +231,8 @@ export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken
 }
 
 /**
- * Projects a world position to canvas pixels. `depth`: distance along the view direction. null: behind a perspective
- * eye.
+ * Projects a world position to canvas pixels. `depth`: distance from the camera along the view direction. Returns null
+ * for a point that is not in front of a perspective camera.
  */
 export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);

@@ -3,21 +3,24 @@ import { LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
 
-/** Side of a view in pixels. */
+/** Smallest and largest side of a view in pixels. */
 export const [SMALLEST, LARGEST] = LIMITS["view.open"].width;
 
 /** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
 
 /**
- * Size of text in CSS pixels: USUAL_TEXT from a picture height of USUAL_HEIGHT on, less in smaller pictures. Text may be
- * smaller than in saved pictures, since a page is read from close up.
+ * Text size in CSS pixels. Text has USUAL_TEXT pixels if the canvas has at least USUAL_HEIGHT pixels, and is smaller on
+ * a smaller canvas. Text may be smaller than in saved pictures, because users read a page from a short distance.
  */
 const USUAL_TEXT = 12;
 export const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
-/** Size of text over the canvas in CSS pixels. It also depends on the width, because text would fill a narrow picture. */
+/**
+ * Returns the size of text over the canvas in CSS pixels. On a narrow canvas, text is smaller, because text of the
+ * usual size would fill the canvas.
+ */
 export function textPixels({ width, height }: Size): number {
   return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
 }
@@ -25,8 +28,8 @@ export function textPixels({ width, height }: Size): number {
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
   /**
-   * For each legend, the size of the rectangle from the canvas's top right corner to the legend's far corner, in CSS
-   * pixels. Estimated until the legends are laid out.
+   * For each legend, the size of the rectangle from the canvas's top right corner to the legend's lower left corner, in
+   * CSS pixels. These sizes are estimates until the legends are laid out.
    */
   corner: Size[] = [LEGEND];
   private ratio = 1;
@@ -49,7 +52,7 @@ export class CanvasSize {
     }));
   }
 
-  /** Moves the camera back if legends would cover the box. */
+  /** Returns the camera, moved back if legends would cover edges of the box. */
   clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
@@ -59,7 +62,7 @@ export class CanvasSize {
     return clamp(this.pixels().width / this.css.width, ...LIMITS["view.open"].pixel_ratio);
   }
 
-  /** Canvas size in device pixels, multiplied by `times`. Each side is at most LARGEST. */
+  /** Returns the canvas size in device pixels, multiplied by `times`. No side is larger than LARGEST. */
   pixels(times = 1): Size {
     const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
     const pixels = (side: number): number => Math.max(SMALLEST, Math.round(side * ratio));

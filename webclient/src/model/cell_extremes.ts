@@ -1,5 +1,5 @@
-// Describes the cells with the lowest and highest value of a cell array. Interpolation to points smooths these values
-// away.
+// Describes the cells with the lowest and highest value of a cell array. Values that are interpolated to points are
+// smoother and do not reach these extremes.
 import type { CellExtreme, CellExtremes } from "../generated/protocol";
 import { formatNumber } from "./numbers";
 

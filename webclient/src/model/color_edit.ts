@@ -1,19 +1,20 @@
-// Edits of a coloring. Each returns only the changed members, including removals of members that exclude a new one.
+// Edits of a coloring. Each function returns the changed members. Members incompatible with a new one are removed.
 import { colorRow, hexOf, type ColorScale } from "./color_scale";
 import { LIMITS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
 import { rangeAboveZero } from "./color_range";
 import { withEnd } from "./numbers";
 
-/** Changed members of a coloring. undefined removes a member. */
+/** Changed members of a coloring. A member that is undefined is removed. */
 export type ColoringChange = { [K in keyof Coloring]?: Coloring[K] | undefined };
 
 export const [, MOST_POINTS] = LIMITS.Coloring.points;
 const FIRST_POINTS = 5;
 
 /**
- * Switches the logarithmic scale on or off. Switching on removes `symmetric` and clips the range to above zero.
- * `before`: the coloring when the logarithm was switched on. Switching off restores `symmetric` from it, and also
- * `range` unless the user has changed the range since.
+ * Switches the logarithmic scale on or off. Switching on removes `symmetric` and limits the range to values above zero.
+ * `before` is the coloring before the logarithmic scale was switched on. If `before` has the same array, switching off
+ * restores `symmetric` of `before`. It also restores `range` of `before`, unless the user has changed the range since
+ * then.
  */
 export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
   if (!on) {
@@ -29,11 +30,14 @@ export function withLog({ array, range }: Coloring, on: boolean, before?: Colori
 export const withSymmetric = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: undefined } : { symmetric: undefined };
 
-/** Switches a scale that is logarithmic on both sides of zero: sets or clears `symmetric` and `log` together. */
+/** Switches the scale that is logarithmic on both sides of zero: sets or removes `symmetric` and `log` together. */
 export const withSymmetricLog = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: true } : { symmetric: undefined, log: undefined };
 
-/** Sets the range. Returns an error sentence if a logarithmic scale would start at or below zero. */
+/**
+ * Sets the range with the ends `a` and `b`, in any order. Returns an error sentence if a logarithmic scale would start
+ * at or below zero.
+ */
 export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
   const range: Range = a <= b ? [a, b] : [b, a];
   if (log === true && symmetric !== true && range[0] <= 0)
@@ -50,7 +54,8 @@ export function withDataRange(coloring: Coloring, values: Range): ColoringChange
 }
 
 /**
- * Sets one end of the shown range. The other end follows if the order would be reversed; a symmetric scale moves both.
+ * Sets one end of the shown range to `to`. If `to` is beyond the other end, the other end is also set to `to`. A
+ * symmetric scale gets the range from -|to| to |to|.
  */
 export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
   const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
@@ -66,14 +71,14 @@ export function pointsOf(scale: ColorScale): ColorPoint[] {
   return colorRow(smooth, FIRST_POINTS).map((color, i) => ({ at: i / (FIRST_POINTS - 1), color: hexOf(color) }));
 }
 
-/** Moves one color point. Its position is clamped to the positions of its neighbors. */
+/** Moves one color point. Its new position is clamped to the positions of the two neighboring points. */
 export function movedPoint(points: readonly ColorPoint[], index: number, at: number): ColorPoint[] {
   const low = points[index - 1]?.at ?? 0;
   const high = points[index + 1]?.at ?? 1;
   return points.map((point, i) => (i === index ? { ...point, at: Math.min(high, Math.max(low, at)) } : point));
 }
 
-/** Adds a color point in the middle of the widest gap, with the current color at that position. */
+/** Adds a color point in the middle of the widest gap between two points. It has the current color at this position. */
 export function addedPoint(points: readonly ColorPoint[], colorAt: (place: number) => string): ColorPoint[] {
   let best = 0;
   const gap = (i: number): number => (points[i + 1]?.at ?? 0) - (points[i]?.at ?? 0);

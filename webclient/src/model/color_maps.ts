@@ -1,4 +1,4 @@
-// Color maps of the page. They are decoded from the same table as the server's.
+// Color maps of the page, decoded from protocol/colormaps.json. The server decodes the same table.
 import { DEFAULTS } from "../generated/protocol";
 import table from "../../../protocol/colormaps.json";
 
@@ -19,7 +19,7 @@ function decode(hex: string): Colors {
 const maps = new Map(table.maps.map(({ name, colors }) => [name, decode(colors)]));
 const first = table.maps[0]?.name ?? "viridis";
 
-/** Returns the name, or that of the first map for a name that only a newer server has. */
+/** Returns `name`, or the name of the first map if the page does not have this map. A newer server may have it. */
 export const knownMap = (name: string): string => (maps.has(name) ? name : first);
 
 export const colorMapNames: readonly string[] = table.maps.map(({ name }) => name);

@@ -1,21 +1,22 @@
-// Makes a color scale from a scene's coloring and the range of the data. Follows server/geometry/color_scale_of.cpp.
+// Makes a color scale from a scene's coloring and the range of the data. Same rules as
+// server/geometry/color_scale_of.cpp.
 import type { ColorScale } from "./color_scale";
 import { DEFAULT_MAP, missingHex } from "./color_maps";
 import type { Coloring, Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 
-/** Number of decades of a logarithmic scale, counted from its largest value, if the lowest value is not above zero. */
+/** Number of decades below the largest value on a logarithmic scale. Used if the lowest value is not above zero. */
 const LOG_DECADES = 6;
 /**
- * Largest absolute value of a range end. GPUs divide by the range's width, whose reciprocal must not be a denormal
- * 32-bit float.
+ * Largest absolute value of an end of a range. Shaders multiply by the reciprocal of the range's width. This reciprocal
+ * must not be a denormal 32-bit float.
  */
 const LARGEST = 4e37;
-/** Smallest end of a logarithmic scale. Smaller 32-bit floats lose digits. */
+/** Smallest end of a logarithmic scale. Smaller 32-bit floats have fewer digits. */
 const SMALLEST_OF_LOG = 1e-37;
 
 export function rangeAboveZero([low, high]: Range): Range {
-  if (!(high > 0)) return [1, 10]; // nothing is colored in this case: see isShownBy
+  if (!(high > 0)) return [1, 10]; // no value is colored in this case, see isShownBy()
   const start = low > 0 ? low : high / 10 ** LOG_DECADES;
   return [Math.max(start, SMALLEST_OF_LOG), Math.max(high, SMALLEST_OF_LOG)];
 }

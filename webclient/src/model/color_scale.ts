@@ -1,5 +1,6 @@
-// Maps a scalar to a color, by the rules of server/color/color_scale.hpp. The legend and the shaders of the polygon
-// stream use the same rules. tests/support/color_cases.json tests server and page.
+// Maps scalars to colors by the rules of protocol/colors.md. The legend, the shaders of the polygon stream and the
+// server (server/color/color_scale.hpp) use the same rules. The cases in tests/support/color_cases.json test both
+// server and page.
 import type { ColorPoint, Range } from "../generated/protocol";
 import type { ScaleInBytes } from "../wasm/overlay";
 import { colorMap, knownMap } from "./color_maps";
@@ -30,7 +31,10 @@ export const hexOf = (color: readonly number[]): string =>
 
 const bytesIfAny = (hex: string | null): Rgb8 | null => (hex === null ? null : bytesOf(hex));
 
-/** The same scale for the layout of a legend, which knows the page's own color maps only. */
+/**
+ * Converts the scale for the layout of a legend. The layout has only the page's own color maps. A map that the page
+ * does not have is replaced by the first map.
+ */
 export const inBytes = ({ map, points, nan, below, above, ...rest }: ColorScale): ScaleInBytes => ({
   ...rest,
   map: knownMap(map),
@@ -74,13 +78,13 @@ function innerColor(scale: ColorScale, place: number): Rgb8 {
 }
 
 /**
- * Returns `count` colors from the lower to the upper end of the scale. Discrete steps are applied, as in a legend's
- * bar.
+ * Returns the colors at `count` evenly spaced positions from the lower to the upper end of the scale. On a scale with
+ * steps, each color is the color of its step.
  */
 export const colorsAlong = (scale: ColorScale, count: number): Rgb8[] =>
   Array.from({ length: count }, (_, i) => innerColor(scale, count > 1 ? i / (count - 1) : 0.5));
 
-/** Returns one color for each step. A scale without steps gives `smoothCount` colors to interpolate between. */
+/** Returns one color for each step. For a scale without steps, returns `smoothCount` colors for interpolation. */
 export const colorRow = (scale: ColorScale, smoothCount: number): Rgb8[] =>
   colorsAlong({ ...scale, steps: 0 }, scale.steps > 1 ? scale.steps : smoothCount);
 
@@ -90,14 +94,15 @@ export function hasWidth({ range: [low, high] }: ColorScale): boolean {
 }
 
 /**
- * A scale that is logarithmic on both sides of zero is nearly linear for absolute values below this share of its end.
+ * A scale that is logarithmic on both sides of zero is nearly linear for small absolute values. This constant is the
+ * limit of these values, as a fraction of the upper end of the range.
  */
 export const LINEAR_SHARE = 1e-3;
 const LOG_OF_REACH = Math.log1p(1 / LINEAR_SHARE);
 
 export const isLogOfBothSigns = ({ log, range: [low] }: ColorScale): boolean => log && low < 0;
 
-/** Position of a value on the scale: 0 at the lower end, 1 at the upper end, and 0.5 for a range without width. */
+/** Returns the position of a value: 0 at the lower end, 1 at the upper end, 0.5 for a range without width. */
 export function placeOf(scale: ColorScale, value: number): number {
   if (!hasWidth(scale)) return 0.5;
   const [low, high] = scale.range;
@@ -110,7 +115,7 @@ export function placeOf(scale: ColorScale, value: number): number {
 export function valueAtPlace(scale: ColorScale, place: number): number {
   const [low, high] = scale.range;
   if (!hasWidth(scale)) return low;
-  if (place === 1) return high; // avoids rounding
+  if (place === 1) return high; // avoids a rounding error
   if (isLogOfBothSigns(scale)) {
     const fromMiddle = 2 * place - 1;
     return Math.sign(fromMiddle) * LINEAR_SHARE * high * Math.expm1(Math.abs(fromMiddle) * LOG_OF_REACH);
@@ -119,14 +124,14 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
 }
 
 /**
- * Largest slack for rounding, as a share of the range. Values of a range so narrow that floats would need more slack
- * are doubles, which have smaller rounding errors.
+ * Largest allowance for rounding errors, as a fraction of the range's width. For 32-bit floats, a narrow range far from
+ * zero would need a larger allowance. The values of such a range are doubles, which have smaller rounding errors.
  */
 const LARGEST_SLACK = 1e-3;
 
 /**
- * Values outside these limits get the `below` or `above` color. The limits exceed the range by the rounding error of
- * interpolated floats.
+ * Returns the limits outside of which a value gets the `below` or `above` color. The limits are wider than the range by
+ * the rounding error of interpolated 32-bit floats.
  */
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];

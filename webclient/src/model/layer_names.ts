@@ -41,7 +41,7 @@ export function layerName(layer: Layer): string {
   }
 }
 
-/** Display names by layer id, in layer order. Equal names get a number, as in "Slice (2)". */
+/** Returns the display names by layer id, in layer order. Layers with equal names get numbers, as in "Slice (2)". */
 export function layerNames(scene: Layered | null): Map<string, string> {
   const seen = new Map<string, number>();
   return new Map(

@@ -1,10 +1,11 @@
-// Order of layers in the list, the legends and the drawing. Where layers coincide, the last one is visible.
+// Order of layers in the list, the legends and the drawing. Where surfaces of several layers coincide, the surface of
+// the last layer is visible.
 import type { Layer, Scene } from "../generated/protocol";
 import type { JsonObject } from "./merge_patch";
 
 type Entry = [string, Layer];
 
-/** A scene, or the part of it that has the layers. */
+/** A scene, or only the member `layers` of a scene. */
 export type Layered = Pick<Scene, "layers">;
 
 /** Layers in the order in which the server draws them: by `order`, then by id. */
@@ -13,7 +14,7 @@ export const layersInOrder = (scene: Layered | null): Entry[] =>
     ([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : a > b ? 1 : 0),
   );
 
-/** Returns the patch of `layers` that moves a layer to `place`, its index in the resulting order. null: no change. */
+/** Returns the merge patch of `layers` that moves a layer to index `place`; null if the order stays the same. */
 export function movedTo(scene: Scene, id: string, place: number): JsonObject | null {
   const before = layersInOrder(scene);
   const moved = before.find(([other]) => other === id);

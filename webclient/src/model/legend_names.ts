@@ -1,5 +1,5 @@
-// Names that distinguish legends of the same array, made from the layers that use each legend. Follows
-// server/geometry/legend_names.hpp. tests/support/legend_cases.json tests both.
+// Names that distinguish several legends of one array. A name lists the layers that use the legend. Same rules as
+// server/geometry/legend_names.hpp. The cases in tests/support/legend_cases.json test both files.
 import type { Layer, SliceLayer } from "../generated/protocol";
 import { numberAlone, timesPowerOfTen } from "../wasm/numbers_as_text";
 
@@ -50,7 +50,7 @@ export interface NamedLegend {
   names: readonly string[];
 }
 
-/** Returns one name for each legend. The name is empty where no other legend has the same array. */
+/** Returns one name for each legend. The name is empty if no other legend has the same array. */
 export function legendNames(legends: readonly NamedLegend[]): string[] {
   const taken = new Map<string, number>();
   return legends.map(({ array, names }, index) => {

@@ -1,5 +1,4 @@
-// Fragments of the page's address. #s= is followed by a scene as deflated JSON in base64url, #j= by the id of a
-// session.
+// Fragments of the page's address: "#s=" and a scene (deflated JSON in base64url), or "#j=" and a session id.
 import type { Scene } from "../generated/protocol";
 
 const KEY = "s=";
@@ -30,7 +29,7 @@ export async function encodeScene(scene: Scene): Promise<string> {
   return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
 }
 
-/** Returns the scene of a fragment, or null if it has none. Throws Error if the scene's text is damaged. */
+/** Returns the scene of a fragment; null if it contains no scene. Throws Error if the scene's text is damaged. */
 export async function decodeScene(fragment: string): Promise<Scene | null> {
   const start = fragment.replace(/^#/, "");
   if (!start.startsWith(KEY)) return null;
@@ -40,7 +39,7 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
     if (typeof scene === "object" && scene !== null && typeof (scene as Scene).dataset === "string")
       return scene as Scene;
   } catch {
-    // The error below reports this failure too.
+    // The error below also reports this failure.
   }
   throw new Error("The link does not hold a whole scene. Part of the link may have been lost; copy the link again");
 }
@@ -48,5 +47,5 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
 /** Returns a session's id as a fragment with leading "#". Anyone who has the id may change the session's scene. */
 export const encodeSession = (id: string): string => `#j=${id}`;
 
-/** Returns the session id of a fragment, or null if it has none. */
+/** Returns the session id of a fragment, or null if the fragment contains no session id. */
 export const decodeSession = (fragment: string): string | null => SESSION.exec(fragment)?.[1] ?? null;

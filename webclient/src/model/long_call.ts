@@ -1,4 +1,4 @@
-// Words for a call that takes long.
+// Text that tells the user the progress of a long call.
 import type { Notifications } from "../generated/protocol";
 import type { LongCall } from "./state";
 

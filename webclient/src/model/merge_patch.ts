@@ -1,4 +1,4 @@
-// JSON Merge Patch (RFC 7396), and composition and difference of documents, which RFC 7396 does not define.
+// JSON Merge Patch (RFC 7396), and two operations that RFC 7396 does not define: composition and difference.
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type JsonObject = { [key: string]: Json };
@@ -17,8 +17,8 @@ export function applyPatch(document: Json | undefined, patch: Json): Json {
 }
 
 /**
- * Returns one patch that has the effect of `first` followed by `second`; null if none exists. No single patch can
- * replace a document's object by another object, because RFC 7396 would merge the two.
+ * Returns one patch that has the effect of `first` followed by `second`. Returns null if no such patch exists: one
+ * patch cannot replace an object of the document by another object, because RFC 7396 merges the two objects.
  */
 export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
   const result: JsonObject = { ...first };
@@ -48,8 +48,8 @@ export function diff(from: JsonObject, to: JsonObject): JsonObject {
 }
 
 /**
- * Returns `after`, with each part that equals the same part of `before` taken from `before`. Equal parts therefore stay
- * the same objects, and their readers need not run again.
+ * Returns a document equal to `after`. Wherever `before` has an equal part, the result reuses the object of `before`.
+ * Code that reads an unchanged part therefore need not run again.
  */
 export function keepEqual(before: Json | undefined, after: Json): Json {
   if (Array.isArray(before) && Array.isArray(after)) {

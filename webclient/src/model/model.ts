@@ -1,5 +1,5 @@
-// The page's state as Preact signals: code that reads a signal runs again when its value changes. server/, view/ and
-// commands/ write the signals; panels/ only reads them.
+// The page's state as Preact signals. Code that reads a signal runs again when the value of the signal changes.
+// server/, view/ and commands/ write the signals; panels/ only reads the signals.
 import { batch, signal, type Signal } from "@preact/signals";
 import { complete, defaultView, type FullCamera } from "./camera";
 import { openingDataset } from "./opening";
@@ -15,7 +15,7 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
   return Object.fromEntries(entries) as Model;
 }
 
-/** Sets several members in one batch, so that code that depends on them runs only once. */
+/** Sets several members in one batch, so that code that reads several of these members runs only once. */
 export function update(model: Model, change: Partial<PageState>): void {
   batch(() => {
     for (const [name, value] of Object.entries(change))
@@ -24,8 +24,8 @@ export function update(model: Model, change: Partial<PageState>): void {
 }
 
 /**
- * Camera of the current scene. A scene without a camera has the one that the server chose, or until that camera has
- * arrived, the default view. null if neither is known.
+ * Returns the camera of the current scene. If the scene has no camera, returns the camera that the server chose. Until
+ * that camera has arrived, returns the default view. Returns null if there is no scene or the bounds are unknown.
  */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;

@@ -1,5 +1,5 @@
-// Colors of a new layer. They differ from those of existing layers of the same type. Layers of the same array share its
-// color scale.
+// Colors of new layers. If possible, a new layer gets a color that no layer of the same type has. Layers colored by the
+// same array share one color scale.
 import { complete, type FullCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
 import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer } from "../generated/protocol";
@@ -8,15 +8,16 @@ import type { Layered } from "./layer_order";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
 /**
- * Solid colors of surfaces, the default first. They are those of Okabe and Ito (2008), safe for color-blind readers.
+ * Solid colors of surfaces. The first color is the default. The other colors are from Okabe and Ito (2008). Color-blind
+ * readers can distinguish these colors.
  */
 export const SOLIDS = ["#cccccc", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#d55e00", "#cc79a7", "#0072b2"] as const;
 
 type Described = DatasetDescription | null;
 
 /**
- * Coloring by `array`. Copies the scene's color scale of that array if there is one, so that the layers share one
- * legend.
+ * Returns a coloring by `array`. If the scene has a color scale of this array, the coloring is a copy of that scale.
+ * The layers then share one legend.
  */
 export function coloredBy(scene: Layered | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
@@ -26,7 +27,10 @@ export function coloredBy(scene: Layered | null, description: Described, array: 
   return scale;
 }
 
-/** Returns the first of SOLIDS that no layer of the type has. {} stands for the default color. */
+/**
+ * Returns a coloring with the first color of SOLIDS that no layer of this type has. {} is the default color. If all
+ * colors are used, also returns {}.
+ */
 export function freshSolid(scene: Layered | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
@@ -35,7 +39,7 @@ export function freshSolid(scene: Layered | null, type: "iso" | "surface"): Colo
   return solid === undefined || solid === SOLIDS[0] ? {} : { solid };
 }
 
-/** One scalar for each array. For a vector it is the magnitude. */
+/** Returns one scalar for each array. For a vector array, this is the magnitude. */
 const mainScalars = (description: Described): string[] =>
   (description?.arrays ?? []).flatMap(({ name, scalars }) => {
     const main = scalars.find((scalar) => scalar === name || scalar === `${name}:magnitude`) ?? scalars[0];
@@ -58,8 +62,8 @@ const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
 /**
- * Coloring of a new clip layer's caps by the first scalar. Empty if a visible layer shows the whole boundary colored by
- * an array, because the caps then have the colors of that layer.
+ * Returns the coloring of a new clip layer's caps, by the first scalar. Returns {} if a visible layer shows the whole
+ * boundary colored by an array, because the caps then have the colors of that layer.
  */
 export function capColoring(scene: Layered | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
@@ -70,8 +74,8 @@ export function capColoring(scene: Layered | null, description: Described): Pick
 }
 
 /**
- * Whether a clip should keep the half that the normal points to. True if the other half would hide the cut from the
- * camera.
+ * Whether a new clip should keep the half to which the normal points. True if the camera is on the opposite side,
+ * because the other half would hide the cut.
  */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;

@@ -1,4 +1,4 @@
-// Formatting, parsing and rounding of values, and their positions on a slider.
+// Formats, parses and rounds values, and converts between values and positions on a slider.
 import type { Range } from "../generated/protocol";
 
 export const MINUS = "\u2212";
@@ -11,14 +11,14 @@ export function formatNumber(value: number, span = Math.abs(value)): string {
   const resolution = span > 0 && Number.isFinite(span) ? span / 1000 : size / 1000;
   const places = Math.floor(Math.log10(size));
   const wanted = places - Math.floor(Math.log10(resolution)) + 1;
-  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // never rounds whole numbers
+  const digits = Math.min(15, Math.max(1, wanted, size < 1e6 ? places + 1 : 1)); // whole numbers keep all digits
   const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
   const [mantissa = "", exponent] = text.split("e");
   const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
   return (exponent === undefined ? short : `${short}e${exponent.replace("+", "")}`).replaceAll("-", MINUS);
 }
 
-/** Formats a measured value of an array. Whole numbers keep all digits: they may be ids. `range`: of the array. */
+/** Formats a probed value of an array with this range. Whole numbers keep all digits, because they may be ids. */
 export function formatMeasured(value: number, range: Range | null): string {
   if (Number.isSafeInteger(value)) return value.toFixed(0).replaceAll("-", MINUS);
   const span = range === null ? 0 : range[1] - range[0];
@@ -38,7 +38,7 @@ function withoutGroups(text: string): string {
   return spaced.replace(COMMAS, (digits) => digits.replaceAll(",", "")).replace(",", ".");
 }
 
-/** Parses text to a finite number, else returns null. Accepts the output of formatNumber and formatCount. */
+/** Returns the finite number in the text, or null. Accepts the output of formatNumber and formatCount. */
 export function parseNumber(text: string): number | null {
   const typed = withHyphen(text);
   if (typed === "" || EITHER.test(typed)) return null;
@@ -61,19 +61,19 @@ export const formatCount = (count: number): string => count.toLocaleString("en-U
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** Returns the range with one end set to `to`. Moves the other end too if the order would be reversed. */
+/** Returns the range with one end set to `to`. If `to` is beyond the other end, both ends become `to`. */
 export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
   end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
 
-/** Rounding step for drags over a range: the largest power of ten up to a thousandth of the range. */
+/** Returns the step to which a drag rounds values: the largest power of ten up to a thousandth of the range's width. */
 export function niceStep([low, high]: Range): number {
   const span = high - low;
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
 /**
- * Ends and step of a slider for a range. The step is 1, 2 or 5 times a power of ten and at most a two-hundredth of the
- * range. The ends are the multiples of the step at or outside the ends of the range.
+ * Returns the ends and the step of a slider for a range. The step is 1, 2 or 5 times a power of ten, and at most a
+ * two-hundredth of the range's width. The ends are multiples of the step and include the whole range.
  */
 export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
   const span = high - low;
@@ -88,7 +88,7 @@ export function sliderTrack([low, high]: Range): { min: number; max: number; ste
 /** Largest number of decades of a logarithmic slider. */
 const DECADES = 6;
 
-/** Start of a logarithmic slider for a range. null if the range has negative values or no width. */
+/** Returns the lowest value of a logarithmic slider; null if the range has negative values or no width. */
 export function logarithmicStart([low, high]: Range): number | null {
   const start = Math.max(low, high / 10 ** DECADES);
   return low >= 0 && start > 0 && start < high ? start : null;
@@ -111,14 +111,14 @@ export function fractionOf(value: number, [low, high]: Range, logarithmic = fals
   return high > low ? clamp((value - low) / (high - low), 0, 1) : 0.5;
 }
 
-/** Heights of histogram bars from 0 to 1. Logarithmic heights keep rare values visible. */
+/** Returns the heights of histogram bars, from 0 to 1. Logarithmic heights keep the bars of rare values visible. */
 export function barHeights(counts: readonly number[], logarithmic: boolean): number[] {
   const measure = (count: number): number => (logarithmic ? Math.log1p(count) : count);
   const top = measure(counts.reduce((most, count) => Math.max(most, count), 0));
   return counts.map((count) => (top > 0 ? measure(count) / top : 0));
 }
 
-/** Middle of the widest gap between consecutive values, including the ends of the range. Rounded. */
+/** Returns the middle of the widest gap between neighboring values, rounded. The ends of the range are also values. */
 export function widestGap(values: readonly number[], [low, high]: Range): number {
   const stops = [low, ...values.filter((v) => v > low && v < high).sort((a, b) => a - b), high];
   let best = 0;

@@ -1,5 +1,5 @@
-// Opacity curve of a volume: points in ascending order of position. Positions are from 0 to 1 over the scalar range,
-// opacities are per unit length.
+// Opacity curve of a volume: points in ascending order of position. Positions go from 0 to 1 over the range of the
+// color scale. An opacity is the opacity of a ray after one unit length.
 import { DEFAULTS, LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 
@@ -10,19 +10,22 @@ export const [, MOST_POINTS] = LIMITS.VolumeLayer.opacity_points;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 
-/** Opacity of common values. Over ten unit lengths (the whole box) they absorb a seventh of the light. */
+/** Opacity of common values. After ten unit lengths (default: the diagonal), they absorb a seventh of the light. */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
-/** Rare values get their own opacity only if they cover at least this share of the range. */
+/**
+ * Rare values are the lowest and the highest tenth of the values. Rare values get their own opacity only if they cover
+ * more than this fraction of the range.
+ */
 const LEAST_TAIL = 0.02;
-/** Initial curve where no rare values are known. */
+/** Initial curve if no rare values are known. */
 const UNKNOWN: readonly OpacityPoint[] = [
   [0, 0],
   [0.5, OF_MOST],
   [1, AT_THE_ENDS],
 ];
 
-/** Position of a quantile, from 0 to 1 along the histogram's range. */
+/** Returns the position of the quantile `share`, from 0 to 1 along the histogram's range. */
 function quantile(counts: readonly number[], share: number): number {
   const all = counts.reduce((sum, count) => sum + count, 0);
   let seen = 0;
@@ -31,8 +34,8 @@ function quantile(counts: readonly number[], share: number): number {
 }
 
 /**
- * Initial opacity curve of a volume. Common values are almost transparent, so that rare values are visible. `counts`:
- * histogram over the range; null if unknown.
+ * Returns the initial opacity curve of a volume. Common values are almost transparent, so that rare values are visible.
+ * `counts`: histogram over the range; null if unknown.
  */
 export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   if (counts === null || !counts.some((count) => count > 0)) return [...UNKNOWN];
@@ -54,7 +57,7 @@ export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   return [...start, ...end];
 }
 
-/** Moves a point of the curve. Its position is clamped to the positions of its neighbors. */
+/** Moves a point of the curve. Its new position is clamped to the positions of the two neighboring points. */
 export function moved(points: readonly OpacityPoint[], index: number, to: OpacityPoint): OpacityPoint[] {
   const low = points[index - 1]?.[0] ?? 0;
   const high = points[index + 1]?.[0] ?? 1;
@@ -69,12 +72,13 @@ export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): 
   return [[...points.slice(0, index), whole, ...points.slice(index)], index];
 }
 
-/** Removes a point of the curve unless it is the only one. */
+/** Removes a point of the curve. Does nothing if the curve has only this point. */
 export const removed = (points: readonly OpacityPoint[], index: number): OpacityPoint[] =>
   points.length === 1 ? [...points] : points.filter((_, i) => i !== index);
 
 /**
- * Returns a new point in the middle of the widest gap. It lies on the curve, so inserting it keeps the curve's shape.
+ * Returns a new point in the middle of the widest gap. The point lies on the curve, so that its insertion does not
+ * change the curve's shape.
  */
 export function middleOfGap(points: readonly OpacityPoint[]): OpacityPoint {
   const ends: OpacityPoint[] = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];

@@ -1,4 +1,4 @@
-// Patches of the boundary: which of them a layer shows, and how a long list of patches is grouped and searched.
+// Patches of the boundary. Finds which patches a layer shows, and groups and searches a long list of patches.
 import type { DatasetDescription } from "../generated/protocol";
 
 export interface Patch {
@@ -35,8 +35,8 @@ export const withoutPrefix = (name: string, prefix: string): string =>
   prefix === "" ? name : name.slice(prefix.length + 1);
 
 /**
- * Groups patches into families with a common name prefix, ordered by first patch. A patch is alone in its
- * family when no other patch of `among` has its prefix.
+ * Groups patches into families with a common name prefix. Families are in the order of their first patches. A patch is
+ * alone in its family if no other patch of `among` has the same prefix.
  */
 export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
   const found = new Map<string, PatchFamily>();
@@ -52,7 +52,7 @@ export function families(patches: readonly Patch[], among = patches): PatchFamil
   return [...found.values()];
 }
 
-/** Patches whose names contain all words of the search text, in any order. Case is ignored. */
+/** Returns the patches whose names contain all words of the search text, in any order. Case is ignored. */
 export function searched(patches: readonly Patch[], text: string): Patch[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return patches.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
@@ -60,18 +60,18 @@ export function searched(patches: readonly Patch[], text: string): Patch[] {
 
 const namesOf = (shown: Shown): readonly string[] => shown ?? [];
 
-/** Chosen names in the dataset's order, so that equal choices give equal scenes. null for no name. */
+/** Returns the chosen names in the dataset's order, so that equal choices give equal scenes; null for no name. */
 function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
   const chosen = all.filter(({ name }) => names.has(name)).map(({ name }) => name);
   return chosen.length === 0 ? null : chosen;
 }
 
 export function withAll(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
-  if (these.length === all.length) return []; // the whole boundary: some of its faces may be in no patch
+  if (these.length === all.length) return []; // [] is the whole boundary, which may have faces in no patch
   return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
 }
 
-/** Returns the choice without the patches in `these`. The whole boundary counts as the choice of all patches. */
+/** Returns the choice without the patches in `these`. The whole boundary is treated as the choice of all patches. */
 export function withNone(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown);
   const gone = new Set(these.map(({ name }) => name));
@@ -79,7 +79,8 @@ export function withNone(all: readonly Patch[], shown: Shown, these: readonly Pa
 }
 
 /**
- * Inverts the choice of the patches in `these`. The whole boundary counts as the choice of all patches, and vice versa.
+ * Inverts the choice of the patches in `these`. The whole boundary is treated as the choice of all patches, and the
+ * choice of all patches becomes the whole boundary.
  */
 export function inverted(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = new Set(shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown));

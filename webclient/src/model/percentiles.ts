@@ -1,5 +1,5 @@
-// Percentiles of an array's values, found by repeated histograms over narrower ranges. In the first histogram, a few
-// outliers can make the bars too wide.
+// Percentiles of an array's values. A few outliers can make the bars of a histogram too wide. Therefore the percentiles
+// are found by repeated histograms over narrower ranges.
 import type { Range } from "../generated/protocol";
 
 export interface Counts {
@@ -9,16 +9,16 @@ export interface Counts {
   above: number;
 }
 
-/** Computes a histogram over a range. null: the array's own range. */
+/** Computes a histogram over a range. null is the range of the array. */
 export type Count = (range: Range | null) => Promise<Counts>;
 
 const MOST_LOOKS = 12;
-/** A result narrower than this share of the histogram's range is refined with a histogram over the result. */
+/** A result narrower than this fraction of the histogram's range is refined by a histogram over the result. */
 const WIDE_ENOUGH = 0.125;
 
 /**
- * Range from the lower edge of the bar that contains the first quantile to the upper edge of the bar that contains the
- * second. `all`: number of all values.
+ * Returns the range from the lower edge of the bar that contains the first quantile to the upper edge of the bar that
+ * contains the second quantile. `all`: number of all values.
  */
 function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
   const width = (high - low) / counts.length;

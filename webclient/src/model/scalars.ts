@@ -12,7 +12,7 @@ export interface Scalar {
   array: ArrayInfo;
 }
 
-/** Scalars that can color the boundary: first those at points, then at cells, then at boundary faces. */
+/** Returns the scalars that can color the boundary: first scalars at points, then at cells, then at boundary faces. */
 export function boundaryScalarsOf(description: DatasetDescription | null): Scalar[] {
   const arrays = description?.arrays ?? [];
   return (["point", "cell", "boundary_face"] as const).flatMap((of) =>
@@ -30,7 +30,7 @@ export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =
 export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
   allScalarsOf(description).filter(({ array }) => array.association === "point");
 
-/** Default scalar of a new layer: the one of the dataset's default scene, else the first scalar at points. */
+/** Returns a new layer's default scalar: the scalar of the dataset's default scene, or the first at points. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
   const shown = Object.values(description?.default_scene.layers ?? {});
   for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
@@ -56,7 +56,10 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** The array of a scalar, or the array of this name: a probe also reads arrays that are no scalars of layers. */
+/**
+ * Returns the array of a scalar, or the array of this name. A probe also returns values of arrays that no layer can
+ * use.
+ */
 const arrayNamed = (description: DatasetDescription | null, name: string): ArrayInfo | undefined =>
   arrayOf(description, name) ??
   description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
@@ -65,13 +68,13 @@ const arrayNamed = (description: DatasetDescription | null, name: string): Array
 export const unitsOf = (description: DatasetDescription | null, name: string): string =>
   prettyUnits(arrayNamed(description, name)?.units ?? "");
 
-/** A probed value with its units, and with the digits that distinguish it from other values of the array. */
+/** Formats a probed value with units, and with enough digits to distinguish it from other values of the array. */
 export const measured = (description: DatasetDescription | null, name: string, value: number): string =>
   `${formatMeasured(value, arrayNamed(description, name)?.range ?? null)} ${unitsOf(description, name)}`.trim();
 
 /**
- * Range of a scalar over all time steps; null if unknown. Known for single-component arrays and for magnitudes, but not
- * for vector components.
+ * Returns the range of a scalar over all time steps; null if unknown. The range is known for single-component arrays
+ * and for magnitudes, but not for vector components.
  */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
   const array = arrayOf(description, scalar);
@@ -79,7 +82,7 @@ export function rangeOfAllSteps(description: DatasetDescription | null, scalar: 
   return array.range;
 }
 
-/** Index of the time step nearest to `time`. Without `time`, the first step. */
+/** Returns the index of the time step nearest to `time`. Without `time`, returns the first step. */
 export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
   let best = 0;
   times.forEach((candidate, index) => {
@@ -110,7 +113,7 @@ export function freeId(scene: Scene, prefix: string): string {
 export const topOrder = (scene: Scene): number =>
   Object.values(scene.layers ?? {}).reduce((top, layer) => Math.max(top, layer.order ?? 0), 0) + 1;
 
-/** Ids of the layers that use a color scale. `contours`: layers whose contour lines use it. */
+/** Ids of the layers that use a color scale. `contours`: ids of the layers whose contour lines use the color scale. */
 export interface Colored {
   layers: string[];
   contours?: string[];
@@ -126,7 +129,8 @@ interface ScaleOf {
 }
 
 /**
- * Color scales of the caps of visible clip layers. Empty unless `layer` is the whole boundary, which draws the caps.
+ * Returns the color scales of the caps of visible clip layers. Returns [] unless `layer` is the whole boundary, because
+ * only the whole boundary has caps.
  */
 function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
@@ -137,7 +141,7 @@ function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   );
 }
 
-/** Color scales of one visible layer: of the layer, of its contour lines and of its caps. */
+/** Returns the color scales of one visible layer: of the layer itself, of its contour lines and of its caps. */
 function scalesOf(scene: Layered | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
@@ -155,8 +159,8 @@ export interface LegendOf {
 }
 
 /**
- * Legends of a scene: the distinct color scales of its visible layers in layer order, each with the layers that use it.
- * Skips the layers in `empty`.
+ * Returns the legends of a scene in layer order. There is one legend for each distinct color scale of the visible
+ * layers. The member `of` lists the layers that use the scale. Skips the layers in `empty`.
  */
 export function legendsOf(
   scene: Layered | null,

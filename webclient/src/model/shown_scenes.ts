@@ -1,5 +1,5 @@
-// Recent scenes by revision. The shown picture may be older than the newest scene, so its camera and dataset are looked
-// up by its own revision.
+// Recent scenes by revision. The shown picture may be older than the newest scene. Therefore the revision of the
+// picture is used to look up the camera and the dataset of the picture.
 import { complete, type FullCamera } from "./camera";
 import type { Scene } from "../generated/protocol";
 
@@ -23,8 +23,8 @@ export class ShownScenes {
   }
 
   /**
-   * Returns the newest scene up to `revision`, or null if none is known. Drops all older scenes: no later picture shows
-   * them.
+   * Returns the newest scene with a revision up to `revision`, or null if no such scene is known. Drops all older
+   * scenes, because no later picture shows them.
    */
   of(revision: number): Scene | null {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);

@@ -10,7 +10,7 @@ export type Slices = readonly [string, SliceLayer][];
 type Looks = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
 type Plane = Pick<SliceLayer, "axis" | "value" | "origin" | "normal">;
 
-/** Normals of new free planes. Each normal is used once before one is used again. */
+/** Normals of new free planes. A new plane gets the first normal that no slice has. */
 const NORMALS: readonly Vec3[] = [
   [1, 1, 0],
   [1, -1, 0],
@@ -38,8 +38,8 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
 }
 
 /**
- * Returns a new slice with `color`, in the widest gap between the others. The rest of its looks is copied from the last
- * slice.
+ * Returns a new slice with the coloring `color`. A plane across an axis lies in the widest gap between the other
+ * slices. The rest of the looks is copied from the last slice.
  */
 export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
@@ -47,8 +47,8 @@ export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, col
 }
 
 /**
- * Returns the change that turns a slice perpendicular to another axis. A free plane starts at the slice's position. A
- * slice that was free keeps its origin's coordinate along the new axis.
+ * Returns the change that makes a slice perpendicular to another axis, or free. A free plane starts at the position of
+ * the slice. If the slice was free, its new position is the coordinate of its origin along the axis.
  */
 export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
   const { axis, value } = slice;
@@ -63,7 +63,8 @@ export function planeChange(slices: Slices, slice: SliceLayer, across: Across, b
 }
 
 /**
- * Returns the changes by id that give all other slices the looks of slice `id`. Slices with equal looks are left out.
+ * Returns the changes by layer id that give all other slices the looks of slice `id`. Leaves out slices that already
+ * have equal looks.
  */
 export function likeThis(slices: Slices, id: string): Record<string, object> {
   const looks = looksOf(slices.find(([other]) => other === id)?.[1] ?? { type: "slice" });

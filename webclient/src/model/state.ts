@@ -1,4 +1,4 @@
-// Members of the page's state. model.ts makes a signal of each.
+// Members of the page's state. model.ts makes one signal for each member.
 import type { FullCamera, Size } from "./camera";
 import type {
   CellExtremes,
@@ -18,10 +18,10 @@ export type ConnectionState =
   | { kind: "waiting"; attempt: number; retryAt: number }
   | { kind: "closed" };
 
-/** Why a server that answers HTTP does not open a WebSocket. */
+/** Reason why a server that answers HTTP does not open a WebSocket. */
 export type Refusal =
   | { kind: "token" }
-  /** Any other reason. `words` is the text of the server or of a proxy. */
+  /** Any other reason. `words`: text from the server or from a proxy. */
   | { kind: "refused"; words: string }
   /** HTTP calls are answered, so a proxy or firewall blocks WebSockets. */
   | { kind: "no-socket" };
@@ -33,7 +33,7 @@ export interface Readout {
   stream: "none" | "image" | "geometry";
   still: boolean;
   framesPerSecond: number;
-  /** Milliseconds from the latest change to the picture that shows it; null until measured. */
+  /** Milliseconds from the latest change until its picture was shown; null until measured. */
   latencyMs: number | null;
   roundTripMs: number | null;
   extractMs: number;
@@ -63,7 +63,7 @@ export interface Histogram {
   range: Range;
   counts: number[];
   invalid: number;
-  /** Cells with the lowest and highest value. For an array derived from a cell array, the cells of that array. */
+  /** Cells with the lowest and highest value. For an array interpolated from a cell array: cells of the cell array. */
   cells?: CellExtremes | undefined;
 }
 
@@ -78,7 +78,7 @@ export interface LongCall {
 export interface PageState {
   connection: ConnectionState;
   draining: boolean;
-  /** Why a server that answers HTTP does not open a WebSocket; null if connected or unknown. */
+  /** Reason why a server that answers HTTP does not open a WebSocket; null if connected or unknown. */
   refusal: Refusal | null;
   /** Sentence shown instead of the canvas when nothing can be drawn. */
   fatal: string | null;
@@ -98,7 +98,7 @@ export interface PageState {
   scene: Scene | null;
   /** Camera that the server chose for a scene of `dataset` that has no camera. */
   seenFrom: { dataset: string; camera: FullCamera } | null;
-  /** Camera of the shown picture. null if this page draws polygons, which always use the newest camera. */
+  /** Camera of the shown picture. null for polygons, because the page draws polygons with the newest camera. */
   shownFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
@@ -116,7 +116,7 @@ export interface PageState {
   lacking: string[];
   /** Visible layers without any geometry to show, with the reason. */
   empty: EmptyLayer[];
-  /** Ids of layers that have places without a value to color by. */
+  /** Ids of layers with parts that have no value of the array that colors the layer. */
   missing: string[];
   probe: Probe | null;
   /** Id of the layer that was changed last. */
@@ -131,7 +131,7 @@ export interface PageState {
   toasts: Toast[];
   /** Size of the canvas in CSS pixels. */
   canvasSize: Size;
-  /** Boxes of the stage that overlays other than the box axes cover, in CSS pixels. */
+  /** Boxes that title, captions and legends cover, in CSS pixels of the stage. */
   taken: Box[];
 }
 

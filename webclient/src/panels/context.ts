@@ -17,7 +17,7 @@ export const PageContext = createContext<Page | null>(null);
 
 function usePage(): Page {
   const page = useContext(PageContext);
-  if (page === null) throw new Error("A panel stands outside the page");
+  if (page === null) throw new Error("A panel must be rendered inside PageContext.Provider");
   return page;
 }
 
@@ -29,15 +29,15 @@ export function useModel<V>(select: (model: Model) => V): V {
   return useComputed(() => select(model)).value;
 }
 
-/** Layers of the scene. A panel that needs no other member is not rendered again when the camera moves. */
+/** Returns the layers of the scene. A panel that reads no other member is not rendered again when the camera moves. */
 export function useLayers(): Layered {
   return { layers: useModel((model) => model.scene.value?.layers) };
 }
 
-/** Time step of the scene. */
+/** Returns the simulation time of the scene's time step. */
 export const useShownTime = (): number => useModel((model) => shownTime(model.description.value, model.scene.value));
 
-/** Camera of the shown picture. It may be older than that of the scene. */
+/** Returns the camera of the shown picture, which may be older than the camera of the scene. */
 export function useCamera(): FullCamera | null {
   return useModel((model) => model.shownFrom.value ?? cameraOf(model));
 }

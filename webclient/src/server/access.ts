@@ -1,4 +1,4 @@
-// Asks the server by HTTP why it refuses the WebSocket. Browsers tell a page no reason for a failed WebSocket.
+// Asks the server over HTTP why it refuses the WebSocket, because browsers do not tell a page why a WebSocket failed.
 import type { Refusal } from "../model/state";
 
 export type Fetch = (address: URL, init?: RequestInit) => Promise<Response>;
@@ -10,10 +10,13 @@ async function sentenceOf(response: Response): Promise<string> {
   const type = response.headers.get("Content-Type") ?? "";
   const text = type.startsWith("text/plain") ? (await response.text()).trim() : "";
   if (text !== "" && text.length <= LONGEST_SENTENCE) return text;
-  return `${new URL(response.url).host} is not a CIEL server. Its answer was ${response.status} ${response.statusText}`.trim();
+  return `${new URL(response.url).host} is not a CIEL server; check the address. Its answer was ${response.status} ${response.statusText}`.trim();
 }
 
-/** Returns why the server refuses the WebSocket, or null if nothing answers over HTTP. `base`: the page's address. */
+/**
+ * Returns the reason why the server refuses the WebSocket, or null if no server answers over HTTP. `base`: the page's
+ * address.
+ */
 export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | null> {
   try {
     const headers = { "Content-Type": "application/json" };
@@ -34,8 +37,9 @@ export function tokenIn(typed: string): string {
 }
 
 /**
- * Sends the token to the server. Returns false if it is wrong. If it is right, the server sets a cookie that the page
- * cannot read. Throws Error if the server refuses for another reason.
+ * Sends the token to the server. Returns true if the server accepts the token, and false if the token is wrong. The
+ * server stores an accepted token in a cookie that the page cannot read. Throws Error if the server refuses for another
+ * reason.
  */
 export async function offerToken(base: string, token: string, fetch: Fetch): Promise<boolean> {
   const address = new URL("./", base);

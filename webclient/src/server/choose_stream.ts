@@ -1,7 +1,7 @@
-// Chooses between pictures and polygons by the time that a change takes. Pure function of measured values.
+// Chooses the stream, pictures or polygons, by the time that a change needs. A pure function of measured values.
 
 export type Kind = "image" | "geometry";
-/** What the user changes: the camera, which needs no new polygons; a value, which needs new ones; or nothing. */
+/** What the user changes. "camera" needs no new polygons, "value" needs new polygons, "rest" is no change. */
 export type Gesture = "camera" | "value" | "rest";
 
 export interface StreamFacts {
@@ -9,16 +9,16 @@ export interface StreamFacts {
   gesture: Gesture;
   /** Measured bytes per second of the connection; null until a frame was long enough to measure. */
   lineRate: number | null;
-  /** Whether a still has arrived. A still gives a line rate unless it is too short to be measured. */
+  /** Whether a still picture has arrived. A still picture gives a line rate, unless it is too short to measure. */
   sawStill: boolean;
-  /** Round trip of a call in milliseconds; null until one was answered. */
+  /** Round trip of a call in milliseconds; null until a call has been answered. */
   roundTripMs: number | null;
-  /** Bytes of a moving picture. `pictureMs`: server time for it in milliseconds, including extraction. */
+  /** Bytes of an interactive picture. `pictureMs`: its server time in milliseconds, including extraction. */
   pictureBytes: number;
   pictureMs: number;
-  /** Bytes of all polygons of the scene, which come first after a switch from pictures. */
+  /** Bytes of all polygons of the scene. After a switch from pictures, the server sends all polygons. */
   polygonBytes: number;
-  /** Bytes of the polygons that a change of a value makes. `extractMs`: server time to extract them, in milliseconds. */
+  /** Bytes of the new polygons after a change of a value. `extractMs`: extraction time in milliseconds. */
   changeBytes: number;
   extractMs: number;
   /** Milliseconds from request to drawn polygons in this browser; null if not measured. */
@@ -35,17 +35,26 @@ export interface Choice {
   why: string;
 }
 
-/** Assumed draw time of polygons before any measurement, with a graphics card. */
+/** Draw time of polygons in milliseconds that is assumed until the first measurement. Valid with a graphics card. */
 const USUAL_DRAW_MS = 16;
-/** Limit of the draw time of polygons. Above it, pictures are used if they are faster. */
+/** Draw time of polygons in milliseconds above which pictures are used, if a picture arrives sooner. */
 const TOO_SLOW_MS = 100;
-/** The stream changes only if the other one is faster by this factor. This prevents repeated switching. */
+/**
+ * During a value gesture, the stream changes only if the new stream is faster by this factor. This prevents repeated
+ * switching.
+ */
 const BETTER = 1.3;
-/** Seconds that the transfer of the polygons may take: without a gesture, and during a camera gesture. */
+/**
+ * Longest transfer of all polygons, in seconds, for which polygons are chosen: without a gesture, and during a camera
+ * gesture.
+ */
 const FETCH_AT_REST = 3;
 const FETCH_IN_GESTURE = 0.3;
 
-/** Assumed bytes per second if no frame was long enough to measure and the round trip is at most NEAR_MS. */
+/**
+ * NEAR_RATE is the line rate in bytes per second that is assumed if the round trip is at most NEAR_MS, and no frame was
+ * long enough to measure the rate.
+ */
 const NEAR_MS = 25;
 const NEAR_RATE = 12.5e6;
 
@@ -86,8 +95,8 @@ export function chooseStream(facts: StreamFacts): Choice {
 }
 
 /**
- * Choice without a known line rate. Polygons with no more bytes than a picture are chosen, except during a value
- * gesture, in which each change makes new polygons.
+ * Chooses the stream if the line rate is unknown. Chooses polygons if they have no more bytes than a picture. During a
+ * value gesture, does not switch to polygons, because each change makes new polygons.
  */
 function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
   const isFewer = sawStill && polygonBytes <= pictureBytes;
@@ -101,7 +110,7 @@ function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: 
 
 const pictures = (why: string): Choice => ({ stream: "image", why });
 
-/** Whether the browser draws WebGL2 with a graphics card. Software renderers are recognized by name. */
+/** Whether the browser draws WebGL2 with a graphics card. Software renderers are recognized by their names. */
 export function hasHardwareWebGL(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (gl === null) return false;

@@ -1,4 +1,4 @@
-// A WebSocket that reconnects, with exponential back-off, jitter and a heartbeat. Reports its state.
+// A WebSocket that reconnects, with exponential back-off, jitter and a heartbeat. Reports the state of the connection.
 import type { ConnectionState } from "../model/state";
 import { Disconnected, Rpc, type Post } from "./rpc";
 
@@ -34,8 +34,8 @@ export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
 /**
- * Milliseconds until the next attempt: doubles from FIRST_RETRY_MS to LAST_RETRY_MS. Up to a quarter is taken off at
- * random, so that not all clients reconnect at once.
+ * Returns the milliseconds until the next attempt. The delay doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A random
+ * part of up to a quarter is subtracted, so that the clients do not all reconnect at the same time.
  */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
@@ -101,7 +101,7 @@ export class Connection {
     this.setTimer(() => this.ended(), CONNECT_TIMEOUT_MS);
   }
 
-  // Detects a dead connection by an unanswered call. A socket does not close when a cable is pulled.
+  // Detects a dead connection by an unanswered call. A socket does not close when a network cable is pulled.
   private heartbeat(rpc: Rpc): void {
     const sent = this.clock.now();
     this.setTimer(() => this.ended(), HEARTBEAT_MS);

@@ -17,7 +17,7 @@ export interface FrameReceiver {
   receive(message: ArrayBuffer): void;
 }
 
-/** What the server's code needs from the rest of the page. */
+/** Functions of the rest of the page that this folder calls. */
 export interface Page {
   background(): "dark" | "light";
   /** Scene of the link that opened the page; null if the page was opened without a link. */
@@ -43,6 +43,6 @@ export interface Core {
   readonly entry: Entry;
   readonly streams: { current(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
-  /** Call when the server has this scene at this revision. */
+  /** Call when the page knows the server's scene at this revision. */
   taken(revision: number, scene: Scene): void;
 }

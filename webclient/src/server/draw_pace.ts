@@ -1,8 +1,9 @@
-// Measures the time from a redraw request to drawn polygons. WebGL calls return before the drawing ends, but the next
-// animation frame starts only after it.
+// Measures the time from a redraw request to drawn polygons. WebGL calls return before the GPU has drawn the polygons.
+// But the next animation frame starts only after the GPU has finished. During repeated redraws, the measured time
+// therefore contains the drawing time.
 
 const REMEMBERED = 8;
-/** Number of measurements needed for a result. The first ones include shader compilation. */
+/** Number of measurements needed for a result, because the first measurements include the compilation of shaders. */
 const FEWEST = 4;
 
 export class DrawPace {

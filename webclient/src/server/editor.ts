@@ -1,5 +1,5 @@
-// Local copy of the scene, kept in step with the server's. Changes apply at once and are sent at most once per
-// animation frame.
+// Local copy of the scene, synchronized with the server's scene. A change applies to the local scene at once. Changes
+// are sent to the server at most once per animation frame.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, keepEqual, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";
@@ -20,8 +20,8 @@ export interface EditorEvents {
   /** The local scene, canUndo or canRedo has changed. */
   changed(): void;
   /**
-   * The server has accepted a change of this page. `since`: time of the change (performance.now); `scene`: the scene
-   * after it, at `revision`.
+   * The server has accepted a change of this page. `since`: time of the change (performance.now). `scene`: the scene
+   * after the change, with this revision.
    */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
@@ -43,8 +43,8 @@ interface Change {
   /** The local scene after this change. */
   scene: Scene;
   /**
-   * The change concerned a layer that another client has removed. The user has been told so, and a refusal by the
-   * server is not reported in addition.
+   * A part of the change was dropped, because another client has removed the layer. The user has been told this.
+   * Therefore a refusal by the server is not reported in addition.
    */
   targetsRemovedLayer?: boolean;
 }
@@ -52,7 +52,7 @@ interface Change {
 const patched = (scene: Scene, patch: JsonObject): Scene =>
   applyPatch(scene as unknown as Json, patch) as unknown as Scene;
 
-/** Returns `after`. Members equal to those of `before` stay the same objects. */
+/** Returns a scene equal to `after`. A member that is equal in `before` stays the same object. */
 const keptEqual = (before: Scene | null, after: Scene): Scene =>
   keepEqual(before as unknown as Json, after as unknown as Json) as unknown as Scene;
 
@@ -63,8 +63,8 @@ export class SceneEditor {
   private unanswered: Change[] = [];
   private differsFromServer = false;
   /**
-   * Whether the local scene may differ from the server's scene. If so, the server's is fetched once all changes are
-   * answered.
+   * Whether the local scene may differ from the server's scene. If so, the server's scene is fetched after all changes
+   * have been answered.
    */
   private doubtful = false;
   private asking = false;
@@ -93,12 +93,12 @@ export class SceneEditor {
     return this.server !== null;
   }
 
-  /** Whether the server has not accepted all changes yet. */
+  /** Whether a change, an undo, a redo or a proposed scene waits for the server's answer. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
   }
 
-  /** Undo and redo steps to send when the session is opened again with this scene. */
+  /** Undo and redo steps that the page sends when it opens the session again with this scene. */
   stepsAround(scene: Scene): Steps {
     return this.history.around(scene);
   }
@@ -153,7 +153,7 @@ export class SceneEditor {
     await this.travel((server) => server.redo(), moved, stuck);
   }
 
-  /** Call when a session was opened. Changes made while disconnected are sent to it as one undo step. */
+  /** Call when a session was opened. Changes made while disconnected are sent to the session as one undo step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
     this.patchesAtOnce = new PatchesAtOnce();
@@ -172,27 +172,24 @@ export class SceneEditor {
     this.server = null;
     this.unanswered = [];
     this.travelling = 0;
-    this.canUndo = this.canRedo = false; // the server keeps the undo history
+    this.canUndo = this.canRedo = false; // undo and redo need the server, which keeps the history
     this.events.changed();
   }
 
-  /** Drops the local scene and its history. Call before `connected` when another scene was chosen instead. */
+  /** Drops the local scene and its history. Call before connected() if the user has chosen another scene. */
   forget(): void {
     this.document = null;
     this.history.forget();
   }
 
-  /** Takes the scene that another client has changed. Unanswered changes of this page are applied again on top. */
+  /** Adopts the scene of another client. Applies the unanswered changes of this page to this scene again. */
   overheard(scene: Scene): void {
     this.history.found(scene);
     this.adopt({ scene }, this.unanswered);
     this.doubt(); // fetches canUndo and canRedo, which the notification does not contain
   }
 
-  /**
-   * Sends the scene as one change. Unlike with `replace`, the local scene changes only after the server has accepted
-   * it.
-   */
+  /** Sends the scene as one change. The local scene changes only after the server has accepted the scene. */
   async propose(scene: Scene): Promise<void> {
     const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
     await this.travel(
@@ -204,7 +201,7 @@ export class SceneEditor {
     );
   }
 
-  /** Takes the server's scene, then applies the unanswered changes `onTheWay` and the queued changes on top of it. */
+  /** Adopts the server's scene. Then applies the unanswered changes `onTheWay` and the queued changes to this scene. */
   private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
     this.canUndo = state.can_undo ?? this.canUndo;
     this.canRedo = state.can_redo ?? this.canRedo;
@@ -221,7 +218,10 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  /** Removes changes of layers that another client has removed. The server would merge them into incomplete layers. */
+  /**
+   * Removes the changes of layers that another client has removed. With such changes, the server would make incomplete
+   * layers.
+   */
   private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
     const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
     for (const id of stray) this.events.gone(this.lost.get(id) as Layer);
@@ -240,7 +240,7 @@ export class SceneEditor {
     }
     while (this.queue.length > 0) this.sendOldest(server); // so that an undo reverts the latest change
     const since = this.timing.now();
-    const before = new Set(this.unanswered); // changes sent before the step, which its result contains
+    const before = new Set(this.unanswered); // the result of the step contains these changes
     this.travelling += 1;
     this.events.changed();
     try {

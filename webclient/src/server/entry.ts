@@ -1,12 +1,12 @@
-// Finds out why a reachable server refuses this page, and sends the token that the user enters.
+// Finds the reason why a reachable server refuses this page, and sends the token that the user enters.
 import type { Model } from "../model/model";
 import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 
 const get: Fetch = (address, init) => fetch(address, init);
 
 /**
- * Number of consecutive HTTP answers after which WebSockets count as blocked. One answer is not enough: a restarted
- * server answers HTTP before the page tries a WebSocket again.
+ * Number of consecutive HTTP answers after which WebSockets are treated as blocked. One answer is not enough, because a
+ * restarted server answers HTTP before the page tries a WebSocket again.
  */
 const TRIES_BEFORE_NO_SOCKET = 2;
 
@@ -18,7 +18,7 @@ export class Entry {
     private readonly retry: () => void,
   ) {}
 
-  /** Finds the reason of a failed WebSocket. Call after each failure. */
+  /** Finds the reason of a failed WebSocket and writes it into the model. Call after each failure. */
   async explain(): Promise<void> {
     const refusal = await askRefusal(document.baseURI, get);
     if (this.model.connection.peek().kind === "open") return;
@@ -32,7 +32,7 @@ export class Entry {
     this.model.refusal.value = null;
   }
 
-  /** Sends the token that the user typed. Returns null if the server accepted it, else a sentence for the user. */
+  /** Sends the token that the user typed. Returns null if the server accepted it, otherwise an error sentence. */
   async enter(typed: string): Promise<string | null> {
     try {
       if (!(await offerToken(document.baseURI, tokenIn(typed), get)))

@@ -1,5 +1,5 @@
-// First scene of a page: that of the link, else that of the tab's session, else the default scene of the first usable
-// dataset.
+// First scene of a page: the scene of the link, otherwise the scene of the tab's session, otherwise the default scene
+// of the first usable dataset.
 import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
 import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
 import { subtract } from "../model/vector";
@@ -10,7 +10,7 @@ import type { CanvasSize } from "../model/canvas_size";
 
 export interface FirstSceneOptions {
   session: string;
-  /** Whether the tab or the link already names this session. */
+  /** Whether the session id comes from the tab or from the link. The session may then exist on the server. */
   rejoin: boolean;
   link: Scene | null;
   size: CanvasSize;
@@ -23,7 +23,7 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
   return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
 }
 
-/** The dataset's default scene, with the camera fitted to this canvas and the background of the theme. */
+/** Returns the dataset's default scene, with a camera fitted to this canvas, and with the background of the theme. */
 export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.default_bounds;
@@ -31,7 +31,7 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
-/** Adds the default camera to a scene without one, because overlays of the canvas need a camera. */
+/** Adds the default camera to a scene that has no camera, because overlays of the canvas need a camera. */
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {
@@ -51,7 +51,7 @@ export async function firstScene(call: Caller, options: FirstSceneOptions): Prom
   try {
     if (options.rejoin) return (await call("scene.get", { session: options.session })).scene;
   } catch (error) {
-    if (!(error instanceof RpcError)) throw error; // an RpcError means that the session is unknown: start a new one
+    if (!(error instanceof RpcError)) throw error; // an RpcError means that the server does not know the session
   }
   const usable = (await call("dataset.list", {})).find(({ problem }) => problem === "");
   if (usable === undefined) return null;

@@ -1,4 +1,4 @@
-// Decodes frames of kind 2: a batch of polygons of one layer (protocol/frame.md).
+// Decodes messages of kind 2. A message contains a batch of polygons of one layer (protocol/frame.md).
 import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { readFrameHeader, FRAME_HEADER_BYTES } from "../generated/frame_header";
 import type { ColorScale } from "../model/color_scale";
@@ -6,7 +6,7 @@ import type { Coloring, Range, Vec3 } from "../generated/protocol";
 import { scaleOf } from "../model/color_range";
 
 /**
- * Clip plane nx, ny, nz, d. It keeps the points with dot(n, offset) + d >= 0; offsets are relative to the batch's
+ * Clip plane (nx, ny, nz, d). The plane keeps the points p with dot(n, p) + d >= 0, where p is relative to the batch's
  * origin.
  */
 export type ClipPlane = [number, number, number, number];
@@ -23,7 +23,7 @@ export interface GeometryBatch {
   scale: ColorScale;
   color: [number, number, number, number];
   lit: boolean;
-  width: number; // of lines and points, in picture pixels
+  width: number; // width of lines or size of points, in picture pixels
   clip: ClipPlane[];
   origin: Vec3;
 }
@@ -32,7 +32,7 @@ interface SentMesh {
   id: string;
   step: number;
   low: Vec3;
-  bytes?: [number, number]; // of the encoded vertices and indices; absent if sent in an earlier frame
+  bytes?: [number, number]; // sizes of the encoded vertices and indices; absent if an earlier frame had them
 }
 
 interface SentValues {
@@ -84,34 +84,37 @@ class Rest {
   constructor(private bytes: Uint8Array) {}
 
   take(count: number): Uint8Array {
-    if (count > this.bytes.length) throw new Error("A geometry frame's arrays are shorter than announced");
+    if (count > this.bytes.length)
+      throw new Error("A geometry frame is damaged: its arrays are too short. Reload the page");
     const taken = this.bytes.subarray(0, count);
     this.bytes = this.bytes.subarray(count);
     return taken;
   }
 
   end(): void {
-    if (this.bytes.length > 0) throw new Error(`A geometry frame's arrays are ${this.bytes.length} bytes too long`);
+    if (this.bytes.length > 0)
+      throw new Error(`A geometry frame is damaged: it is ${this.bytes.length} bytes too long. Reload the page`);
   }
 }
 
-/** Decoded meshes and values by id. Later batches refer to them by id instead of containing them. */
+/** Decoded meshes and values by id. Later batches may contain only the id instead of the arrays. */
 class KeptArrays {
   private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
   /**
-   * Returns the arrays of a mesh or its values and marks them as used by this frame. `decode`: decodes them from the
-   * batch; null if the batch does not contain them. Throws MissingArrays if they are then not kept either.
+   * Returns the arrays of a mesh or of its values, and marks them as used by this frame. `decode` decodes the arrays
+   * from the batch; it is null if the batch contains only the id. In that case, throws MissingArrays if the arrays are
+   * not kept.
    */
   use<Arrays>(id: string, frame: number, decode: (() => Arrays) | null): Arrays {
     const arrays = decode === null ? this.kept.get(id)?.arrays : decode();
     if (arrays === undefined)
-      throw new MissingArrays(`A geometry frame names the arrays ${id}, which were not received before`);
+      throw new MissingArrays(`The arrays ${id} of a geometry frame are missing. All arrays are requested again`);
     this.kept.set(id, { frame, arrays });
     return arrays as Arrays;
   }
 
-  /** Drops arrays last used before frame `base`. The server no longer refers to them. */
+  /** Drops the arrays that were last used before frame `base`. The server no longer refers to these arrays. */
   forgetBefore(base: number): void {
     for (const [id, { frame }] of this.kept) if (frame < base) this.kept.delete(id);
   }
@@ -155,7 +158,10 @@ function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, res
   return { positions, normals: directions, indices: corners };
 }
 
-/** Returns offsets from `sent.origin`: values of a small range far from 0 then keep their digits as floats. */
+/**
+ * Returns the values as offsets from `sent.origin`. Without this origin, values of a small range far from 0 would lose
+ * digits as 32-bit floats.
+ */
 function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest: Rest): Float32Array {
   const count = sent.of === "vertices" ? vertices : indices / CORNERS[sent.of];
   const values = new Float32Array(count);
@@ -167,7 +173,7 @@ function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest
   return values;
 }
 
-/** Splits shared vertices: makes one vertex for each corner, with the value of its triangle, line or point. */
+/** Splits shared vertices. Makes one vertex for each corner, which has the value of its triangle, line or point. */
 function apart(
   { positions, normals, indices }: Mesh,
   values: Float32Array,
@@ -196,14 +202,14 @@ export class GeometryDecoder {
   }
 
   /**
-   * Decodes one frame; null if it has no polygons. Throws Error on inconsistent sizes and MissingArrays on missing
-   * arrays.
+   * Decodes one message. Returns null if the frame has no polygons. Throws Error if the sizes are inconsistent, and
+   * MissingArrays if the batch refers to arrays that are not kept.
    */
   decode(message: ArrayBuffer): GeometryBatch | null {
     const bytes = message.byteLength - FRAME_HEADER_BYTES;
-    if (bytes < 4) throw new Error("A geometry frame is cut off");
+    if (bytes < 4) throw new Error("A geometry frame is cut off. Reload the page");
     const jsonBytes = new DataView(message).getUint32(FRAME_HEADER_BYTES, true);
-    if (jsonBytes > bytes - 4) throw new Error("A geometry frame's description is cut off");
+    if (jsonBytes > bytes - 4) throw new Error("A geometry frame's description is cut off. Reload the page");
     const text = new TextDecoder().decode(new Uint8Array(message, FRAME_HEADER_BYTES + 4, jsonBytes));
     const header = JSON.parse(text) as BatchHeader;
     this.kept.forgetBefore(header.base);

@@ -5,7 +5,10 @@ import { Disconnected, RpcError } from "./rpc";
 import type { Histogram } from "../model/state";
 
 const KEPT = 200;
-/** Number of simultaneous requests. The server computes few at a time and refuses a connection with too many. */
+/**
+ * Largest number of simultaneous requests. The server computes few histograms at a time. It refuses further requests of
+ * a connection that has too many.
+ */
 const AT_ONCE = 2;
 const RETRY_MILLISECONDS = 1000;
 
@@ -20,7 +23,7 @@ export class Histograms {
   private wanted: Of[] = [];
   private underWay = 0;
   private isDue = false;
-  /** Number of `clear` calls. An answer to a request from before the last call is ignored. */
+  /** Number of calls of clear(). If clear() is called between a request and its answer, the answer is ignored. */
   private cleared = 0;
 
   constructor(
@@ -29,8 +32,9 @@ export class Histograms {
   ) {}
 
   /**
-   * Returns the histogram, or null until it has arrived. null too if the array has no values at this time. Code that
-   * reads signals runs again when the histogram arrives. The fetch starts after the current rendering.
+   * Returns the histogram of a scalar at a time. Returns null until it has arrived, and if the array has no values at
+   * this time. Code that reads signals runs again when the histogram arrives. The fetch starts after the current
+   * rendering.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);
@@ -38,7 +42,7 @@ export class Histograms {
     return known.histogram.value;
   }
 
-  /** Forgets all histograms and requests. They are fetched again when read. */
+  /** Forgets all histograms and requests. A histogram is fetched again when it is read. */
   clear(): void {
     for (const known of this.known.values()) {
       known.state = "forgotten";
@@ -92,7 +96,7 @@ export class Histograms {
     const key = JSON.stringify(of);
     const known = this.knownOf(of);
     this.known.delete(key);
-    // Moves the entry to the end: the first one of the map was used least recently.
+    // Moves the entry to the end of the map, so that the first entry of the map is the oldest.
     this.known.set(key, known);
     known.state = state;
     if (histogram !== null) known.histogram.value = histogram;

@@ -1,4 +1,4 @@
-// Decodes frames of kind 1: one picture. The browser decodes it off the main thread.
+// Decodes messages of kind 1. A message contains one picture, which the browser decodes outside the main thread.
 import { FRAME_HEADER_BYTES } from "../generated/frame_header";
 
 const SIGNATURES: Record<string, number[]> = {
@@ -11,7 +11,7 @@ export function pictureOf(message: ArrayBuffer): Blob {
   const picture = new Uint8Array(message, FRAME_HEADER_BYTES);
   for (const [type, signature] of Object.entries(SIGNATURES))
     if (signature.every((byte, index) => picture[index] === byte)) return new Blob([picture], { type });
-  throw new Error("An image frame holds neither a PNG nor a JPEG");
+  throw new Error("An image frame contains neither a PNG nor a JPEG. Reload the page");
 }
 
 export const decodeImage = (message: ArrayBuffer): Promise<ImageBitmap> => createImageBitmap(pictureOf(message));

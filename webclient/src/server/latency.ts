@@ -1,4 +1,4 @@
-// Measures the time from a change to the picture that shows it, and the pictures per second.
+// Measures the time from a change until its picture is shown, and the number of pictures per second.
 
 const WINDOW_MS = 1500;
 
@@ -9,8 +9,8 @@ export class Latency {
   last: number | null = null;
 
   /**
-   * A change made at time `since` became `revision`. Its picture may have been shown before the server's answer
-   * arrived.
+   * Call when the server has accepted a change made at time `since` as `revision`. The picture of this revision may
+   * already have been shown, before the server's answer arrived.
    */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
@@ -20,7 +20,7 @@ export class Latency {
   shown(revision: number, now: number): void {
     this.times = this.times.filter((time) => now - time < WINDOW_MS);
     this.times.push(now);
-    if (revision <= this.presented.revision) return; // a still follows the preview of the same revision
+    if (revision <= this.presented.revision) return; // a still picture of a revision that was already shown
     this.presented = { revision, at: now };
     const answered = this.waiting.filter((change) => change.revision <= revision);
     this.waiting = this.waiting.filter((change) => change.revision > revision);

@@ -1,10 +1,10 @@
-// Measures the bandwidth in bytes per second from the pieces of a frame (protocol/frame.md): the bytes after the first
-// piece, divided by the time since it. A frame of one piece cannot be measured.
+// Measures the bandwidth in bytes per second from the pieces of a frame (protocol/frame.md): the number of bytes after
+// the first piece, divided by the time since the first piece arrived. A frame of one piece gives no result.
 import type { FrameHeader } from "../generated/frame_header";
 
 /**
- * Fewest bytes after the first piece for a measurement, because fewer may arrive at once from a buffer. The server
- * makes the first piece short if at least this many bytes follow it.
+ * Smallest number of bytes after the first piece for a measurement, because fewer bytes may arrive at once from a
+ * buffer. If at least this many bytes follow the first piece, the server makes the first piece short.
  */
 const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
@@ -19,7 +19,7 @@ interface Measured {
 export class LineRate {
   private now: Measured | null = null;
   private rates: number[] = [];
-  /** Whether the newest rate belongs to the current frame. If so, each further piece replaces it. */
+  /** Whether the newest rate belongs to the current frame. If so, each further piece replaces this rate. */
   private isOfNow = false;
 
   /** Call for each message. `at`: time of arrival in milliseconds. Returns whether the message gave a measurement. */
@@ -39,8 +39,8 @@ export class LineRate {
   }
 
   /**
-   * Median of the last rates; null if nothing was measured. A busy page may receive all pieces of a frame at once,
-   * which gives too high a rate.
+   * Median of the last rates; null if no rate was measured. A busy page may receive all pieces of a frame at once. The
+   * rate of such a frame is too high, but a single high rate does not change the median much.
    */
   get bytesPerSecond(): number | null {
     const sorted = [...this.rates].sort((a, b) => a - b);

@@ -14,9 +14,7 @@ interface Begun {
 export class Pieces {
   private begun: Begun | null = null;
 
-  /**
-   * Adds a piece. Returns the whole message after the last piece, otherwise null. Throws Error if a piece is missing.
-   */
+  /** Adds a piece. Returns the whole message after the last piece, else null. Throws Error if a piece is missing. */
   add(header: FrameHeader, message: ArrayBuffer): ArrayBuffer | null {
     if (header.payloadBytes === header.wholeBytes) {
       this.begun = null;
@@ -26,7 +24,7 @@ export class Pieces {
     const { begun } = this;
     if (begun === null || begun.frame !== header.frame || begun.arrived !== header.pieceOffset) {
       this.begun = null;
-      throw new Error(`A piece of frame ${header.frame} is missing`);
+      throw new Error(`A piece of frame ${header.frame} is missing. Reload the page`);
     }
     new Uint8Array(begun.message, FRAME_HEADER_BYTES + begun.arrived).set(new Uint8Array(message, FRAME_HEADER_BYTES));
     begun.arrived += header.payloadBytes;

@@ -1,5 +1,5 @@
-// JSON-RPC 2.0 over a text channel: calls, answers, notifications. Answers longer than a WebSocket message may be are
-// fetched by HTTP POST.
+// JSON-RPC 2.0 over a text channel: calls, answers, notifications. An answer that is too long for a WebSocket message
+// is fetched by HTTP POST.
 import { ErrorCode, PROTOCOL, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
@@ -18,7 +18,7 @@ export class RpcError extends Error {
   }
 }
 
-/** Rejects a call whose answer had not arrived when the connection ended. */
+/** Error of a call whose answer had not arrived when the connection ended. */
 export class Disconnected extends Error {
   constructor() {
     super("The connection ended before the server answered");
@@ -44,12 +44,15 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
-/** Methods always called by HTTP POST: pictures and surface files exceed the limit of a WebSocket message. */
+/**
+ * Methods that are always called by HTTP POST, because a picture or a surface file may exceed the limit of a WebSocket
+ * message.
+ */
 const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
 
 /**
- * Method to call instead when an answer was too long for a message. Undo and redo have already taken effect and must
- * not be repeated.
+ * Method to call by POST if the answer to a call was too long for a WebSocket message. Undo and redo have already taken
+ * effect and must not be repeated.
  */
 const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.undo": "scene.get",
@@ -57,8 +60,9 @@ const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
 };
 
 /**
- * Text of a request, or of a notification without `id`. It declares the page's version of the contract, because a page
- * may be older than its server: an upgraded server of another major version then refuses the request with a sentence.
+ * Returns the text of a request, or of a notification if `id` is absent. The text contains the page's version of the
+ * contract, because the server may have been upgraded after the page was loaded. A server of another major version
+ * refuses the request with an error sentence.
  */
 const requestText = (method: MethodName, params: unknown, id?: number): string =>
   JSON.stringify({ jsonrpc: "2.0", protocol: PROTOCOL, id, method, params });
@@ -73,7 +77,7 @@ export class Rpc {
     private readonly post: Post,
   ) {}
 
-  /** `signal` cancels a call that is made by POST. */
+  /** Calls a method of the server. `signal` cancels a call that is made by POST. */
   call<M extends MethodName>(method: M, params: Params<M>, signal?: AbortSignal): Promise<Result<M>> {
     if (BY_POST.has(method)) return this.byPost(method, params, signal) as Promise<Result<M>>;
     const id = this.nextId++;

@@ -1,10 +1,10 @@
-// Copy of the server's undo and redo steps. A restarted server gets them when the session is opened again.
+// Copy of the server's undo and redo steps. When the page opens a session on a restarted server, it sends these steps.
 import { LIMITS, type Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
 /**
- * Undo and redo steps as merge patches, nearest first. The first patch applies to the current scene, each next one to
- * the previous result.
+ * Undo and redo steps as merge patches. The step nearest to the current scene is first. The first patch applies to the
+ * current scene. Each further patch applies to the result of the previous patch.
  */
 export interface Steps {
   undo: JsonObject[];
@@ -23,19 +23,22 @@ export class SceneHistory {
   private steps: Steps = { undo: [], redo: [] };
   private gesture = "";
 
-  /** The server has accepted a change of this page. */
+  /** Call when the server has accepted a change of this page. */
   changed(patch: JsonObject, gesture: string): void {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
-  /** The server has this scene. Any client may have changed it. */
+  /** Call when the server has this scene. Any client may have changed it. */
   found(scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null) this.scene = found;
     else this.become(found, OF_OTHERS);
   }
 
-  /** An undo or redo of this page led to this scene. The server skips steps whose scene it cannot show. */
+  /**
+   * Call when an undo or redo of this page led to this scene. The scene may be several steps away, because the server
+   * skips steps whose scene it cannot show.
+   */
   moved(step: keyof Steps, scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null || equal(this.scene, found)) return;
@@ -58,8 +61,8 @@ export class SceneHistory {
   }
 
   /**
-   * Steps to open a session with, starting at this scene. The scene may contain changes that the server has not
-   * accepted.
+   * Returns the steps to open a session with, starting at this scene. The scene may contain changes that the server has
+   * not accepted.
    */
   around(scene: Scene): Steps {
     const begun = scene as unknown as JsonObject;

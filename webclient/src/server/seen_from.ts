@@ -1,5 +1,5 @@
-// Fetches the camera that the server chooses for a scene without one. It leaves room for annotations. Overlays of the
-// canvas and the first camera gesture use it.
+// Fetches the camera that the server chooses for a scene without a camera. This camera leaves room for annotations.
+// Overlays of the canvas and the first camera gesture use this camera.
 import { complete } from "../model/camera";
 import type { Core } from "./core";
 

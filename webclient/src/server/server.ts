@@ -29,7 +29,10 @@ const clock = {
   clearTimeout: (timer: number): void => window.clearTimeout(timer),
 };
 
-/** A power of two: the server then answers from the histogram stored beside the array and reads no value. */
+/**
+ * Number of bins. It is a power of two, because the server then answers from the stored histogram of the array and
+ * reads no values.
+ */
 const HISTOGRAM_BINS = 128;
 const RATE_MS = 500;
 
@@ -100,14 +103,14 @@ export class Server implements Core {
     if (!(error instanceof Disconnected)) showToast(this.model, wordsFor(error as Error), "error");
   }
 
-  /** The server has this scene at this revision. A picture of it may already be shown. */
+  /** Call when the page knows the server's scene at this revision. A picture of the scene may already be shown. */
   taken(revision: number, scene: Scene): void {
     this.scenes.taken(revision, scene);
     const { readout } = this.model;
     if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session
   }
 
-  /** A frame was drawn on the canvas. `bytes`: size of its messages. */
+  /** Call when a frame has been drawn on the canvas. `bytes`: size of the messages of the frame. */
   presented(header: FrameHeader, bytes: number): void {
     const { model, page } = this;
     const at = now();

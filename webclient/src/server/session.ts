@@ -1,4 +1,4 @@
-// Opens the session and its view after each connection, or joins them again.
+// Opens the session and a view after each connection. If the session already exists on the server, the page joins it.
 import type { Notifications, Scene, SessionState } from "../generated/protocol";
 import type { ConnectionState } from "../model/state";
 import { Connection, type Clock, type SocketLike } from "./connection";
@@ -11,7 +11,7 @@ export interface ViewSize {
   pixel_ratio: number;
 }
 
-/** Stream requested for a view. `moving`: format of pictures during changes; stills are always PNG. */
+/** Stream requested for a view. `moving`: format of interactive pictures; still pictures are always PNG. */
 export interface StreamWish {
   stream: "image" | "geometry";
   moving: "png" | "jpeg";
@@ -24,7 +24,7 @@ export interface SessionHost {
   stream(): StreamWish;
   /** Called before view.open. Frames of the new view may arrive before viewOpened(). */
   viewOpening(): void;
-  /** A view was opened, or the view has ended (0). */
+  /** Called when a view was opened, or with 0 when the view has ended. */
   viewOpened(view: number): void;
   opened(state: SessionState): void;
   /** The server refused to open the session or its view. */
@@ -43,8 +43,8 @@ export class Session {
   private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
   /**
-   * Scene passed to begin() and not shown yet; null if there is none. The session is opened with it instead of the
-   * editor's scene.
+   * Scene passed to begin() and not shown yet; null if there is none. The session is opened with this scene instead of
+   * the editor's scene.
    */
   private chosen: Scene | null = null;
   private view = 0;
@@ -116,7 +116,8 @@ export class Session {
   }
 
   /**
-   * Shows this scene. Opens the session with it if none is open, because there was no scene or the server refused it.
+   * Shows this scene. If no session is open, opens the session with this scene. No session is open if the page had no
+   * scene, or if the server refused to open the session.
    */
   async begin(scene: Scene): Promise<void> {
     this.chosen = scene;
@@ -183,7 +184,7 @@ export class Session {
       state,
     );
     this.host.opened(state);
-    // If another page has opened the session before, the session has the scene of that page.
+    // If another page opened the session earlier, the session has the scene of that page.
     if (chosen !== null && chosen.dataset !== state.scene.dataset) void this.editor.propose(chosen);
     this.sentSize = this.host.viewSize();
     this.sentStream = this.host.stream();
@@ -205,7 +206,7 @@ export class Session {
   }
 }
 
-/** Text of an error for the user: the server's reason, and the path of the refused member of the scene. */
+/** Returns the text of an error for the user: the server's reason, and the path of the refused member of the scene. */
 export function wordsFor(error: Error): string {
   if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
   const { reason, path } = error.data as { reason?: unknown; path?: unknown };

@@ -7,8 +7,8 @@ export function removedBetween(before: Scene | null, after: Scene): [string, Lay
 }
 
 /**
- * Ids of layers that the patch changes but that the scene lacks. A change with a type adds a layer, so it is not
- * counted.
+ * Returns the ids of layers that the patch changes but the scene does not have. Skips a change with a `type`, because
+ * such a change adds a layer.
  */
 export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
   if (!isObject(layers)) return [];

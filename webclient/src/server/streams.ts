@@ -1,4 +1,4 @@
-// Selects the stream of the view: the user's choice, or for `auto` the one that chooseStream suggests.
+// Selects the stream of the view: the user's choice, or for `auto` the stream that chooseStream() returns.
 import type { Scene } from "../generated/protocol";
 import { FrameKind, type FrameHeader } from "../generated/frame_header";
 import { layersOf } from "../model/scalars";
@@ -11,9 +11,9 @@ import type { Core } from "./core";
 
 /** Milliseconds without a change after which a gesture has ended. */
 const REST_MS = 600;
-/** Estimated cost of pictures and polygons until the first frame of each kind has arrived. */
+/** Assumed until the first interactive picture has arrived: bytes per pixel, and server time in milliseconds. */
 const USUAL_PICTURE = { bytesOfPixel: 0.07, ms: 60 };
-/** Draw times up to this limit are not scaled by the number of triangles. */
+/** Draw times in milliseconds up to this limit are not scaled by the number of triangles. */
 const SMOOTH_MS = 33;
 
 export class Streams {
@@ -25,7 +25,8 @@ export class Streams {
   private resting = 0;
   private said = "";
   /**
-   * Bytes and server time of the newest moving picture. The time excludes extraction, which depends on the iso-value.
+   * Bytes and server time in milliseconds of the newest interactive picture. The time excludes extraction, which
+   * depends on the iso-value.
    */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
@@ -39,7 +40,7 @@ export class Streams {
     return this.asked;
   }
 
-  /** A message of the view has arrived. The line rate can be measured before the frame is complete. */
+  /** Call when a message of the view has arrived. The line rate can be measured before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
     if (this.rate.arrived(header, at)) this.reconsider();
   }
@@ -52,7 +53,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** The scene has changed, in this page or another one. */
+  /** Call when the scene was changed by this page or another client. */
   changed(before: Scene | null, now: Scene | null): void {
     if (before === null || now === null || before === now) return;
     if (before.dataset !== now.dataset) this.polygons.forget();
@@ -119,8 +120,8 @@ export class Streams {
   }
 
   /**
-   * Time to draw `triangles` triangles in milliseconds; null if not measured. Measured times up to SMOOTH_MS are not
-   * scaled.
+   * Returns the estimated time to draw `triangles` triangles in milliseconds; null if not measured. The measured time
+   * is scaled by the number of triangles if it is above SMOOTH_MS.
    */
   private drawMs(triangles: number): number | null {
     const { milliseconds } = this.pace;
@@ -130,8 +131,8 @@ export class Streams {
   }
 
   /**
-   * Server time of a moving picture in milliseconds. At most that of the still, because the first picture includes
-   * shader compilation.
+   * Returns the server time of an interactive picture in milliseconds. The result is at most the time of the still
+   * picture, because the first interactive picture includes the compilation of shaders.
    */
   private pictureMs(): number {
     if (this.picture === null) return USUAL_PICTURE.ms;

@@ -1,5 +1,5 @@
 // Depth peeling: draws transparent surfaces, lines and points in depth order at every pixel, even where they intersect.
-// A layer has, at each pixel, the nearest fragment behind the previous layer. Same method as
+// A layer contains, at each pixel, the nearest fragment behind the previous layer. Same method as
 // server/render/surfaces/depth_peeling.hpp. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
 import type { BatchPrograms, Picture } from "./uploaded_batches";
 import { buildProgram, type Program } from "./gl_program";
@@ -15,8 +15,8 @@ import { makeSheetTexture, SheetMaker, type Sheet, type Sheets } from "./peeling
 import { LINE_FRAGMENT, LINE_VERTEX, POINT_FRAGMENT, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
 /**
- * Largest picture, in pixels, whose layers are drawn at twice its resolution. The render targets then take at most 0.4
- * GB: 28 bytes per target pixel, or 44 with lines.
+ * Largest number of picture pixels for which layers are drawn at twice the picture's resolution. The render targets
+ * then take at most 0.4 GB: 28 bytes per target pixel, or 44 bytes with transparent lines.
  */
 const MOST_PIXELS_AT_TWICE_THE_RESOLUTION = 2 << 20;
 
@@ -26,7 +26,7 @@ const UNITS = { nearer: 1, nearer_lines: 2, own_lines: 3, behind: 4, sum: 5, lay
 export interface PeeledScene {
   width: number;
   height: number;
-  /** Whether the camera moves. If so, layers have the picture's own resolution, and there are fewer. */
+  /** Whether the camera moves. If so, the layers have the picture's own resolution, and fewer layers are drawn. */
   moving: boolean;
   /** Whether the layers contain lines of less than full opacity. */
   joins: boolean;
@@ -49,7 +49,7 @@ export class DepthPeeling {
   private readonly count = new LayerCount();
   private sheets: Sheets | null = null;
   private made = "";
-  /** Number of layers of the newest picture whose occlusion queries have not been read; 0 after reading. */
+  /** Number of layers of the newest picture. It is 0 after the occlusion queries of these layers have been read. */
   private asked = 0;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
@@ -78,7 +78,7 @@ export class DepthPeeling {
     const { gl } = this;
     const twice = scene.width * scene.height <= MOST_PIXELS_AT_TWICE_THE_RESOLUTION ? 2 : 1;
     const sheets = this.sheetsFor(twice * scene.width, twice * scene.height, scene.joins);
-    // Moving pictures use a part of the render targets, so a drag allocates nothing.
+    // While the camera moves, only a part of the render targets is used, so that a drag allocates no memory.
     const pixels = scene.moving ? 1 : twice;
     const picture = { width: pixels * scene.width, height: pixels * scene.height, pixels };
     gl.viewport(0, 0, picture.width, picture.height);
@@ -100,10 +100,7 @@ export class DepthPeeling {
     this.putOnCanvas(sheets, pixels);
   }
 
-  /**
-   * Whether drawing again would show more layers than the newest picture has; null until the query results are
-   * available.
-   */
+  /** Whether a new draw would show more layers than the newest picture; null until the query results are available. */
   lacksLayers(): boolean | null {
     const { gl } = this;
     const asked = this.queries.slice(0, this.asked);
@@ -192,7 +189,7 @@ export class DepthPeeling {
     gl.blendEquation(gl.FUNC_ADD);
   }
 
-  // Blends the newest layer behind the sum of the earlier ones. Colors are premultiplied.
+  // Blends the newest layer behind the sum of the earlier layers. Colors are premultiplied.
   private add({ sum, colors }: Sheets): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, sum.framebuffer);

@@ -1,10 +1,10 @@
-// Keeps frames that arrive before the answer to view.open. Only the answer tells the id of the new view
+// Keeps frames that arrive before the answer to view.open, because only this answer contains the id of the new view
 // (protocol/frame.md).
 import type { FrameHeader } from "../generated/frame_header";
 
 /**
- * Number of frames kept for a view. By default, the server sends at most this many before the first acknowledgement
- * (its limit unacknowledged_frames), and early frames are not acknowledged.
+ * Largest number of frames kept for a view. Early frames are not acknowledged. By default, the server sends at most
+ * this many frames before the first acknowledgement (its limit unacknowledged_frames).
  */
 const MOST_FRAMES = 2;
 

@@ -17,8 +17,8 @@ import {
 
 const isOpaqueSurface = (batch: GeometryBatch): boolean => isSurface(batch) && batch.color[3] >= 1;
 const isTransparent = (batch: GeometryBatch): boolean => batch.color[3] > 0 && batch.color[3] < 1;
-// If depth peeling is used, lines and points are in its layers. If they were drawn before, their soft edges would hide
-// layers behind them.
+// If depth peeling is used, its layers also contain the lines and points. If lines and points were drawn before the
+// layers, their soft edges would hide the layers behind them.
 const isInLayers = (batch: GeometryBatch): boolean => isTransparent(batch) || (!isSurface(batch) && batch.color[3] > 0);
 const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent(batch);
 
@@ -54,7 +54,10 @@ export class GeometryCanvas {
     if (!this.isPeeled) this.peeling?.free();
   }
 
-  /** Whether depth peeling is used. A moving picture then has fewer layers than one at rest, so it must be redrawn. */
+  /**
+   * Whether depth peeling is used. If so, fewer layers are drawn while the camera moves. The picture must be drawn
+   * again when the camera has stopped.
+   */
   get isPeeled(): boolean {
     return this.uploaded.has(isTransparent);
   }
@@ -85,7 +88,7 @@ export class GeometryCanvas {
   private drawOpaque(look: Look, picture: Picture): void {
     const { gl } = this;
     this.uploaded.prepare(this.programs, look, picture);
-    // Moves surfaces back in depth, so that they do not cover half of the lines on them.
+    // Moves surfaces back in depth. Otherwise a surface would cover half of each line that lies on it.
     gl.polygonOffset(this.uploaded.reachOfOverlays() * picture.pixels, 1);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     this.uploaded.draw(this.programs, look, picture.pixels, isOpaqueSurface);

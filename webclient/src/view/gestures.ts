@@ -11,7 +11,7 @@ export interface GestureTarget {
   /** Moves the camera. `gesture` is the same name from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  /** An orbit gesture begins at pixel (x, y). */
+  /** Called when an orbit gesture begins at pixel (x, y). */
   turns(x: number, y: number): void;
   /** Returns the point about which an orbit gesture rotates. */
   pivot(camera: FullCamera): Vec3;
@@ -28,7 +28,7 @@ type Drag = "orbit" | "pan" | "roll";
 
 /** A press that moves by less than this many CSS pixels is a click. */
 const CLICK_SLOP = 4;
-/** Turns of the wheel with shorter pauses are one gesture. */
+/** Wheel events with pauses shorter than this are one gesture. */
 const WHEEL_PAUSE_MS = 400;
 const WHEEL_FACTOR_PER_PIXEL = 0.0015;
 const PIXELS_PER_LINE = 16;
@@ -135,14 +135,14 @@ class Gestures {
     if (event.timeStamp - this.wheelAt > WHEEL_PAUSE_MS) this.wheelGesture = this.target.newGesture();
     this.wheelAt = event.timeStamp;
     const { x, y } = this.at(event);
-    // Browsers report a pinch on a touch pad as wheel events with the control key, in far smaller steps.
+    // Browsers report a pinch on a touch pad as wheel events with the control key and with far smaller deltas.
     const factor = wheelFactor(event.ctrlKey ? event.deltaY * 6 : event.deltaY, event.deltaMode);
     const next = this.target.zoomed(camera, factor, x, y);
     if (next !== camera) this.target.move(next, this.wheelGesture);
   }
 }
 
-/** Converts gestures on the element for its whole lifetime. */
+/** Listens for gestures on the element, for the whole lifetime of the element. */
 export function listenToGestures(element: HTMLElement, target: GestureTarget): void {
   new Gestures(element, target);
 }

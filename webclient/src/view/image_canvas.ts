@@ -1,4 +1,4 @@
-// Draws pictures of the image stream on a canvas. Smaller pictures, sent during changes, are enlarged to the canvas.
+// Draws pictures of the image stream on a canvas. Enlarges interactive pictures that are smaller than the canvas.
 
 export class ImageCanvas {
   private readonly context: CanvasRenderingContext2D;

@@ -1,9 +1,12 @@
-// Number of depth peeling layers to draw. Occlusion queries tell only after a picture which layers were empty, so each
-// picture uses the result of the previous one.
+// Number of depth peeling layers to draw. The results of occlusion queries, which show the empty layers, are available
+// only after a picture. Therefore each picture uses the results of the previous picture.
 
 export const MOST_LAYERS = 32; // also the server's limit; further layers are dropped
 export const MOST_MOVING_LAYERS = 8;
-/** Empty layers to draw in the next picture, because a moving camera may reveal more layers. */
+/**
+ * Number of layers that the next picture has in addition to the filled layers, because a moving camera may reveal more
+ * layers.
+ */
 const SPARE = 2;
 
 export class LayerCount {
@@ -14,8 +17,8 @@ export class LayerCount {
   }
 
   /**
-   * Takes the query results of a picture. `filled`: whether each layer had any fragments. Returns whether more layers
-   * would have fragments.
+   * Takes the query results of a picture. `filled`: whether each layer had any fragments. Returns whether a picture
+   * with more layers may show more.
    */
   heard(filled: readonly boolean[]): boolean {
     const empty = filled.indexOf(false);

@@ -1,9 +1,10 @@
 // Lines of any width, drawn as rectangles, because WebGL lines are one pixel wide. The vertex shader fetches line ends
-// from a texture and makes six vertices per line. Instancing of four vertices would leave most of the GPU idle.
+// from a texture and makes six vertices per line. Instanced drawing with four vertices per line would use only a small
+// part of the GPU.
 import type { GeometryBatch } from "../server/geometry";
 
 const FLOATS_PER_END = 4;
-/** Width in texels of the texture with line ends. WebGL2 guarantees 2048 columns and rows. LINE_VERTEX uses it too. */
+/** Width in texels of the texture with line ends, also used in LINE_VERTEX. WebGL2 guarantees 2048 texels. */
 export const ENDS_PER_ROW = 2048;
 export const VERTICES_PER_LINE = 6;
 

@@ -12,7 +12,10 @@ export function viewMatrix(camera: FullCamera, origin: Vec3): Matrix {
   return [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, eye), -dot(u, eye), dot(f, eye), 1];
 }
 
-/** Distances of the near and far plane, close around the bounding box for the best depth resolution. */
+/**
+ * Returns the distances from the camera to the near and far planes. Both planes are close to the bounding box, which
+ * gives the best depth resolution.
+ */
 export function depthRange(camera: FullCamera, bounds: Bounds): [number, number] {
   const radius = Math.max(boundsRadius(bounds), 1e-12) * 1.01;
   const along = dot(subtract(boundsCentre(bounds), camera.position), frame(camera).forward);

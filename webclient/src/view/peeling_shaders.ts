@@ -1,4 +1,4 @@
-// Shader code of depth peeling: parts enabled by PEELED, and programs that cover a whole render target
+// Shader code of depth peeling: the parts that PEELED enables, and programs that cover a whole render target
 // (depth_peeling.ts). The shaders write the depth that they compare, because the fixed-function depth may differ in the
 // last bit.
 
@@ -32,8 +32,8 @@ void leave_out_what_is_seen(float depth) {
 #endif
 `;
 
-// Joins line segments of less than full opacity. The layer has the fragment of the nearest segment. JOINING draws all
-// segments again and keeps the largest coverage.
+// Joins the segments of transparent lines. A layer has the fragment of the nearest segment. With JOINING defined, the
+// shader draws all segments again and keeps the largest coverage.
 export const LINE_LAYERS = `
 #ifdef PEELED
 flat in float joint;

@@ -8,15 +8,15 @@ export interface Sheet {
 }
 
 /**
- * Render targets of a picture. The two sheets in `layers` alternate between current and previous layer and share a
- * color texture.
+ * Render targets of a picture. The two sheets in `layers` are the current and the previous layer in turn. Both sheets
+ * share one color texture.
  */
 export interface Sheets {
   opaque: Sheet;
   layers: [Sheet, Sheet];
   /** Framebuffer with only the color texture of the layers. */
   colors: Sheet;
-  /** Sum of the light of all layers so far. Alpha: share of the light behind them that is let through. */
+  /** Sum of the light of all layers so far. Alpha is the transmittance of these layers. */
   sum: Sheet;
 }
 

@@ -1,5 +1,5 @@
-// Center of an orbit: the surface point under the cursor, else the center of the drawn geometry. The server finds it.
-// Until its answer arrives, the view orbits about the camera's target.
+// Center of an orbit: the surface point under the cursor, otherwise the center of the drawn geometry. The server finds
+// this point. Until the server's answer arrives, the orbit is about the camera's target.
 import type { FullCamera } from "../model/camera";
 import type { Vec3 } from "../generated/protocol";
 import type { Server } from "../server/server";
@@ -25,7 +25,7 @@ export class Pivot {
         const at = position ?? centre;
         if (turn === this.asked && at !== null) this.known = { dataset, at };
       },
-      () => undefined, // on failure, orbits about the target
+      () => undefined, // if the call fails, the orbit is about the target
     );
   }
 

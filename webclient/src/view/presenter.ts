@@ -1,4 +1,4 @@
-// Shows binary messages on the screen: decodes them, draws the newest frame in an animation frame, and acknowledges it.
+// Shows the server's frames: decodes messages, draws the newest frame in an animation frame, acknowledges each frame.
 import { MissingArrays, type GeometryBatch } from "../server/geometry";
 import { EarlyFrames } from "./early_frames";
 import { readFrameHeader, FrameKind, type FrameHeader } from "../generated/frame_header";
@@ -10,7 +10,7 @@ export interface Screen {
 }
 
 export interface PresenterEvents {
-  /** A message of any view has arrived. It may be one piece of a frame. */
+  /** A message of any view has arrived. The message may be one piece of a frame. */
   arrived(header: FrameHeader): void;
   acknowledge(view: number, frame: number): void;
   presented(header: FrameHeader, bytes: number): void;
@@ -39,7 +39,7 @@ export class Presenter {
   private ready: ReadyFrame | null = null;
   private arriving: { frame: number; batches: GeometryBatch[]; bytes: number; damaged: boolean } | null = null;
   private frameRequested = false;
-  /** Frames of the view that is being opened; null if none is. */
+  /** Frames of the view that is being opened; null if no view is being opened. */
   private early: EarlyFrames | null = null;
 
   constructor(
@@ -49,7 +49,7 @@ export class Presenter {
     private readonly requestFrame: (callback: () => void) => void,
   ) {}
 
-  /** Call before view.open. Keeps frames that arrive before show() names the view. */
+  /** Call before view.open. Keeps the frames that arrive before show() is called with the id of the view. */
   expect(): void {
     this.show(0);
     this.early = new EarlyFrames();
@@ -94,7 +94,7 @@ export class Presenter {
     if (header.kind === FrameKind.image) this.receiveImage(header, message);
     else if (header.kind === FrameKind.geometry) this.receiveGeometry(header, message);
     else
-      throw new Error(`The server sends frames of a kind ${header.kind} that this page does not know. Reload the page`);
+      throw new Error(`The server sends frames of kind ${header.kind}, which this page does not know. Reload the page`);
   }
 
   private receiveImage(header: FrameHeader, message: ArrayBuffer): void {
@@ -108,7 +108,7 @@ export class Presenter {
         }
       },
       (error: unknown) => {
-        // Acknowledges the damaged frame. Without this, the server would not send the next one.
+        // Acknowledges the damaged frame. Otherwise the server would not send the next frame.
         if (view === this.view) this.events.acknowledge(view, header.frame);
         this.events.failed(error as Error);
       },
@@ -138,7 +138,7 @@ export class Presenter {
     this.offer({ header, bytes: arriving.bytes, draw, release: () => undefined });
   }
 
-  // Skips a frame that was decoded after a newer one.
+  // Skips a frame that was decoded later than a newer frame.
   private offer(frame: ReadyFrame): void {
     const stale = frame.header.frame <= this.lastFrame;
     if (stale || (this.ready !== null && this.ready.header.frame > frame.header.frame)) {

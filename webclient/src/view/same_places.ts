@@ -1,4 +1,4 @@
-// Order of batches whose geometry coincides. It does not depend on the camera.
+// Order of batches whose geometry coincides. The order does not depend on the camera.
 import type { GeometryBatch } from "../server/geometry";
 
 export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
@@ -6,9 +6,10 @@ export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !bat
 type Described = Pick<GeometryBatch, "layer" | "lines" | "points" | "color" | "width">;
 
 /**
- * Returns one place for each batch, from 1. Where batches coincide, the one with the higher place is drawn in front:
- * points before lines, lines before surfaces, then by layer id. The scene's layer order has no effect. Lines or points
- * of one layer share a place if color and width are equal; surfaces of one layer always do.
+ * Returns one number for each batch, from 1. Where batches coincide, the batch with the highest number is in front.
+ * Points have higher numbers than lines, lines higher than surfaces; then the layer id decides. The scene's layer order
+ * has no effect. All surfaces of one layer have the same number. Lines or points of one layer have the same number if
+ * color and width are equal.
  */
 export function placesOf(batches: readonly Described[]): number[] {
   const keys = batches.map(({ layer, lines, points, color, width }) =>

@@ -1,4 +1,4 @@
-// A color scale for the shaders: the textures that protocol/shading/color_scale.glsl reads, of one row each.
+// Textures of a color scale, for protocol/shading/color_scale.glsl. Each texture has one row.
 import {
   bytesOf,
   colorRow,
@@ -11,19 +11,19 @@ import {
 } from "../model/color_scale";
 import type { Rgb } from "../model/background";
 
-/** Texels of the color row. It resolves color points that are 1/1024 of the range apart. */
+/** Number of texels of the color row. It resolves color points whose distance is 1/1024 of the range. */
 const ROW_SIZE = 1024;
-/** Number of textures of each kind that are kept. Dragging a color point or a range needs one for each position. */
+/** Number of textures of each kind that are kept. A drag of a color point or a range makes many textures. */
 const MOST_KEPT = 16;
 
 /** The numbers and colors of a row of scale_rules. All are finite 32-bit floats. */
 export interface ScaleRules {
   /**
-   * Subtracted from values, from the low end in `rule` and from `inside`. Values of a small range far from 0 then keep
-   * their digits as floats.
+   * Number that is subtracted from values, from the low end in `rule`, and from `inside`. Values of a small range far
+   * from 0 then keep their digits as 32-bit floats.
    */
   origin: number;
-  /** Low end, 1 / width, steps, way. */
+  /** Low end, 1 / width, number of steps, and way, as defined in color_scale.glsl. */
   rule: [number, number, number, number];
   inside: [number, number];
   below: Rgb;
@@ -33,7 +33,7 @@ export interface ScaleRules {
 
 const unit = (color: Rgb8): Rgb => color.map((channel) => channel / 255) as Rgb;
 
-/** Largest low end that is used as origin. With a larger one, value - origin may overflow a float. */
+/** Largest low end that is used as origin. With a larger origin, value - origin may overflow a 32-bit float. */
 const FARTHEST_ORIGIN = 1e37;
 
 const originOf = ({ log, range: [low] }: ColorScale): number =>
@@ -47,7 +47,7 @@ export function scaleRules(scale: ColorScale): ScaleRules {
     return scale.log ? Math.log2(value) : value;
   };
   const low = hasWidth(scale) ? measure(scale.range[0]) : scale.range[0];
-  // Replaces infinity, which shaders do not support.
+  // Replaces infinity, because shaders need not support infinity.
   const largest = 3e38;
   const scaling = hasWidth(scale) ? Math.min(1 / (measure(scale.range[1]) - low), largest) : 0;
   const origin = originOf(scale);
@@ -72,7 +72,7 @@ function colorPixels(scale: ColorScale): Uint8Array<ArrayBuffer> {
 const rulePixels = ({ rule, inside, below, above, missing }: ScaleRules): Float32Array<ArrayBuffer> =>
   new Float32Array([...rule, ...inside, 0, 0, ...below, 1, ...above, 1, ...missing, 1]);
 
-/** Textures by a key. Deletes all but the MOST_KEPT most recently used ones. */
+/** Textures by a key. Keeps the MOST_KEPT most recently used textures and deletes all others. */
 class KeptTextures {
   private readonly kept = new Map<string, WebGLTexture>();
 

@@ -1,5 +1,5 @@
-// The programs of surfaces, lines and points in GLSL ES 3.00. Colors and lighting are the server's own text, so that
-// pictures and polygons look the same. With PEELED defined, the shaders draw layers of depth peeling
+// Shader programs of surfaces, lines and points in GLSL ES 3.00. The server uses the same code for colors and lighting,
+// so that pictures and polygons look the same. With PEELED defined, the shaders draw layers of depth peeling
 // (peeling_shaders.ts).
 import COLOR_SCALE from "../../../protocol/shading/color_scale.glsl?raw";
 import LIGHTING from "../../../protocol/shading/lighting.glsl?raw";
@@ -102,7 +102,7 @@ void main() {
 }`;
 
 // Draws a line as a rectangle in pixels with soft edges. Clips the line at the near plane, because points behind the
-// eye have no pixel.
+// camera have no pixel.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform float value_origin;

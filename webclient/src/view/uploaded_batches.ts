@@ -37,8 +37,8 @@ export interface Picture {
 }
 
 /**
- * Whether two batches have the same arrays. Comparing references is enough: the decoder returns what has not changed
- * as the same arrays.
+ * Whether two batches have the same arrays. It is enough to compare references, because the decoder returns an
+ * unchanged array as the same object.
  */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
@@ -56,7 +56,7 @@ export class UploadedBatches {
     this.textures = new ScaleTextures(gl);
   }
 
-  /** Uploads new batches, keeps unchanged ones on the GPU and frees all others. */
+  /** Uploads new batches, keeps unchanged batches on the GPU, and frees all other batches. */
   set(batches: GeometryBatch[]): void {
     const before = new Set(this.batches);
     const places = placesOf(batches);
@@ -83,8 +83,8 @@ export class UploadedBatches {
   }
 
   /**
-   * Largest distance in picture pixels from the middle of a line or point to its edge, clamped to 1 to 6. The server
-   * uses the same value.
+   * Largest distance in picture pixels from the middle of a line or point to its edge, clamped to the range from 1 to
+   * 6. The server computes the same value.
    */
   reachOfOverlays(): number {
     const widths = this.batches.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));

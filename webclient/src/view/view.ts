@@ -66,7 +66,7 @@ export class View {
     await geometryReady.catch((error: unknown) => server.fail(error)); // pictures can be shown without this decoder
   }
 
-  /** The canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
+  /** Call when the canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.server.size.set(width, height, pixelRatio);
     this.model.canvasSize.value = this.server.size.css;

@@ -1,4 +1,4 @@
-// The canvas for pictures and the canvas for polygons. Only the one with the newest frame is visible.
+// The canvas for pictures and the canvas for polygons. Only the canvas with the newest frame is visible.
 import type { GeometryBatch } from "../server/geometry";
 import { GeometryCanvas } from "./geometry_canvas";
 import { ImageCanvas } from "./image_canvas";
@@ -49,8 +49,7 @@ export class Viewport implements Screen {
   }
 
   /**
-   * Draws the current polygons again in the next animation frame. Call after camera, size, background or lights have
-   * changed.
+   * Draws the polygons again in the next animation frame. Call after a change of camera, size, background or lights.
    */
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;

@@ -1,5 +1,5 @@
 // Loads the WebAssembly module of server/page: the server's own layout of annotations and numbers. The page and its
-// saved pictures therefore show the same marks.
+// saved pictures therefore have the same annotations.
 import { messageOf, ResultReader, type Item } from "./message";
 import { textMeasure, type TextMeasure } from "./text_measure";
 
@@ -15,7 +15,10 @@ type Exports = Record<FunctionName, Call> & {
 
 let loaded: Exports | null = null;
 
-/** Functions that the C library of the module imports. It writes only to report a defect of the module. */
+/**
+ * Functions that the C library of the module imports. These functions do nothing, because the library writes only to
+ * report a defect of the module.
+ */
 function systemCalls(): WebAssembly.ModuleImports {
   const none = (): number => 0;
   return { fd_close: none, fd_seek: none, fd_write: none };
@@ -33,7 +36,7 @@ function measureIn(memory: () => WebAssembly.Memory, measure: TextMeasure): WebA
   };
 }
 
-/** Starts the module. Every function of this folder needs it. Throws an Error when the browser refuses WebAssembly. */
+/** Starts the module. Call before all other functions of this folder. Throws Error if the browser refuses it. */
 export async function startLayoutModule(bytes: BufferSource, measure: TextMeasure = textMeasure()): Promise<void> {
   const { instance } = await WebAssembly.instantiate(bytes, {
     page: measureIn(() => exportsOf().memory, measure),
@@ -44,7 +47,7 @@ export async function startLayoutModule(bytes: BufferSource, measure: TextMeasur
 }
 
 function exportsOf(): Exports {
-  if (loaded === null) throw new Error("The layout module is used before it is loaded");
+  if (loaded === null) throw new Error("The layout module is not loaded; call startLayoutModule() first");
   return loaded;
 }
 

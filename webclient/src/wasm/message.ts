@@ -1,5 +1,5 @@
-// Messages to and from the WebAssembly module, as server/page/message.hpp describes them: 64-bit floats in a row. A text
-// is its number of bytes, then its UTF-8 bytes, padded to whole floats.
+// Messages to and from the WebAssembly module (server/page/message.hpp). A message is a sequence of 64-bit floats. A
+// text is its number of bytes, and then its UTF-8 bytes, padded with zeros to whole floats.
 
 const FLOAT_BYTES = 8;
 const encoder = new TextEncoder();
@@ -36,7 +36,7 @@ export class ResultReader {
 
   number(): number {
     const value = this.message[this.at];
-    if (value === undefined) throw new Error("The layout module returned too few numbers");
+    if (value === undefined) throw new Error("The layout module returned too few numbers. Reload the page");
     this.at += 1;
     return value;
   }
@@ -48,7 +48,7 @@ export class ResultReader {
     return decoder.decode(bytes);
   }
 
-  /** Reads a list: its length, then each item by `read`. */
+  /** Reads a list: the number of items, then each item with `read`. */
   list<T>(read: () => T): T[] {
     return Array.from({ length: this.number() }, read);
   }

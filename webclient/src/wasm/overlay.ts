@@ -1,5 +1,5 @@
-// The layout of annotations over the canvas, by server/annotations/layout.hpp. Coordinates are CSS pixels from the upper
-// left corner of the stage.
+// The layout of annotations over the canvas, computed by the code of server/annotations/layout.hpp. Coordinates are CSS
+// pixels from the upper left corner of the stage.
 import { call } from "./layout_module";
 import type { Item, ResultReader } from "./message";
 
@@ -16,7 +16,7 @@ export interface Box {
 /** CSS color. */
 export type Ink = string;
 
-/** Background behind a text. It fades out over `edge` pixels around the box. */
+/** Background behind a text. It extends `edge` pixels beyond the box. */
 export interface Plate {
   box: Box;
   edge: number;
@@ -48,13 +48,13 @@ export interface Label {
   box: Box;
 }
 
-/** A place of the drawing for a field or buttons. `id`: what stands there, such as "legend 0 low". */
+/** Box over which the page places a field or buttons. `id` names the part in the box, such as "legend 0 low". */
 export interface Handle {
   id: string;
   box: Box;
 }
 
-/** A flat drawing, painted in this order. */
+/** A flat drawing. Its parts are painted in the order of the members. */
 export interface Overlay {
   plates: Plate[];
   fills: Fill[];
@@ -62,7 +62,7 @@ export interface Overlay {
   triangles: Triangle[];
   labels: Label[];
   handles: Handle[];
-  /** Color around letters, for any background. */
+  /** Color around letters, which keeps text readable on any background. */
   halo: Ink;
 }
 
@@ -77,7 +77,7 @@ interface Picture {
   size: { width: number; height: number };
   /** Text size in CSS pixels. */
   text: number;
-  /** RGB from 0 to 1 at the top and the bottom. */
+  /** Colors at the top and the bottom, as RGB from 0 to 1. */
   background: { top: Numbers; bottom: Numbers };
 }
 
@@ -90,12 +90,12 @@ export interface AnnotatedView extends Picture {
     parallel: boolean;
     parallel_height: number;
   };
-  /** Low and high along x, y and z. */
+  /** Lowest and highest coordinate along x, y and z. */
   bounds: readonly [number, number, number, number, number, number];
   triad: boolean;
   axes: boolean;
   lengthUnits: string;
-  /** Boxes that other overlays cover. */
+  /** Boxes that other overlays cover. The annotations avoid these boxes. */
   taken: readonly Box[];
 }
 
@@ -167,15 +167,15 @@ export interface LegendText {
   array: string;
   units: string;
   scale: ScaleInBytes;
-  /** Name of the layers that use the scale. Empty if the array has one legend. */
+  /** Name of the layers that use the scale. Empty if the array has only one legend. */
   layers: string;
-  /** Whether some colored places have no value, so that their color is shown. */
+  /** Whether some colored parts have no value. The legend then shows the color of missing values. */
   missing: boolean;
-  /** Whether both ends have a number even if the scale has no width. Else one number stands for both. */
+  /** Whether both ends have a number even if the range has no width. Otherwise such a range has one number. */
   bothEnds: boolean;
   /** More lines below `layers`. */
   lines: readonly string[];
-  /** Space kept free for controls below the bar. */
+  /** Space in CSS pixels that is kept free for controls below the bar. */
   controls: { width: number; height: number };
 }
 
@@ -203,7 +203,7 @@ function legendItem({ array, units, scale, layers, missing, bothEnds, lines, con
   ];
 }
 
-/** Lays out title, captions and legends. Legends without room are left out: they have no handles. */
+/** Lays out title, captions and legends. A legend that does not fit is left out and has no handles. */
 export function layTexts({ size, text, background, title, captions, legends }: AnnotatedTexts): Texts {
   const results = call(
     "lay_texts",

@@ -10,10 +10,10 @@ export interface TextMeasure {
   digitHeight: (pixels: number) => number;
 }
 
-/** Widths that are kept. Numbers repeat from frame to frame. */
+/** Largest number of cached widths. The cache is useful, because the same numbers appear in many frames. */
 const MOST_KEPT = 2000;
 
-/** Shares of an em, as in common sans-serif fonts. */
+/** Heights as fractions of an em, as in common sans-serif fonts. */
 const ASCENT = 0.93;
 const DESCENT = 0.24;
 const DIGIT_HEIGHT = 0.73;
@@ -48,7 +48,7 @@ const heights = {
   digitHeight: (pixels: number): number => Math.round(DIGIT_HEIGHT * pixels),
 };
 
-/** Ems per character: the width of a digit. */
+/** Assumed width of a character in ems: the width of a digit. */
 const CHARACTER = 0.62;
 const estimatedWidth = (text: string, pixels: number): number => Array.from(text).length * CHARACTER * pixels;
 

@@ -91,8 +91,8 @@ describe("the camera", () => {
     type("Position y", "0");
     type("Up z", "0");
     expect(calls).toEqual([
-      ["tell", expect.stringContaining("The eye cannot be where it looks"), "error"],
-      ["tell", expect.stringContaining("Up cannot be along the line of sight"), "error"],
+      ["tell", expect.stringContaining("The camera's position equals its target"), "error"],
+      ["tell", expect.stringContaining("The up vector is parallel to the view direction"), "error"],
     ]);
   });
 

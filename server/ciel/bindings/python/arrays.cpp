@@ -16,9 +16,9 @@ NumberType type_of(const py::array& array, const char* name) {
     if (is_native && kind == 'u' && size == 4) return NumberType::uint32;
     if (is_native && kind == 'u' && size == 8) return NumberType::uint64;
     if (is_native && kind == 'u' && size == 1) return NumberType::uint8;
-    throw py::type_error(std::string(name) + " has the type " +
-                         py::str(static_cast<py::handle>(type)).cast<std::string>() +
-                         "; use float32, float64, or integers of 32 or 64 bits in this machine's byte order");
+    throw py::type_error(
+        std::string(name) + " has the type " + py::str(static_cast<py::handle>(type)).cast<std::string>() +
+        "; use float32, float64, uint8, or integers of 32 or 64 bits, in the byte order of this machine");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// NumPy arrays to and from the kernel. Not in the paper.
+// Converts NumPy arrays to views for the kernel, and vectors of the kernel to NumPy arrays. Not in the paper.
 #pragma once
 
 #include "ciel/array_view.hpp"
@@ -13,12 +13,13 @@ namespace ciel::python {
 
 namespace py = pybind11;
 
-// Returns a view that does not own the array. Throws ValueError unless the array has one or two dimensions, TypeError
-// for a number type that the kernel does not read.
+// Returns a view of the array; the view does not own the array. `name`: names the array in error messages. Throws
+// ValueError unless the array has one or two dimensions. Throws TypeError for a number type that the kernel does not
+// read.
 [[nodiscard]] ArrayView view_of(const py::array& array, const char* name);
-[[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // empty without an array
+[[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // empty for nullopt
 
-// Returns a NumPy array of rows x columns that takes over the vector's memory. A vector given as an rvalue is moved.
+// Returns a NumPy array with `columns` numbers in each row. The array owns the vector: an rvalue is moved, not copied.
 template <class Number, class Owner>
 py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
     using Vector = std::decay_t<Owner>;

@@ -9,8 +9,8 @@ namespace ciel::python {
 
 namespace {
 
-// A Contour and its mesh, whose surface_origin is added to the positions of its surfaces.
-// The mutex lets threads that share the object take turns, because the GIL is released during calls.
+// A Contour, and the mesh whose surface_origin is added to the positions of surfaces.
+// The mutex is held during a call. The GIL does not protect the object, because calls release the GIL.
 struct PyContour {
     PyContour(const Mesh& of, const Field& field, const Options& options)
         : mesh(of), threads(options.threads), contour(field, options) {}
@@ -53,17 +53,20 @@ PySurface surface_at(PyContour& self, double level) {
 void add_contour(py::module_& module) {
     py::class_<PyContour> type(
         module, "Contour",
-        "One surface kept from level to level: for sliders and animations. Threads that share one take turns.");
+        "Makes iso-surfaces incrementally from level to level, for sliders and animations. If several threads use\n"
+        "one object, their calls run one after another.");
     const std::string text = with_options_text(
-        "values: (V,), one per point of the mesh, or (C,) with of_cells; NaN and infinities are no values.");
+        "values: (V,), one for each point of the mesh; with of_cells (C,), one for each cell. NaN and infinities mean\n"
+        "'no value'.");
     with_option_keywords([&](const auto&... options) {
         type.def(py::init(with_options(&make_contour)), py::arg("mesh"), py::arg("values"), py::kw_only(),
                  py::arg("of_cells") = false, options..., text.c_str());
     });
     type.def(
         "set", &set_values, py::arg("values"), py::arg("mesh") = py::none(), py::kw_only(), py::arg("of_cells") = false,
-        "Another array or time step, (V,) or (C,) with of_cells, perhaps on the moved mesh. Nothing is indexed anew.");
-    type.def("at", &surface_at, py::arg("level"), "The surface where the values are `level`.");
+        "Replaces the values, for example by another array or time step: (V,), or with of_cells (C,). mesh: the same\n"
+        "mesh with moved points, or None. The topology is reused.");
+    type.def("at", &surface_at, py::arg("level"), "Returns the iso-surface at level.");
 }
 
 } // namespace ciel::python

@@ -68,12 +68,13 @@ PySurface threshold_in(const Mesh& mesh, const py::array& values, const std::arr
 }
 
 void add_surfaces_at_values(py::module_& module) {
-    const std::string one = with_options_text("The iso-surface of values, (V,) or with of_cells (C,), at one level.");
-    const std::string several =
-        with_options_text("The iso-surfaces at several levels, (L,), as a list. Faster than one call per level.");
+    const std::string one =
+        with_options_text("Returns the iso-surface of values at one level. values: (V,), or with of_cells (C,).");
+    const std::string several = with_options_text(
+        "Returns a list of the iso-surfaces at several levels, (L,). Faster than one call for each level.");
     const std::string plane = with_options_text(
-        "The cut by the plane through origin, (3,), perpendicular to normal, (3,), of any length. Polygons face along\n"
-        "normal.");
+        "Returns the cut of the mesh by a plane. The plane contains origin, (3,), and is perpendicular to normal,\n"
+        "(3,). normal may have any length; the normals of the polygons have its direction.");
     with_option_keywords([&](const auto&... options) {
         module.def("contour", with_options(&contour_at_level), py::arg("mesh"), py::arg("values"), py::arg("level"),
                    py::kw_only(), py::arg("of_cells") = false, options..., one.c_str());
@@ -92,14 +93,15 @@ void add_cuts(py::module_& module) {
         "sweep", &sweep_levels, py::arg("mesh"), py::arg("values"), py::arg("levels"), py::arg("callback"),
         py::kw_only(), py::arg("of_cells") = false, py::arg("algorithm") = "signatures",
         py::arg("decider") = "isolate-high", py::arg("threads") = 0,
-        "Cuts the mesh at all levels, (L,), in one pass: callback(i, surface) gets the part of the iso-surface at\n"
-        "levels[i] in one block, without normals. Calls come from several threads, blocks in any order; another call\n"
-        "may begin before one has ended: use a lock, or threads=1. Parts of different blocks share no points. values: "
-        "(V,), or (C,) with of_cells. threads: most\n"
-        "threads that the call uses; 0: all.");
-    module.def("threshold", &threshold_in, py::arg("mesh"), py::arg("values"), py::arg("range"),
-               py::arg("of_cells") = false,
-               "The boundary of the cells whose values lie in range, (2,). values: (V,), or (C,) with of_cells.");
+        "Cuts the mesh at all levels, (L,), in one pass. Calls callback(i, surface) with the part of the iso-surface\n"
+        "at levels[i] in one block, without normals. The calls come from several threads, with the blocks in any\n"
+        "order, and a call may begin before another call has ended: use a lock, or threads=1. Parts of different\n"
+        "blocks share no points. values: (V,), or with of_cells (C,). threads: largest number of threads that the\n"
+        "call uses; 0: all threads.");
+    module.def(
+        "threshold", &threshold_in, py::arg("mesh"), py::arg("values"), py::arg("range"), py::arg("of_cells") = false,
+        "Returns the boundary of the cells whose values lie in range: (min, max), both included. values: (V,), or\n"
+        "with of_cells (C,). With (V,), the values at all points of a cell must lie in the range.");
 }
 
 } // namespace ciel::python

@@ -67,23 +67,24 @@ void add_mesh(py::module_& module) {
             py::kw_only(), py::arg("face_locations") = py::none(), py::arg("faces") = py::none(),
             py::arg("cell_face_offsets") = py::none(), py::arg("cell_faces") = py::none(),
             py::arg("face_offsets") = py::none(), py::arg("face_connectivity") = py::none(),
-            "Cells as vtkUnstructuredGrid has them.\n\n"
-            "points: (V, 3) float32 or float64. types: (C,), VTK's numbers. offsets: (C + 1,), connectivity: (N,),\n"
-            "integers. Faces of polyhedra: face_locations (C,) and faces (M,) as VTK 9.3 and older have them, or\n"
-            "cell_face_offsets, cell_faces, face_offsets and face_connectivity as VTK 9.4 and newer.\n"
-            "Raises Error where sizes do not fit. Cells that cannot be used are in report.")
+            "Makes a mesh from the arrays of a vtkUnstructuredGrid.\n\n"
+            "points: (V, 3) float32 or float64. types: (C,), VTK's numbers of cell types. offsets: (C + 1,) and\n"
+            "connectivity: (N,), integers. Faces of polyhedra: up to VTK 9.3, face_locations (C,) and faces (M,);\n"
+            "from VTK 9.4 on, cell_face_offsets, cell_faces, face_offsets and face_connectivity.\n"
+            "Raises Error when an array has a wrong size. Unusable cells are left out; report lists them.")
         .def_static(
             "from_polyhedra", &from_polyhedra, py::arg("points"), py::arg("cell_offset"), py::arg("face_offset"),
             py::arg("face_vertex"),
-            "Cells as lists of faces, faces as lists of points.\n\n"
-            "points: (V, 3) float32 or float64. cell_offset: (C + 1,) into the faces. face_offset: (F + 1,) into\n"
-            "face_vertex: (N,). A face between two cells is listed once for each, in any winding.")
+            "Makes a mesh of cells that are lists of faces. Faces are lists of points.\n\n"
+            "points: (V, 3) float32 or float64. cell_offset: (C + 1,), first face of each cell. face_offset:\n"
+            "(F + 1,), index in face_vertex of the first point of each face. face_vertex: (N,), points. A face\n"
+            "between two cells is listed once for each cell, in any winding.")
         .def_static(
             "from_faces", &from_faces, py::arg("points"), py::arg("face_offset"), py::arg("face_vertex"),
             py::arg("owner"), py::arg("neighbour"),
-            "Each face once with the cells on its sides, as OpenFOAM has them.\n\n"
-            "face_offset: (F + 1,), face_vertex: (N,), owner: (F,), neighbour: (at most F,), negative where there\n"
-            "is none.")
+            "Makes a mesh of faces that are listed once, with the cells on both sides, as in OpenFOAM.\n\n"
+            "points: (V, 3). face_offset: (F + 1,), face_vertex: (N,), owner: (F,), neighbour: (F,) or shorter. A\n"
+            "missing or negative entry of neighbour means a boundary face.")
         .def(
             "moved",
             [](const Mesh& mesh, const py::array& points) {
@@ -91,16 +92,16 @@ void add_mesh(py::module_& module) {
                 const py::gil_scoped_release free;
                 return mesh.moved(at);
             },
-            py::arg("points"), "The same cells with other points, (V, 3). The structure is shared.")
+            py::arg("points"), "Returns a mesh with the same cells and other points, (V, 3). Shares the topology.")
         .def_property_readonly("point_count", &Mesh::point_count)
         .def_property_readonly("cell_count", &Mesh::cell_count)
         .def_property_readonly(
             "block_count", [](const Mesh& mesh) { return mesh.topology().block_count(); },
-            "Number of blocks, for the option `blocks`.")
+            "Number of blocks of the mesh, for the option `blocks`.")
         .def_property_readonly("report", &report_of,
-                               "What became of the input: bad_cells {reason: (count, first ids)}, reversed_cells,\n"
-                               "inverted_cells, unmatched_faces, skipped_cells (no volume), reduced_cells (quadratic\n"
-                               "ones, of which the corners are kept), bytes_copied.");
+                               "How the input was changed: bad_cells {reason: (count, first ids)}, reversed_cells,\n"
+                               "inverted_cells, unmatched_faces, skipped_cells (cells without volume), reduced_cells\n"
+                               "(quadratic cells, reduced to their corners), bytes_copied.");
 }
 
 } // namespace ciel::python

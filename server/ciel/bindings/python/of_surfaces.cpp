@@ -1,4 +1,4 @@
-// Functions of a surface and the values on its mesh: interpolate, clip, contour_lines and triangulate; and gradients.
+// The Python functions interpolate, clip, contour_lines, triangulate and gradients.
 #include "parts.hpp"
 
 #include "ciel/contour_lines.hpp"
@@ -20,10 +20,12 @@ py::array interpolate_at(const PySurface& surface, const Mesh& mesh, const py::a
     return array_of<float>(std::vector<float>(out.begin(), out.end()), numbers.columns());
 }
 
-// Returns the half-space on the side of `normal`. Its normal has unit length, so that `slack` is a length.
+// Returns the half-space that `normal` points to, bounded by the plane through `origin`. The normal of the result has
+// unit length, so that `slack` is a length.
 HalfSpace half_space_of(const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
     const double length = std::hypot(normal[0], normal[1], normal[2]);
-    if (!(length > 0) || !std::isfinite(length)) fail("a plane to clip at needs a normal of finite length, not zero");
+    if (!(length > 0) || !std::isfinite(length))
+        fail("a clip plane needs a normal whose length is finite and not zero; give another normal");
     HalfSpace out;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         out.normal[axis] = normal[axis] / length;
@@ -38,7 +40,8 @@ std::pair<PySurface, std::optional<py::array_t<double>>> clip_at(const PySurface
                                                                  const std::vector<Plane>& planes,
                                                                  const std::optional<py::array>& values, double slack) {
     const ArrayView numbers = view_of(values, "values");
-    if (values && numbers.empty()) throw Error("values to clip with must be one per point of the mesh, not none");
+    if (values && numbers.empty())
+        throw Error("the array of values is empty; give one value for each point of the mesh, or leave the values out");
     std::vector<HalfSpace> half_spaces;
     for (const auto& [origin, normal] : planes) half_spaces.push_back(half_space_of(origin, normal));
     ClippedSurface out;
@@ -84,21 +87,25 @@ void add_of_surfaces(py::module_& module) {
     module.def(
         "interpolate", &interpolate_at, py::arg("surface"), py::arg("mesh"), py::arg("values"), py::kw_only(),
         py::arg("of_cells") = false,
-        "values: (V,) or (V, K), per point of the mesh; with of_cells (C,) or (C, K), of which points get weighted\n"
-        "means. Returns (N,) or (N, K), per point of the surface: float32 for float32, else float64.");
+        "Interpolates values at the points of the surface. values: (V,) or (V, K), for the points of the mesh. With\n"
+        "of_cells: (C,) or (C, K), for the cells; a point of the mesh gets a weighted mean of the cells around it.\n"
+        "Returns (N,) or (N, K), for the points of the surface: float32 if values are float32, else float64.");
     module.def(
         "clip", &clip_at, py::arg("surface"), py::arg("mesh"), py::arg("planes"), py::arg("values") = py::none(),
         py::kw_only(), py::arg("slack") = 0.0,
-        "The part of the surface on the side of the normal of each plane. planes: pairs of an origin, (3,), and a\n"
-        "normal, (3,). values: (V,), per point of the mesh. Returns the surface, and the values at its points, (N,)\n"
-        "float64, or None without values. Points at most slack outside a plane are kept. New points lie on no edge\n"
-        "of the mesh, so a clipped surface cannot be clipped or interpolated again.");
+        "Clips the surface: for each plane, keeps the side to which the normal points. planes: pairs of an origin,\n"
+        "(3,), and a normal, (3,). values: (V,), for the points of the mesh, or None. slack: a length; points at most\n"
+        "this far outside a plane are kept. Returns (surface, values at the points of the surface, (N,) float64, or\n"
+        "None without values). New points lie on no edge of the mesh. Therefore interpolate, and clip with values,\n"
+        "raise Error for a clipped surface.");
     module.def("gradients", &gradients_of, py::arg("mesh"), py::arg("values"),
-               "values: (V,). Returns (V, 3) float32: the least-squares gradient at each point of the mesh.");
+               "Returns the least-squares gradient at each point of the mesh: (V, 3) float32. values: (V,).");
     module.def("contour_lines", &contour_lines_of, py::arg("surface"), py::arg("values"), py::arg("levels"),
-               "Where values, (N,) per point of the surface, take the levels, (L,): segments, (S, 2, 3) float64.");
+               "Returns the line segments on the surface where values equal the levels, (L,): (S, 2, 3) float64.\n"
+               "values: (N,), for the points of the surface.");
     module.def("triangulate", &PySurface::triangles, py::arg("surface"),
-               "The triangles of the polygons, (T, 3) uint32, into surface.points. The same as surface.triangles.");
+               "Returns the triangles of the polygons: (T, 3) uint32, indices in surface.points. The property\n"
+               "surface.triangles has the same array.");
 }
 
 } // namespace ciel::python

@@ -24,11 +24,10 @@ std::optional<Normals> normals_of(const std::optional<std::string>& name) {
 
 std::string with_options_text(const char* text) {
     return std::string(text) +
-           "\n\nalgorithm: 'signatures', 'propagation' or 'naive'; affects time only. decider: 'isolate-high' or\n"
-           "'asymptotic', how points are joined on ambiguous faces. normals: 'gradient', 'polygons' or None.\n"
-           "blocks: (B,) integers below mesh.block_count, the blocks to look at; None: all. threads: most threads "
-           "that\n"
-           "the call uses; 0: all.";
+           "\n\nalgorithm: 'signatures', 'propagation' or 'naive'; affects only the time. decider: 'isolate-high' or\n"
+           "'asymptotic'; chooses how points on ambiguous faces are joined. normals: 'gradient', 'polygons' or None.\n"
+           "blocks: (B,) integers below mesh.block_count, the blocks to cut; None: all blocks. threads: largest\n"
+           "number of threads that the call uses; 0: all threads.";
 }
 
 } // namespace ciel::python

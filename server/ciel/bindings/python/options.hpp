@@ -12,10 +12,10 @@ namespace ciel::python {
 [[nodiscard]] Decider decider_of(const std::string& name);
 [[nodiscard]] std::optional<Normals> normals_of(const std::optional<std::string>& name);
 
-// Returns the docstring with a paragraph on the options.
+// Returns the docstring `text` with a paragraph about the options.
 [[nodiscard]] std::string with_options_text(const char* text);
 
-// Returns `f` with one keyword per option in place of its Options.
+// Returns a function like `f` that takes each option as a parameter instead of an Options object.
 template <class Result, class... Args>
 [[nodiscard]] auto with_options(Result (*f)(const Options&, Args...)) {
     return [f](Args... args, const std::string& algorithm, const std::string& decider,
@@ -26,7 +26,7 @@ template <class Result, class... Args>
     };
 }
 
-// Calls define(keywords of the options...), which passes them to def().
+// Calls define(keyword arguments of all options...). `define` passes the arguments to pybind11's def().
 template <class Define>
 void with_option_keywords(const Define& define) {
     define(py::arg("algorithm") = "signatures", py::arg("decider") = "isolate-high", py::arg("normals") = "gradient",

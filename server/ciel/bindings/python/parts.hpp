@@ -1,4 +1,4 @@
-// The parts of the module, and the types that they share. Not in the paper.
+// The parts of the Python module, and types that several parts use. Not in the paper.
 #pragma once
 
 #include "arrays.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel::python {
 
-// A surface for Python. Each access to an array property makes a new NumPy array.
+// A surface for Python. Each access to an array property makes a new NumPy array. `origin` is added to positions.
 struct PySurface {
     Surface surface;
     Vec3d origin{};
@@ -22,7 +22,7 @@ struct PySurface {
     return {std::move(surface), mesh.stored().surface_origin};
 }
 
-// Makes the field of `values`: one per point of the mesh, or per cell.
+// Makes a field. `values`: one for each point of the mesh; with `of_cells`, one for each cell.
 [[nodiscard]] inline Field field_of(const Mesh& mesh, const ArrayView& values, bool of_cells) {
     return of_cells ? Field::from_cells(mesh, values) : Field(mesh, values);
 }

@@ -47,33 +47,35 @@ py::array_t<std::uint32_t> PySurface::triangles() const {
 }
 
 void add_surface(py::module_& module) {
-    py::class_<PySurface>(module, "Surface", "Polygons with shared points. Each array is made when it is asked for.")
+    py::class_<PySurface>(module, "Surface",
+                          "Polygons with shared points. Each access to a property makes a new array.")
         .def_property_readonly(
             "points", &PySurface::points,
-            "(N, 3) float64, rounded like float32 relative to the middle of the mesh. Where that is\n"
-            "not enough: interpolate(surface, mesh, points) of the mesh's own points.")
+            "(N, 3) float64. The kernel rounds positions to float32, as offsets from the middle of the mesh. For more\n"
+            "digits, call interpolate(surface, mesh, points) with the points of the mesh.")
         .def_property_readonly(
             "normals", [](const PySurface& self) { return array_of<float>(std::vector(self.surface.normals), 3); },
-            "(N, 3) float32, unit, towards higher values; (0, 3) where none were asked for")
+            "(N, 3) float32: unit vectors towards higher values; (0, 3) if no normals were requested")
         .def_property_readonly(
             "polygon_offset",
             [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_offset), 1); },
-            "(P + 1,) uint32, into polygon_vertex")
+            "(P + 1,) uint32: index in polygon_vertex of the first point of each polygon")
         .def_property_readonly(
             "polygon_vertex",
             [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_vertex), 1); },
-            "uint32, into points")
+            "uint32: indices in points, polygon by polygon")
         .def_property_readonly(
             "polygon_cell",
             [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_cell), 1); },
-            "(P,) uint32: the cell of the mesh that each polygon cuts")
+            "(P,) uint32: the mesh cell that contains each polygon")
         .def_property_readonly("edges", &PySurface::edges,
-                               "(N, 2) uint32: the points of the mesh between which each lies. In a clipped surface\n"
-                               "only its first points have them.")
-        .def_property_readonly("weights", &PySurface::weights, "(N,) float64: 0 at the first of edges, 1 at the second")
+                               "(N, 2) uint32: the two mesh points between which each surface point lies. In a\n"
+                               "clipped surface, only the first points have an entry.")
+        .def_property_readonly("weights", &PySurface::weights,
+                               "(N,) float64: 0 at the first mesh point, 1 at the second")
         .def_property_readonly("chunks", &PySurface::chunks,
-                               "(K, 3) uint32: block, first polygon and end of each run of polygons of one block")
-        .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) uint32, into points")
+                               "(K, 3) uint32, for each run of polygons in one block: block, first polygon, last + 1")
+        .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) uint32: indices in points")
         .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
 }
 

@@ -1,4 +1,4 @@
-// ArrayView: a non-owning view of a caller's array of any common number type, with strides. Not in the paper.
+// ArrayView: a non-owning view of a caller's array of numbers, with strides. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -31,12 +31,13 @@ requires is_array_number<T>
     return NumberType::float64;
 }
 
-// View of a table of `rows` rows and `columns` columns. Does not own the array, which must outlive every call that
-// receives the view. Never writes to the array.
+// View of a table of numbers with `rows` rows and `columns` columns. Does not own the array and never writes to it. The
+// array must outlive every call that receives the view.
 class ArrayView {
 public:
     ArrayView() = default;
-    // Views `values` as dense rows of `columns` numbers. An incomplete last row is left out.
+    // Views `values` as rows of `columns` numbers without gaps. Leaves out an incomplete last row.
+    // REQUIRES: columns > 0.
     template <class T>
     requires is_array_number<T> ArrayView(std::span<const T> values, std::size_t columns = 1)
         : ArrayView(values.data(), number_type<T>(), values.size() / columns, columns,
@@ -44,7 +45,8 @@ public:
     template <class T>
     requires is_array_number<T> ArrayView(const std::vector<T>& values, std::size_t columns = 1)
         : ArrayView(std::span<const T>(values), columns) {}
-    // Strides are in bytes and may be negative, as NumPy's.
+    // `begin`: the number at row 0 and column 0. The strides are in bytes: `row_stride` is the distance from a row to
+    // the next, `column_stride` the distance from a column to the next. Both may be negative, as in NumPy.
     ArrayView(const void* begin, NumberType type, std::size_t rows, std::size_t columns, std::ptrdiff_t row_stride,
               std::ptrdiff_t column_stride)
         : begin_(static_cast<const std::byte*>(begin)), type_(type), rows_(rows), columns_(columns),
@@ -54,7 +56,8 @@ public:
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] bool empty() const { return rows_ == 0; }
     [[nodiscard]] NumberType type() const { return type_; }
-    // Returns the whole array if its type is T and it has no gaps, else an empty span. Lets callers avoid a copy.
+    // Returns all numbers, row by row, if the array has the type T and no gaps. Otherwise returns an empty span. Lets
+    // callers read the array without a copy.
     template <class T>
     requires is_array_number<T>
     [[nodiscard]] std::span<const T> as() const {
@@ -72,9 +75,11 @@ public:
                 row_stride_,
                 column_stride_};
     }
-    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const; // converted from any NumberType
-    // Throws Error when the array has floating-point numbers. A uint64 above the int64 range is returned as a negative
-    // number.
+    // Returns one number, converted to double from the type of the array.
+    // REQUIRES: row < rows(), column < columns().
+    [[nodiscard]] double real(std::size_t row, std::size_t column = 0) const;
+    // Returns one number as a signed integer. A uint64 above the int64 range becomes a negative number. Throws Error
+    // when the array has floating-point numbers. REQUIRES: row < rows(), column < columns().
     [[nodiscard]] std::int64_t integer(std::size_t row, std::size_t column = 0) const;
     [[nodiscard]] bool has_integers() const { return type_ != NumberType::float32 && type_ != NumberType::float64; }
 

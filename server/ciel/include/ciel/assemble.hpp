@@ -1,5 +1,5 @@
 // First half of the paper's Algorithm 5 (appendix A): matches the faces of polyhedra that are given as lists of faces.
-// Takes time linear in the input. The second half, which builds the half-edges of each block, is in topology.hpp.
+// Topology (topology.hpp) does the second half: it builds the half-edges of each block.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -11,24 +11,25 @@
 
 namespace ciel {
 
-// Cells as lists of faces, faces as loops of vertex ids. V vertices, C cells. Does not own its arrays.
-// Each face belongs to one cell, in any winding. A face between two cells is listed twice, once per cell.
+// Cells as lists of faces, and faces as loops of vertex ids. V: number of vertices, C: number of cells, F: number of
+// faces. Does not own the arrays.
+// Each face belongs to one cell, in any winding. A face between two cells is listed twice, once for each cell.
 // Collapsed cells are allowed: a loop may repeat vertex ids, and a face may have collapsed to a line or a point. A cell
-// is closed when its half-edges between distinct vertices pair up.
-// A face with fewer than three vertices is ignored; the other faces decide whether the cell is usable.
+// is closed when each half-edge between distinct vertices has a half-edge in the opposite direction.
+// A face with fewer than three vertices is ignored. The other faces of the cell decide whether the cell is kept.
 struct PolyhedraView {
     Vec3d origin{};
-    ValuesView positions;                       // 3 V: offsets from origin
-    std::span<const std::uint8_t> cell_types;   // C: CellType
+    ValuesView positions;                       // 3 V: x, y, z of each vertex, as offsets from `origin`
+    std::span<const std::uint8_t> cell_types;   // C: a CellType for each cell
     std::span<const std::uint64_t> cell_offset; // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1
-    std::span<const std::uint64_t> face_offset; // one per face and one more: first entry in face_vertex
+    std::span<const std::uint64_t> face_offset; // F + 1: index of the first vertex of face f in face_vertex
     std::span<const Index> face_vertex;
 
     [[nodiscard]] bool is_face(std::uint64_t f) const { return face_offset[f + 1] - face_offset[f] >= 3; }
 };
 
-// Cells that assemble() left out for one reason. Faces that they shared with other cells become boundary faces.
-// Exception: the neighbors of a repeated cell stay matched with the first copy.
+// Cells that assemble() left out for one reason. The faces between these cells and other cells become boundary faces.
+// Exception: faces of a repeated cell stay matched with the first copy of the cell.
 struct BadCells {
     enum class Reason {
         open,
@@ -36,42 +37,47 @@ struct BadCells {
         inside_out_unresolved,
         index_out_of_range,
         too_few_faces,
-        repeated // has the same faces as an earlier cell; the earlier cell is kept
+        repeated // has the same faces as an earlier cell, which is kept
     };
     Reason reason;
     std::uint64_t count = 0;
-    std::vector<Index> first_ids; // input ids of the first 10 of these cells, or fewer
+    std::vector<Index> first_ids; // input ids of the first 10 of these cells
 };
 
 struct AssembleReport {
-    std::vector<BadCells> bad_cells;  // one entry per reason found
-    std::uint64_t reversed_cells = 0; // wound inwards in the input; all their faces are reversed
-    std::uint64_t reversed_faces = 0; // single faces reversed to agree with the other faces of their cell
-    // Faces left unmatched: those of three or more cells, and those whose two cells cannot be wound alike.
+    std::vector<BadCells> bad_cells;  // one entry for each reason that occurred
+    std::uint64_t reversed_cells = 0; // cells of which all faces were reversed to point outwards
+    // Faces that were reversed in cells of which only some faces were reversed.
+    std::uint64_t reversed_faces = 0;
+    // Number of faces inside the mesh that were left unmatched, and so became boundary faces. Such a face has three or
+    // more cells, or its two cells cannot be wound consistently.
     std::uint64_t internal_boundaries = 0;
-    std::uint64_t short_faces = 0;  // faces with fewer than three vertices, left out of cells that are kept
-    std::vector<Index> first_short; // input ids of the first 10 cells with short faces, or fewer
-    // Cells that are wound like their neighbors although their volume is then negative (folded curvilinear grids).
-    // They are kept.
+    std::uint64_t short_faces = 0;  // faces with fewer than three vertices in cells that are kept
+    std::vector<Index> first_short; // input ids of the first 10 cells with short faces
+    // Cells that are kept with a negative volume (folded curvilinear grids). With a positive volume, their winding
+    // would contradict the winding of their neighbors.
     std::uint64_t inverted_cells = 0;
-    std::vector<Index> first_inverted; // input ids of the first 10 inverted cells, or fewer
+    std::vector<Index> first_inverted; // input ids of the first 10 inverted cells
 };
 
 struct Assembled {
-    // Cells are in space-filling-curve (Hilbert) order, faces by (owner, neighbour), vertices by first use.
+    // Cells are in the order of a space-filling (Hilbert) curve. Faces are sorted by (owner, neighbour). Vertices are
+    // in the order of their first use in the faces.
     FaceMesh mesh;
-    std::vector<Index> original_vertex;     // stored vertex -> input vertex; unused input vertices are dropped
+    std::vector<Index> original_vertex;     // stored vertex -> input vertex; without unused input vertices
     std::vector<Index> original_cell;       // stored cell -> input cell
-    std::vector<std::uint64_t> face_source; // stored face -> the owner's face in the input
+    std::vector<std::uint64_t> face_source; // stored face -> input face of the owner cell
     AssembleReport report;
 };
 
 // Matches the faces of `input` and sorts cells, vertices and faces. Throws Error when an array has a wrong size or a
-// cell type is unknown. Bad cells do not throw; AssembleReport counts them. Uses all threads of the parallel loop.
+// cell type is unknown. A bad cell does not throw; it is left out and counted in `report`. Uses all threads of
+// parallel_for.
 [[nodiscard]] Assembled assemble(const PolyhedraView& input);
 
-// Appends the faces of one standard cell as loops wound outwards. `corners` are vertex ids in VTK order. Throws Error
-// when `type` is polyhedron or `corners` does not have as many ids as the type has corners.
+// Appends the faces of one standard cell as loops that are wound outwards. `corners`: vertex ids in VTK's order.
+// `face_offset` must begin with 0; it gets the end of each face in face_vertex. Throws Error when `type` is polyhedron,
+// or when `corners` has another number of ids than the type has corners.
 void append_standard_faces(CellType type, std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
                            std::vector<Index>& face_vertex);
 

@@ -1,5 +1,6 @@
-// [min, max] of a field in each block of a topology. With them a field is made without reading a block; a cut then
-// touches the blocks whose range holds nu. Not in the paper, which keeps minima for the whole mesh (section 2.2).
+// BlockRanges: [min, max] of a field in each block of a topology. With these ranges a field can be made without reading
+// a block, and a cut at nu reads only blocks whose range contains nu. Not in the paper, which has sorted minima for the
+// whole mesh instead (section 2.2).
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -12,20 +13,22 @@
 
 namespace ciel {
 
-// One entry per block, over all its vertices, including those that it shares with other blocks.
+// Each array has one entry for each block. A range covers all vertices of the block, including those that other blocks
+// have too.
 struct BlockRanges {
     std::vector<double> low, high;      // of the finite values; low > high if there are none
-    std::vector<std::uint32_t> missing; // number of vertices with NaN or an infinity
+    std::vector<std::uint32_t> missing; // number of vertices whose value is NaN or infinite
 };
 
-// values: one per vertex, in the topology's order. Reads the cells of every block. Uses all threads of the parallel
-// loop. Throws Error on another number of values.
+// Returns the ranges of `values`, which has one value for each vertex, in the topology's vertex order. Reads the cell
+// records of all blocks. Uses all threads of parallel_for. Throws Error when `values` has another size.
 [[nodiscard]] BlockRanges block_ranges(const Topology& topology, ValuesView values);
 
-// The boxes around the vertices of each block: ranges of x, y and z.
+// Bounding boxes of the vertices of each block: the ranges of x, y and z.
 using BlockBoxes = std::array<BlockRanges, 3>;
 
-// positions: x, y, z of each vertex, in the topology's order. Otherwise like block_ranges.
+// Returns the boxes of `positions`: x, y, z of each vertex, in the topology's vertex order. Reads the cell records of
+// all blocks. Uses all threads of parallel_for. Throws Error when `positions` has another size.
 [[nodiscard]] BlockBoxes block_boxes(const Topology& topology, ValuesView positions);
 
 } // namespace ciel

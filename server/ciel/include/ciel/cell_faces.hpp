@@ -1,5 +1,5 @@
-// Lists of the faces of each cell, made from the owner and neighbour of each face. The paper's appendix A takes meshes
-// in this form: "polyhedra as lists of faces".
+// Lists the faces of each cell, from the owner and the neighbour of each face. This is the form in which the paper's
+// appendix A takes a mesh: each polyhedron is an array of faces.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -7,17 +7,19 @@
 namespace ciel {
 
 struct CellFaces {
-    std::vector<std::uint64_t> begin; // one entry per cell and one more: index of the cell's first face in `face`
-    std::vector<Index> face;          // face ids, cell by cell, ascending within a cell
+    std::vector<std::uint64_t> begin; // C + 1, for C cells: index in `face` of the cell's first face
+    std::vector<Index> face;          // face ids, cell by cell, ascending in each cell
 
     [[nodiscard]] std::span<const Index> of(Index cell) const {
         return std::span(face).subspan(begin[cell], begin[cell + 1] - begin[cell]);
     }
 };
 
+// Returns the faces of all cells. Throws Error when an index in `mesh` is out of range.
 [[nodiscard]] CellFaces cell_faces(const FaceMeshView& mesh);
 
-// Throws Error when the arrays break the contract of FaceMeshView. Does not check that cells are closed.
+// Throws Error when the sizes, the offsets or the indices of the arrays break the contract of FaceMeshView. Does not
+// check that cells are closed.
 void check_face_mesh(const FaceMeshView& mesh);
 
 } // namespace ciel

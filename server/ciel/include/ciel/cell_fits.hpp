@@ -1,5 +1,5 @@
-// CellFits: the part of the cells' gradients (paper, section 3) that depends on positions only. Not in the paper, which
-// solves the least squares again for each field.
+// CellFits: least-squares matrices of polyhedra for gradients (paper, section 3). The matrices depend on positions
+// only, so that several fields can share them. Not in the paper, which solves the least squares again for each field.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -10,23 +10,24 @@
 
 namespace ciel {
 
-// Keeps the least-squares matrices for the gradients in polyhedra, each made at its first use: about 125 bytes for a
-// cell of a Voronoi mesh. Keeps none for standard cells, because their matrices are cheap to compute. Several fields
-// may share the matrices (Field::set_cell_fits). The matrices belong to the positions with which the first of these
-// fields is cut; a field that is cut with other positions does not use them. Thread-safe.
+// Keeps the least-squares matrix of each polyhedron whose gradient was computed: about 125 bytes for a cell of a
+// Voronoi mesh. Keeps no matrices of standard cells, because these matrices are cheap to compute. The matrices belong
+// to the positions of the first extraction that uses them; an extraction with other positions does not use them.
+// Several fields may share one object (Field::set_cell_fits). Thread-safe.
 class CellFits {
 public:
-    // Once the fits take `most_bytes`, those of further blocks are not kept. The topology must outlive this object.
+    // `most_bytes`: when the matrices take this much memory, matrices of further blocks are not kept. The topology must
+    // outlive this object.
     explicit CellFits(const Topology& topology, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
     ~CellFits();
     CellFits(const CellFits&) = delete;
     CellFits& operator=(const CellFits&) = delete;
 
-    // Frees the memory of the fits. From then on no fits are kept.
+    // Frees all matrices. Afterwards the object keeps no new matrices.
     void forget();
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    struct Data; // fields/cell_fits.hpp
+    struct Data; // defined in src/fields/cell_fits.hpp, for the kernel only
     [[nodiscard]] Data& data() const { return *data_; }
 
 private:

@@ -1,5 +1,5 @@
-// CheckedArray: an array of indices in a mapped file, which another process may change during reading. Every index
-// that it returns is in range, whatever the file holds. Not in the paper.
+// CheckedArray: a view of an array of indices in a mapped file, which another process may change at any time. Every
+// index that it returns is in range, whatever the file contains. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -11,7 +11,7 @@
 
 namespace ciel {
 
-// Reports a damaged array. The owner of a mapped array implements it with a message that names the file.
+// Reports a damaged array. The owner of a mapped array implements this class with a message that names the file.
 class ArrayKeeper {
 public:
     ArrayKeeper() = default;
@@ -22,21 +22,21 @@ public:
     [[noreturn]] virtual void refuse() const = 0;
 };
 
-// Calls keeper->refuse(). If `keeper` is null, throws Error about a damaged mesh.
+// Calls keeper->refuse(). If `keeper` is null, throws Error with a message about a damaged mesh.
 [[noreturn]] void refuse_array(const ArrayKeeper* keeper);
 
-// View of an array of indices; owns neither the array nor its keeper. Any thread may read. Each access reads the
-// memory once and checks the value. Two accesses to the same entry may differ: copy an entry that is used twice.
-// An entry out of range throws the keeper's Error.
+// View of an array of indices. Owns neither the array nor the keeper; both must outlive the view. Any thread may read.
+// Each access reads the memory once and checks the value. If the value is out of range, the access throws the keeper's
+// Error. Two accesses to the same entry may return different values; copy an entry that is used twice.
 template <class T, bool may_be_none = false>
 class CheckedArray {
 public:
     using value_type = T;
-    class const_iterator; // random access; dereferences to values
+    class const_iterator; // random access; dereferencing returns a value, not a reference
     using iterator = const_iterator;
 
     CheckedArray() = default;
-    // An entry is valid if it is below `limit`. With the template argument `may_be_none`, `none` is valid too.
+    // An entry is valid if it is below `limit`. If `may_be_none` is true, `none` is valid too.
     CheckedArray(std::span<const T> entries, T limit, const ArrayKeeper* keeper = nullptr)
         : data_(entries.data()), size_(entries.size()), limit_(limit), keeper_(keeper) {}
 
@@ -50,14 +50,15 @@ public:
     [[nodiscard]] CheckedArray part(std::size_t begin, std::size_t count) const {
         return {std::span(data_ + begin, count), limit_, keeper_};
     }
-    // Returns the entries without checks, for code that verifies the array itself.
+    // Returns the entries without checks, for code that checks the array itself.
     [[nodiscard]] std::span<const T> unchecked() const { return {data_, size_}; }
-    // Throws the keeper's Error. For callers that find entries which contradict each other.
+    // Throws the keeper's Error. For callers that find two entries which contradict each other.
     [[noreturn]] void refuse() const { refuse_array(keeper_); }
 
 private:
     [[nodiscard]] T read(const T* at) const {
-        const T entry = *const_cast<const volatile T*>(at); // volatile: the compiler must not read the memory twice
+        // volatile, because the compiler must not read the memory twice
+        const T entry = *const_cast<const volatile T*>(at);
         const bool holds = may_be_none ? static_cast<T>(entry + 1) <= limit_ : entry < limit_;
         if (!holds) [[unlikely]]
             refuse_array(keeper_);

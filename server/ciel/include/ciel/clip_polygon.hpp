@@ -9,8 +9,9 @@
 
 namespace ciel {
 
-// Clips the convex polygon `corners` and writes the part where distance(corner) >= 0 to `kept`, in the same order.
-// `kept` is empty if no part remains. `corners` may also be a line segment (two corners) or a single point.
+// Clips the convex polygon `corners`. Sets `kept` to the part where distance(position) >= 0, in the same winding.
+// `kept` is empty if no part remains. `distance` must be linear in the position. `corners` may also be a line segment
+// (two corners) or a single point.
 template <class Distance>
 void clip_polygon(std::span<const Vec3d> corners, const Distance& distance, std::vector<Vec3d>& kept) {
     kept.clear();

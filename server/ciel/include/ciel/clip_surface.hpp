@@ -1,5 +1,5 @@
 // Clips a polygon surface by half-spaces (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). File exports use
-// it to write only the part that pictures show. Not in the paper.
+// this to write only the part of a surface that pictures show. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -7,26 +7,28 @@
 
 namespace ciel {
 
-// Keeps positions with dot(normal, position) + offset >= 0.
+// The positions p with dot(normal, p) + offset >= 0.
 struct HalfSpace {
     Vec3d normal{};
     double offset = 0;
 };
 
 struct ClippedSurface {
-    Surface surface;            // input vertices that are kept come first; `points` has entries for them only
-    std::vector<double> values; // one per vertex; empty if the input had none
-    std::vector<Vec3d> places;  // one per vertex; empty if the input had none
+    Surface surface;            // the kept input vertices come first; only they have entries in surface.points
+    std::vector<double> values; // one for each vertex; empty if the input had none
+    std::vector<Vec3d> places;  // one for each vertex; empty if the input had none
 };
 
-// Returns the part of `surface` inside all half-spaces. `values`: one per vertex, or empty; throws Error on another
-// number. `places`: the positions of the vertices as doubles, relative to any point, or empty; the planes are relative
-// to the same point as the places, or, without places, as surface.positions. Any thread.
-// Values and normals are interpolated at new vertices. Two polygons that share a side share its new vertex, so no
-// cracks open. The result has no chunks.
-// Vertices at most `slack` outside a plane are kept. Otherwise rounding would tear a surface that lies in the plane,
-// such as a cap. A polygon that is not convex may be clipped into several parts. They stay one polygon, joined by edges
-// in the plane that its loop passes twice.
+// Returns the part of `surface` inside all half-spaces. Any thread. Throws Error when `values` or `places` has a wrong
+// size.
+// `values`: one for each vertex, or empty.
+// `places`: empty, or the positions of the vertices as doubles, as offsets from any origin. `planes` then use the same
+// origin. Without `places`, `planes` use the origin of surface.positions.
+// `slack`: vertices at most this far outside a plane are kept, in the unit of HalfSpace::offset. Without slack,
+// rounding would tear a surface that lies in the plane, such as a cap. Values, normals and places are interpolated at
+// new vertices. Two polygons that share a side share the new vertex on that side, so that no cracks open. The result
+// has no chunks. A polygon that is not convex may be clipped into several parts. The parts stay one polygon, and edges
+// in the plane join them; the polygon's loop passes each of these edges twice.
 [[nodiscard]] ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes,
                                           double slack, std::span<const Vec3d> places = {});
 

@@ -1,6 +1,6 @@
-// Iso-surfaces and slices of a mesh: functions for single surfaces, and an incremental Contour for sliders (paper,
-// algorithms 1 to 4). Cell and point ids in the results are the caller's. All functions may be called on any thread and
-// use all threads of the parallel loop, unless Options::threads or with_threads (parallel.hpp) limits them.
+// Iso-surfaces and slices of a mesh (paper, algorithms 1 to 4): functions for single surfaces, and the incremental
+// class Contour for sliders. Ids of cells and points in the results are the caller's ids. Any thread may call the
+// functions. They use all threads of parallel_for, unless Options::threads or with_threads (parallel.hpp) sets a limit.
 #pragma once
 
 #include "ciel/clip_surface.hpp"
@@ -14,19 +14,21 @@
 namespace ciel {
 
 struct Options {
-    Algorithm algorithm = Algorithm::signatures; // affects time only: all algorithms give the same surface, bit by bit
+    Algorithm algorithm = Algorithm::signatures; // affects only the time: all algorithms give the same bits
     Decider decider = Decider::isolate_high;
     std::optional<Normals> normals = Normals::gradient; // nullopt: the surface has no normals
-    // Blocks of mesh.topology() to look at, in any order; nullopt: all. The surface is then the part of the whole
-    // surface in these blocks (Query::set_blocks). The surfaces of disjoint sets of blocks make up the whole surface,
-    // so several processes can share the work. Surface::chunks names the blocks of a surface.
+    // Indices of the blocks of mesh.topology() to cut, in any order; nullopt: all blocks. The result is the part of the
+    // surface in these blocks (Query::set_blocks). Several processes can share the work: surfaces of disjoint sets of
+    // blocks are disjoint parts of the whole surface. Surface::chunks lists the blocks of a surface.
     std::optional<std::vector<Index>> blocks{};
-    unsigned threads = 0; // most threads that a call uses, the caller's included; 0: all. The surface is the same.
+    // Largest number of threads that a call uses, including the calling thread; 0: all threads. Does not affect the
+    // surface.
+    unsigned threads = 0;
 };
 
-// Extracts iso-surfaces of one field incrementally: a new level costs only the blocks whose surface changes. Shares
-// ownership of the field and its mesh. Not thread-safe; `at` uses Options::threads threads. The constructor throws
-// Error for a field that was not made from a Mesh, and if a block of Options::blocks does not exist.
+// Extracts iso-surfaces of one field incrementally: a block is cut again only if a new level changes which points of
+// the block are high. Shares ownership of the field and its mesh. Not thread-safe. The constructor throws Error for a
+// field that was not made from a Mesh, and when a block of Options::blocks does not exist.
 class Contour {
 public:
     explicit Contour(const Field& field, const Options& options = {});
@@ -34,11 +36,11 @@ public:
     Contour(Contour&&) noexcept;
     Contour& operator=(Contour&&) noexcept;
 
-    // Sets the field of another array or time step. Its mesh must be the same Mesh, or one made from it with
-    // Mesh::moved; throws Error for any other. The topology is reused.
+    // Replaces the field, for example by another array or time step. The mesh of `field` must be the mesh of the old
+    // field, or a mesh made from that mesh with Mesh::moved; throws Error for any other mesh. The topology is reused.
     void set(const Field& field);
-    // Writes the surface at `level` to `out` and reuses its buffers. A point counts as high when value >= level.
-    // Returns false, with `out` unspecified, when `stop` was requested; the Contour stays usable.
+    // Writes the surface at `level` to `out` and reuses the buffers of `out`. A point is high when value >= level.
+    // Returns false when `stop` was requested; `out` is then unspecified, and the Contour stays usable.
     bool at(double level, Surface& out, const StopToken& stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -48,47 +50,51 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Returns the iso-surface at one level, or one per level. values: one per point of the mesh, in the caller's order.
-// Throws Error on another number of values.
+// Return the iso-surface at one level, or one surface for each of several levels. `values`: one for each point of the
+// mesh, in the caller's order. Throw Error when `values` has another size.
 [[nodiscard]] Surface contour(const Mesh& mesh, const ArrayView& values, double level, const Options& options = {});
 [[nodiscard]] std::vector<Surface> contour(const Mesh& mesh, const ArrayView& values, std::span<const double> levels,
                                            const Options& options = {});
 
-// Returns the cut through the mesh by the plane through `origin` perpendicular to `normal` (paper, section 2.1). The
-// polygons face along `normal`, which may have any length. Throws Error when it is zero or not finite.
+// Returns the cut through the mesh by the plane that contains `origin` and is perpendicular to `normal` (paper, section
+// 2.1). The normals of the polygons have the direction of `normal`, which may have any length. Throws Error when the
+// length is zero or not finite.
 [[nodiscard]] Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options = {});
 
-// Cuts the mesh at all levels in one pass over its blocks, without a Surface. `on_cut` gets each block's cut at each
-// level; see OnCut for order and threads. Ids in the cuts are the caller's, and cell_begin is 0. Ignores
-// Options::normals, since cuts have no normals. Returns false when `stop` was requested; some cuts are then missing.
-// Throws Error if Options::blocks is set, on another number of values, and for a field that was not made from a Mesh.
+// Cuts the mesh at all levels in one pass over the blocks, without making a Surface. Calls `on_cut` with the cut of
+// each block at each level; OnCut describes the order and the threads of the calls. Ids in the cuts are the caller's,
+// and cell_begin is 0. Ignores Options::normals, because cuts have no normals. Returns false when `stop` was requested;
+// some cuts are then missing. Throws Error when Options::blocks is set, when `values` has a wrong size, and for a field
+// that was not made from a Mesh.
 bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_cut, const Options& options = {},
            const StopToken& stop = {});
 bool sweep(const Mesh& mesh, const ArrayView& values, std::span<const double> levels, const OnCut& on_cut,
            const Options& options = {}, const StopToken& stop = {});
 
-// Returns the part of a surface of `mesh` inside all half-spaces, which are in the caller's coordinates. values: one
-// per point of the mesh, or empty; the result has them interpolated at its points. `slack` is a length: points at most
-// this far outside a plane are kept, so that rounding does not tear a surface in the plane. Throws Error on another
-// number of values. The result cannot be clipped or interpolated again, because its new points lie on no edge of the
-// mesh.
+// Returns the part of a surface of `mesh` inside all half-spaces. `planes`: in the caller's coordinates. `values`: one
+// for each point of the mesh, or empty; the result has the values interpolated at its vertices. `slack`: points at most
+// this far outside a plane are kept, so that rounding does not tear a surface that lies in the plane; in the unit of
+// HalfSpace::offset. New vertices of the result lie on no edge of the mesh. Therefore interpolate, and clip with
+// `values`, throw Error for a clipped surface. Throws Error when `values` has a wrong size.
 [[nodiscard]] ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                   std::span<const HalfSpace> planes, double slack = 0);
 
-// Interpolates `values` at the points of the surface. values: one row per point of the mesh, or with `of_cells` per
-// cell; points then get the means that Field::from_cells makes. Returns one row of the same width per point of the
-// surface, row by row. Throws Error on another number of rows, and for a clipped surface. If `values` are the points of
-// the mesh, the result is the positions of the surface's points in double precision; Surface::positions are floats.
+// Interpolates `values` at the points of the surface. `values`: one row for each point of the mesh. With `of_cells`,
+// one row for each cell; each point then gets the mean of the cells around it (Field::from_cells). Returns one row of
+// the same width for each point of the surface, row by row. If `values` are the points of the mesh, the result is the
+// positions of the surface's points in double precision. Throws Error when the number of rows is wrong, and for a
+// clipped surface.
 [[nodiscard]] std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                               bool of_cells = false);
 
-// Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). values: one
-// per point; throws Error on another number. The gradient of a point is zero if none of its cells has both a volume
-// and finite values at all corners.
+// Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). `values`: one
+// for each point. The gradient at a point is zero if no cell around the point has both a volume and finite values at
+// all corners. Throws Error when `values` has another size.
 [[nodiscard]] std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values);
 
-// Returns the boundary of the cells whose values lie in `range`, wound outwards. values: one per cell with `of_cells`,
-// else one per point; then all points of a cell must lie in the range. Throws Error on another number of values.
+// Returns the boundary of the selected cells, wound outwards. `range`: [min, max], both included. `values`: with
+// `of_cells`, one for each cell; a cell is selected if its value lies in the range. Otherwise one for each point; a
+// cell is selected if the values of all its points lie in the range. Throws Error when `values` has another size.
 [[nodiscard]] Surface threshold(const Mesh& mesh, const ArrayView& values, std::array<double, 2> range,
                                 bool of_cells = false);
 

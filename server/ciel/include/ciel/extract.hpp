@@ -1,5 +1,6 @@
-// Query: extracts iso-surfaces and slices of a field on a topology (paper, algorithms 1-4). nu is the iso-value.
-// Extraction is incremental from one nu to the next.
+// Query: extracts iso-surfaces and slices of a field on a topology (paper, algorithms 1-4). nu is the iso-value. A
+// vertex is high when its value >= nu, else low. An edge is active when one end is high and the other end is low. A
+// Query keeps data from one nu to the next, so that a small change of nu costs little.
 #pragma once
 
 #include "ciel/decider.hpp"
@@ -12,9 +13,10 @@
 
 namespace ciel {
 
-// A vertex of the surface on an active edge. Its position and its value in any array are lerp(value at a, at b, t).
+// A vertex of a surface. It lies on a mesh edge. The position, and the value of any array, is lerp(at a, at b, t). In a
+// surface of a Query, a < b.
 struct EdgePoint {
-    Index a, b; // mesh vertices, a < b
+    Index a, b; // the two ends of the edge; equal if the point is a mesh vertex
     double t;   // 0 at a, 1 at b
 };
 
@@ -23,26 +25,29 @@ struct EdgePoint {
     return static_cast<float>(lerp(double{a}, double{b}, t));
 }
 
-// An indexed polygon surface. There is one vertex per active edge, in the order of edge ids; blocks share vertices.
-// Polygons are in storage order of their cells. Their right-hand normal points to higher values. A cell that the
-// surface crosses in several places has several polygons. The Decider chooses how points are joined on an ambiguous
-// face.
-// Polygons of fewer than three distinct points (collapsed cells) are left out; polygons without area are kept. Every
+// An indexed polygon surface. Each active edge has one vertex of the surface; the vertices are in the order of edge
+// ids. Polygons are in the storage order of their cells. The right-hand normal of a polygon points to higher values. If
+// the surface crosses a cell in several places, the cell has several polygons. The Decider chooses how points are
+// joined on an ambiguous face.
+// Polygons of fewer than three distinct points (in collapsed cells) are left out. Polygons without area are kept. Every
 // vertex belongs to a polygon.
-// The result has the same bits for any block size, thread count, algorithm and history of calls. Only `chunks` depends
-// on the blocks.
+// The surface has the same bits for any block size, number of threads, algorithm and history of calls. Only `chunks`
+// depends on the blocks.
 struct Surface {
     std::vector<Vec3f> positions; // offsets from the mesh's surface_origin
-    // One unit vector per vertex, towards higher values (see Normals); empty if not requested.
+    // One unit vector for each vertex, towards higher values (see Normals). Zero if the polygons around the vertex have
+    // no area. Empty if normals were not requested.
     std::vector<Vec3f> normals;
     std::vector<EdgePoint> points;
-    std::vector<Index> polygon_offset{0}; // polygons + 1, into polygon_vertex
+    // P + 1, for P polygons: index in polygon_vertex of the first vertex of each polygon.
+    std::vector<Index> polygon_offset{0};
     std::vector<Index> polygon_vertex;
-    std::vector<Index> polygon_cell; // mesh cell that each polygon cuts
-    // For surfaces of mesh faces: index of each polygon's face in its FaceMeshView, or none; else empty.
+    std::vector<Index> polygon_cell; // P: the mesh cell that contains the polygon
+    // P for a surface made of mesh faces: index of the face in its FaceMeshView, or none. Otherwise empty.
     std::vector<Index> polygon_face;
 
-    // Consecutive polygons of one block: the unit of streaming and culling.
+    // Consecutive polygons that are streamed and culled together. In a surface of a Query, these are the polygons of
+    // one block. In other surfaces, `block` is only a number of the chunk.
     struct Chunk {
         Index block, polygon_begin, polygon_end;
     };
@@ -50,19 +55,21 @@ struct Surface {
 };
 
 enum class Normals {
-    // The normalized gradient of the field. Where the gradient is zero or points against the polygons around the point,
-    // the area-weighted normal of these polygons.
+    // The normalized gradient of the field. If the gradient at a point is zero, or points against the normal of
+    // `polygons`, the normal of `polygons` replaces it.
     gradient,
-    // The area-weighted normal of the polygons around the point. Faster after a change of the field, because no
-    // gradients are computed.
+    // The mean of the normals of the polygons around the point, weighted by area. After a change of the field this is
+    // faster than `gradient`, because no gradients are computed.
     polygons
 };
 
-// How active edges are found; the surface is the same. signatures: per block, which vertices are high (the default).
-// propagation: the paper's Algorithm 2, an active-edge list. naive: the paper's baseline, visits every cell.
+// How active edges are found. The surface does not depend on the algorithm.
+// signatures (the default): cuts a block again only if nu changes which vertices of the block are high.
+// propagation: moves a list of active edges from one nu to the next (the paper's Algorithm 2).
+// naive: visits every cell for every nu (the paper's baseline).
 enum class Algorithm { signatures, propagation, naive };
 
-// Options of a Query. The algorithm affects the time, not the surface; the decider affects the surface.
+// Options of a Query. The algorithm affects only the time. The decider affects the surface.
 struct Extraction {
     // NOLINTNEXTLINE(google-explicit-constructor): callers often pass only an algorithm
     Extraction(Algorithm with_algorithm = Algorithm::signatures, Decider with_decider = Decider::isolate_high)
@@ -72,10 +79,9 @@ struct Extraction {
     Decider decider;
 };
 
-// Extracts surfaces of one field for one viewer, and keeps the signatures or active edges from call to call. Not
-// thread-safe: one call at a time. Any number of Queries may share a Topology and Fields. The topology and the arrays
-// of the mesh must outlive the Query. The constructor throws Error when the mesh and the topology differ in their
-// numbers of vertices or cells.
+// Extracts surfaces of one field, and keeps the signatures or the active edges from call to call. Not thread-safe: one
+// call at a time. Several Queries may share a Topology and Fields. The topology and the arrays of the mesh must outlive
+// the Query. The constructor throws Error when the mesh and the topology have different numbers of vertices or cells.
 class Query {
 public:
     Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction = {});
@@ -83,28 +89,29 @@ public:
     Query(Query&&) noexcept;
     Query& operator=(Query&&) noexcept;
 
-    // Sets the field to extract from, such as another array or time step. The field must live until the next call of
-    // set_field. Throws Error when the field belongs to another topology.
+    // Sets the field to extract from, for example another array or time step. The field must live until the next call
+    // of set_field. Throws Error when the field belongs to another topology.
     void set_field(const Field& field);
 
-    // Sets how ambiguous faces are joined, from the next extraction on.
+    // Sets how points on ambiguous faces are joined, from the next extraction on.
     void set_decider(Decider decider);
-    void set_normals(Normals normals); // kind of normals that `extract` makes; default: gradient
-    // Sets new positions of the vertices. `mesh` may differ only in its positions from the mesh that the topology was
-    // built from. Call Field::vertices_moved too, because gradients depend on positions. Throws Error when the numbers
+    void set_normals(Normals normals); // which normals `extract` makes; default: gradient
+    // Sets new positions of the vertices. `mesh` must equal the mesh from which the topology was built, except for the
+    // positions. Call Field::vertices_moved too, because gradients depend on positions. Throws Error when the numbers
     // of vertices or cells differ.
     void set_mesh(const FaceMeshView& mesh);
 
-    // Limits the next extractions to some blocks, in any order; nullopt, the default: all blocks. The surface then has
+    // Limits the next extractions to some blocks, in any order; nullopt: all blocks (the default). The surface then has
     // only the polygons in these blocks and the points of these polygons, with the same bits as in the surface of all
-    // blocks. Normals from polygons may differ, because only the remaining polygons count. Without normals, only the
-    // cells of these blocks are read, unless the algorithm is propagation. Throws Error if a block does not exist.
+    // blocks. Exception: normals from polygons may differ, because polygons of other blocks are not summed. If no
+    // normals are requested, only the cell records of these blocks are read, unless the algorithm is propagation.
+    // Throws Error when a block does not exist.
     void set_blocks(std::optional<std::span<const Index>> blocks);
 
-    // Writes the iso-surface at `nu` to `out` and reuses its buffers. A vertex is high when its value >= nu. Cells that
-    // touch a vertex whose value is NaN or infinite are not cut. `normals`: whether to make normals (set_normals).
-    // Returns false, with `out` unspecified, when `stop` was requested; the Query stays usable. Throws Error when no
-    // field is set. Uses all threads of the parallel loop.
+    // Writes the iso-surface at `nu` to `out` and reuses the buffers of `out`. Cells with a vertex whose value is NaN
+    // or infinite are not cut. `normals`: whether to make normals, of the kind of set_normals. Returns false when
+    // `stop` was requested; `out` is then unspecified, and the Query stays usable. Throws Error when no field is set,
+    // and when a record, a value or a position cannot be read. Uses all threads of parallel_for.
     bool extract(double nu, bool normals, Surface& out, const StopToken& stop = {});
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -114,22 +121,25 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Extracts the surfaces at several values (paper, algorithms 1 and 3). `sink` gets each surface in the order of
-// `values` and may keep it by moving from it. Returns false when `stop` was requested.
+// Extracts the surfaces at several values (paper, algorithms 1 and 3). Calls `sink` with each surface, in the order of
+// `values`; the sink may move from the surface. Returns false when `stop` was requested. Throws what Query::extract and
+// `sink` throw.
 bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop = {});
 
-// Interpolates `values` at each point of the surface into `out`. Both arrays are interleaved: `values` has `components`
-// numbers per mesh vertex, `out` as many per point. Throws Error when `out` has another size or `components` < 1.
+// Interpolates an array at each point of a surface. `values`: `components` numbers for each mesh vertex, interleaved.
+// `out` gets `components` numbers for each point. Throws Error when `out` has another size, or when components < 1.
+// Uses all threads of parallel_for.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,
                  std::span<float> out);
 void interpolate(std::span<const EdgePoint> points, std::span<const double> values, int components,
                  std::span<double> out);
 
-// Returns three vertex indices per triangle. Each polygon becomes a triangle fan. The fan starts at the first corner
-// that gives no thin or reversed triangle, else at the best corner. In a polygon of more than 64 corners only 64 to 127
-// corners are tried. If every tried fan has a reversed triangle, ears are clipped. Triangles with zero area or a
-// repeated vertex are left out. Takes time linear in the number of corners.
+// Returns three vertex indices for each triangle. A polygon becomes a fan of triangles. The fan starts at the first
+// corner from which no triangle is thin or reversed. If there is no such corner, it starts at the corner with the best
+// triangles. In a polygon of more than 64 corners, only 64 to 127 corners are tried. If a triangle is reversed in every
+// fan tried, the polygon is triangulated by ear clipping. Triangles with zero area or a repeated vertex are left out.
+// Takes time linear in the number of corners. Uses all threads of parallel_for.
 [[nodiscard]] std::vector<Index> triangulate(const Surface& surface);
 void triangulate(const Surface& surface, std::vector<Index>& out); // writes to `out` and reuses its buffer
 

@@ -1,5 +1,6 @@
-// FaceMesh: a mesh as a list of faces, each with an owner and a neighbour cell. An import makes this form, and Topology
-// is built from it. It is the input of Algorithm 5 (paper, appendix A) after the faces have been matched.
+// FaceMesh: a mesh as a list of faces, each with an owner cell and a neighbour cell. The import makes a FaceMesh, and
+// Topology is built from it. A FaceMesh is the input of Algorithm 5 (paper, appendix A) after the faces have been
+// matched.
 #pragma once
 
 #include "ciel/checked_array.hpp"
@@ -13,37 +14,39 @@
 
 namespace ciel {
 
-// View of a FaceMesh; the arrays must outlive every use, unless keep_alive owns them. V vertices, F faces, C cells.
-// Indices are checked at each read, because the arrays may be in a mapped file. Positions and types are not checked:
-// any value is harmless. A face between two cells is stored once. Its loop is wound so that its normal (right hand)
-// points out of `owner` into `neighbour`. owner < neighbour; neighbour is `none` on the boundary. Repeated vertex ids
-// in a loop (collapsed cells) are allowed and kept. Cells are in storage order, which is a space-filling-curve order.
-// Faces are sorted by owner; vertices by first use, unused last. The lists of numbered_faces.hpp may have other orders.
+// View of a FaceMesh. The arrays must outlive the view, except arrays that keep_alive owns. V: number of vertices, F:
+// number of faces, C: number of cells.
+// A face between two cells is stored once. The right-hand normal of its loop points out of `owner` into `neighbour`.
+// owner < neighbour; on the boundary, `neighbour` is `none`. A loop may repeat vertex ids (collapsed cells).
+// Cells are in the order of a space-filling curve. Faces are sorted by owner. Vertices are in the order of their first
+// use in the faces; unused vertices are last. Faces from numbered_faces.hpp may have another order.
+// Each index is checked when it is read, because the arrays may be in a mapped file. Positions and types are not
+// checked, because any value is harmless.
 struct FaceMeshView {
     using Offsets = CheckedArray<std::uint64_t>;
 
-    Vec3d origin{};                           // added to every position
-    Vec3d surface_origin{};                   // positions of surfaces are floats relative to it; any place near them
-    ValuesView positions;                     // 3 V: offsets from origin
-    std::span<const std::uint8_t> cell_types; // C: CellType
-    Offsets face_offset;                      // F + 1: index in face_vertex of the first vertex of each face
+    Vec3d origin{};                           // is added to every position
+    Vec3d surface_origin{};                   // surfaces store positions as float offsets from this point near the mesh
+    ValuesView positions;                     // 3 V: x, y, z of each vertex, as offsets from origin
+    std::span<const std::uint8_t> cell_types; // C: a CellType for each cell
+    Offsets face_offset;                      // F + 1: index of the first vertex of face f in face_vertex
     Ids face_vertex;                          // vertex ids, loop by loop
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
-    std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if the caller keeps them
-    // Null if all positions can be read. If not, extraction, slices, gradients, CellLocator, face_surface,
+    std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if the caller owns them
+    // Null if all positions are ready to be read. Otherwise extraction, slices, gradients, CellLocator, face_surface,
     // threshold_surface, vertices_of_cells, boundary_faces_at, size_of_faces and slab_boundary load the positions that
-    // they use. Before any other function, the caller must call loader->load for all vertices.
+    // they use. Before a call of any other function, the caller must call loader->load for all vertices.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
     [[nodiscard]] Index face_count() const { return static_cast<Index>(owner.size()); }
-    // Returns what is added to a stored position to make it relative to surface_origin.
+    // Returns the difference between two offsets of a position: from surface_origin, and from origin.
     [[nodiscard]] Vec3d surface_shift() const {
         return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
     }
-    // Makes the positions of these vertices ready to be read. Throws Error when they cannot be read.
+    // Makes the positions of `vertices` ready to be read. Throws Error when a position cannot be read.
     void load(std::span<const Index> vertices) const {
         if (loader == nullptr) return;
         for (const Index vertex : vertices) loader->load(vertex, vertex + 1);
@@ -56,7 +59,7 @@ struct FaceMeshView {
     }
 };
 
-// Returns a view of these arrays. Positions of surfaces are relative to `origin`, too: surface_origin is `origin`.
+// Returns a view of these arrays in which surface_origin is `origin`. The arrays must outlive the view.
 [[nodiscard]] inline FaceMeshView face_mesh_view(Vec3d origin, ValuesView positions,
                                                  std::span<const std::uint8_t> cell_types,
                                                  std::span<const std::uint64_t> face_offset,
@@ -75,17 +78,18 @@ struct FaceMeshView {
             nullptr};
 }
 
+// Owns the arrays of a mesh. FaceMeshView describes the arrays.
 struct FaceMesh {
     Vec3d origin{};
     std::vector<float> positions;
-    std::vector<double> double_positions; // used instead of `positions` unless empty
+    std::vector<double> double_positions; // if not empty, used instead of `positions`
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> face_offset{0};
     std::vector<Index> face_vertex;
     std::vector<Index> owner;
     std::vector<Index> neighbour;
 
-    // Both replace all positions.
+    // Replace all positions.
     void set_positions(std::vector<float> all) {
         positions = std::move(all);
         double_positions.clear();

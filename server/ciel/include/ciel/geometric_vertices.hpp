@@ -1,7 +1,7 @@
-// GeometricVertices: the vertices at which the distance along some direction can have a local extremum (paper, section
-// 4: "only the boundary vertices need to be traversed"). Erratum: the paper's statement needs convex cells. An interior
-// vertex is never an extremum if all its cells are convex at it, because their edges then point in all directions. An
-// interior vertex with a reflex corner may be an extremum.
+// GeometricVertices: the vertices at which the distance from a plane can have a local extremum, for planes of any
+// direction (paper, section 4: "only the boundary vertices need to be traversed"). Erratum: the paper's statement needs
+// convex cells. If all cells around an interior vertex are convex there, the edges of the vertex point in all
+// directions, and the vertex is no extremum. An interior vertex with a reflex corner may be an extremum.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -11,23 +11,24 @@
 
 namespace ciel {
 
-// Candidates for extrema in one mesh at fixed positions, valid for all directions. The first call of `find` computes
-// them. Thread-safe. The mesh may have only its boundary faces. `keep_alive` owns the arrays of the mesh.
+// Vertices of one mesh at fixed positions that may be extrema, for all directions. The first call of `find` computes
+// them. Thread-safe. `mesh` may have only its boundary faces. `keep_alive` owns the arrays of `mesh`.
 class GeometricVertices {
 public:
     GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
         : mesh_([mesh, keep_alive = std::move(keep_alive)] { return mesh; }) {}
-    // The first call of `find` calls `mesh` to get the mesh, whose arrays must live as long as the function object.
+    // The first call of `find` calls the function `mesh` to get the mesh. The arrays of the mesh must live as long as
+    // the function object.
     explicit GeometricVertices(std::function<FaceMeshView()> mesh) : mesh_(std::move(mesh)) {}
 
     struct Found {
-        // Ids in ascending order: boundary vertices, and interior vertices with a reflex or flat corner.
+        // Vertex ids in ascending order: all boundary vertices, and the interior vertices with a reflex or flat corner.
         std::vector<Index> vertices;
-        // `vertices` is complete only for fields whose absolute distances do not exceed this. Larger distances may
-        // round to the same float at neighboring vertices.
+        // For fields with a larger absolute distance, `vertices` may be incomplete, because the distances of two
+        // neighboring vertices may round to the same float.
         double largest_distance = 0;
     };
-    // `topology` must be that of the same mesh. Uses all threads of the parallel loop.
+    // `topology` must be the topology of the same mesh. Uses all threads of parallel_for.
     [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:

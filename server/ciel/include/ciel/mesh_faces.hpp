@@ -1,47 +1,52 @@
-// Faces of a mesh chosen by cell, by id or by vertex, and their size. Not in the paper. All functions: any thread; the
-// results own their data; throw Error when an index leads out of the mesh.
+// Faces of a mesh, selected by cell, by id or by vertex, and their size. Not in the paper. Any thread may call the
+// functions. The results own their data. The functions throw Error when an index in the mesh is out of range.
 #pragma once
 
 #include "ciel/threshold_surface.hpp"
 
 namespace ciel {
 
-// `kept`, here and below: one flag per cell, or empty for all cells.
+// In this file, `kept` has one flag for each cell, or is empty if all cells are kept.
 
-// Returns the boundary faces of the mesh, in the order of faces.
+// Returns the boundary faces of the mesh, in the order of face ids.
 [[nodiscard]] std::vector<CellFace> boundary_faces(const FaceMeshView& mesh);
 
-// Returns the faces with these ids whose owner is kept, each once and in the order of faces. `ids`: in any order.
+// Returns the faces with these ids whose owner is kept, each once, in the order of face ids. `ids`: in any order.
 [[nodiscard]] std::vector<CellFace> faces_by_id(const FaceMeshView& mesh, std::vector<Index> ids,
                                                 std::span<const std::uint8_t> kept = {});
 
-// Returns the boundary faces that lie in the level set of `level`: the value of each of their vertices differs from
-// `level` by at most `tolerance`. The field is on the mesh's vertices.
+// Returns the boundary faces that lie in the level set of `level`: each vertex of such a face has a value that differs
+// from `level` by at most `tolerance`. `field` must be a field on the vertices of `mesh`.
 [[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level,
                                                       double tolerance);
 
-// Returns the first of the faces `ids` that has all of these vertices, or `none`.
+// Returns the first face in `ids` that has all of `vertices`, or `none`.
 [[nodiscard]] Index face_with_vertices(const FaceMeshView& mesh, std::span<const Index> ids,
                                        std::span<const Index> vertices);
 
-// Returns the vertices of all kept cells in ascending order, as points without polygons. points: positions of the
-// topology's vertices. Reads the blocks that have kept cells; none if `kept` is empty. Uses all threads of the parallel
-// loop.
+// Returns the vertices of all kept cells in ascending order, as a surface without polygons. `points`: the positions of
+// the topology's vertices. Reads the blocks that have kept cells; reads no block if `kept` is empty. Throws Error when
+// `points` or `kept` has a wrong size. Uses all threads of parallel_for.
 [[nodiscard]] Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points,
                                         std::span<const std::uint8_t> kept);
 
-// Returns the vertices of a cell in ascending order. Reads its block.
+// Returns the vertices of a cell in ascending order. Reads the block of the cell. Throws Error when the cell does not
+// exist.
 [[nodiscard]] std::vector<Index> corners_of_cell(const Topology& topology, Index cell);
 
 // Returns whether two meshes have the same number of vertices and the same cells. Two cells are the same if their faces
-// have the same vertices in the same direction; the order of the faces and the first corner of each may differ. Reads
-// all blocks of both meshes. Uses all threads of the parallel loop.
+// have the same vertices in the same direction. The order of the faces and the first corner of each face may differ.
+// Reads all blocks of both meshes. Uses all threads of parallel_for.
 [[nodiscard]] bool same_cells(const Topology& a, const Topology& b);
 
 struct FacesSize {
-    Vec3d low{}, high{}; // corners of the bounding box, in the mesh's coordinates; infinite if there are no faces
-    double area = 0;     // sum of the faces' areas; a bent face counts with the length of its area vector
+    // Corners of the bounding box, in the mesh's coordinates. If there are no faces, `low` is infinity and `high` is
+    // minus infinity.
+    Vec3d low{}, high{};
+    // Sum of the areas of the faces. The area of a bent face is the length of its area vector.
+    double area = 0;
 };
+// Returns the bounding box and the area of the faces `ids`.
 [[nodiscard]] FacesSize size_of_faces(const FaceMeshView& mesh, std::span<const Index> ids);
 
 } // namespace ciel

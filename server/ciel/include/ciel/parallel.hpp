@@ -1,5 +1,5 @@
-// The kernel's only parallel loop: TBB, std::thread or serial, chosen at build time (CIEL_PARALLEL). Not in the paper,
-// which is serial.
+// The kernel's only parallel loop. It uses TBB or std::thread, or runs serially, as chosen at build time
+// (CIEL_PARALLEL). Not in the paper, which is serial.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace ciel {
 
-// Non-owning reference to the body of a loop. Unlike std::function, it allocates no memory for captures.
+// Non-owning reference to the body of a loop. Unlike a std::function, it allocates no memory for a lambda's captures.
 class LoopBody {
 public:
     template <class Body>
@@ -25,17 +25,20 @@ private:
     void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-// Calls body(begin, end) for disjoint ranges that cover [0, count), each of about `grain` items, on any thread. An
-// exception thrown by a body reaches the caller after all ranges have ended.
+// Calls body(begin, end) for disjoint ranges that together cover [0, count). A range has about `grain` items. Several
+// ranges run at the same time, on any threads. If a body throws, ranges that have not begun may be skipped.
+// parallel_for then rethrows one exception, after all running bodies have returned.
 void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 
-// Returns the largest number of threads of a loop that the caller starts.
+// Returns the largest number of threads that a loop of the calling thread may use.
 [[nodiscard]] unsigned thread_count();
 
-void run_with_threads(unsigned threads, const std::function<void()>& call); // REQUIRES: threads > 0
+// Implements with_threads. REQUIRES: threads > 0.
+void run_with_threads(unsigned threads, const std::function<void()>& call);
 
-// Calls call(), whose loops use at most `threads` threads, the caller's included; 0: no limit. The limit holds for this
-// call alone. A loop that a body of such a loop starts runs on the thread of that body. Rethrows what call() throws.
+// Calls call(). The loops in this call use at most `threads` threads, including the calling thread; 0: no limit. If the
+// body of a limited loop starts another loop, that loop runs on the thread of the body alone. Rethrows what call()
+// throws.
 template <class Call>
 void with_threads(unsigned threads, const Call& call) {
     if (threads == 0) return call();

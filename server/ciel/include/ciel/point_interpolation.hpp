@@ -1,6 +1,7 @@
-// Converts cell values to point values: weighted means over the cells around each vertex (linear_weights.hpp). The
-// means are exact for linear fields if the cell centers surround the vertex; at a boundary vertex, for linear fields
-// that do not vary along the normal. They never leave the range of the cell values. Not in the paper.
+// Converts cell values to point values. A point value is a weighted mean of the values of the cells around the vertex
+// (linear_weights.hpp), and so never leaves the range of these values. The mean is exact for linear fields if the cell
+// centers surround the vertex. At a boundary vertex, it is exact for linear fields that do not vary along the normal.
+// Not in the paper.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -10,14 +11,16 @@
 
 namespace ciel {
 
-// Weights of the cells around each vertex of a mesh. Only cells that have the vertex count, so values of regions that
-// are not welded do not mix. The constructor throws Error when the mesh holds an index that is out of range.
+// The weights of the cells around each vertex of a mesh. Only cells that have the vertex contribute. Therefore values
+// do not mix between regions of the mesh that share no vertices. The constructor throws Error when an index in the mesh
+// is out of range, and uses all threads of parallel_for.
 class PointInterpolation {
 public:
     explicit PointInterpolation(const FaceMeshView& mesh);
 
-    // Converts `components` interleaved values per cell to as many per vertex. Values that are not finite are left out
-    // of the means. A vertex without any finite value gets NaN.
+    // Converts cell values to point values. `cell_values`: `components` interleaved values for each cell. Returns
+    // `components` interleaved values for each vertex. A mean leaves out values that are not finite. A vertex without
+    // any finite value gets NaN. Uses all threads of parallel_for.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
     [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
 
@@ -26,9 +29,9 @@ private:
     template <class T>
     [[nodiscard]] std::vector<T> apply_to(std::span<const T> cell_values, int components) const;
 
-    std::vector<std::uint64_t> offset_; // per vertex and one more: first entry in cell_ and weight_
+    std::vector<std::uint64_t> offset_; // V + 1: first entry of each vertex in cell_ and weight_
     std::vector<Index> cell_;
-    std::vector<float> weight_; // of the cell at this vertex: >= 0; the sum at a vertex is 1
+    std::vector<float> weight_; // weights of the cells of a vertex: >= 0, with the sum 1
 };
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// Escapes names from files and clients, so that a message can quote them. Not in the paper.
+// Escapes names that come from files and clients, so that a message can quote them. Not in the paper.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace ciel {
 
-// Returns `text` with control characters escaped as in JSON (\u0000). A NUL would end a message, and a terminal that
-// prints the message would obey other control characters.
+// Returns `text` with control characters escaped as in JSON (\u0000). Reasons: a NUL character would end a message, and
+// a terminal would execute other control characters.
 [[nodiscard]] std::string printable(std::string_view text);
 
 } // namespace ciel

@@ -1,5 +1,5 @@
-// Records: the bytes of a mesh's blocks, of which a Topology is a view (paper, section 2.2). They may lie in memory, in
-// a mapped file, or in a file that is read.
+// RecordSource: provides the records of a mesh's blocks. A record is bytes, and a Topology is a view of these bytes
+// (paper, section 2.2). The bytes may be in memory, in a mapped file, or in a file that is read.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,14 +10,16 @@
 
 namespace ciel {
 
-// A block has one record of each kind. `cells`: what surfaces, slices and pictures need. `around`: what leads around a
-// vertex, for gradients. `mates`: for the operators and propagation. The values are four characters each, as in files.
+// A block has one record of each kind. cells: for surfaces, slices and pictures. around: leads from a vertex to its
+// half-edges, for gradients. mates: the mates of the half-edges, for the operators and for propagation. Each value is
+// the four characters with which the record begins.
 enum class RecordKind : std::uint32_t {
     cells = 0x6c6c6563,  // "cell"
     around = 0x6e756f72, // "roun"
     mates = 0x6574616d,  // "mate"
 };
 
+// The records of one topology. Any thread may call the functions at any time.
 class RecordSource {
 public:
     RecordSource() = default;
@@ -25,16 +27,17 @@ public:
     RecordSource& operator=(const RecordSource&) = delete;
     virtual ~RecordSource() = default;
 
-    // Returns the bytes of a record. Their address is a multiple of 8 and stays the same while the source lives. Called
-    // from any thread. Throws Error when they cannot be read. The bytes of a source that is not trusted may change at
-    // any time, as those of a mapped file do when another process writes the file. Results may then be wrong, but their
-    // ids are in range, or Error is thrown. If the bytes may change, at least 1 MiB after the end of each record must
-    // be readable, because a changed index of 16 bits, or a sum of a few such indices, may lead there.
+    // Returns the bytes of a record. The address is a multiple of 8 and does not change while the source lives.
+    // Throws Error when the bytes cannot be read.
+    // If is_trusted() returns false, the bytes may change at any time, for example when another process writes a mapped
+    // file. Results may then be wrong, but the ids in them are in range, or Error is thrown. If the bytes may change,
+    // at least 1 MiB after the end of each record must be readable. Reason: a changed index of 16 bits, or a sum of
+    // several such indices, may lead there.
     [[nodiscard]] virtual std::span<const std::byte> record(Index block, RecordKind kind) = 0;
     // Returns whether the bytes come from this process and never change. If not, each record is checked when it is
     // first used.
     [[nodiscard]] virtual bool is_trusted() const { return false; }
-    // Returns the size of the memory that the source has allocated for records. Mapped bytes do not count.
+    // Returns the size in bytes of the memory that the source has allocated for records, without mapped files.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 };
 

@@ -1,5 +1,5 @@
 // Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types. All cells of a type share
-// its table, so a cell stores no connectivity inside the cell.
+// one table. Therefore a cell need not store how its half-edges are connected inside the cell.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -13,13 +13,13 @@ struct StandardShape {
 
     CellType type{};
     std::uint8_t corners = 0, faces = 0, edges = 0, half_edges = 0;
-    std::array<std::uint8_t, 7> face_begin{}; // first half-edge of each face; after the last face: half_edges
-    // Per half-edge: the corner that it leaves, its face, the next and the previous half-edge of the face, the other
-    // half-edge of its edge, its edge.
+    std::array<std::uint8_t, 7> face_begin{}; // first half-edge of each face; then the number of half-edges
+    // By half-edge: the corner that the half-edge leaves, its face, the next and the previous half-edge of the face,
+    // the opposite half-edge of the same edge, and the edge.
     std::array<std::uint8_t, 24> origin{}, face{}, next{}, previous{}, mate{}, edge{};
     std::array<std::array<std::uint8_t, 2>, 12> edge_ends{}; // the two corners of each edge
-    // Linked lists of the half-edges that leave each corner: the first, then the next after each half-edge, up to
-    // end_of_list.
+    // A linked list for each corner, of the half-edges that leave the corner. first_at_corner: by corner, the first
+    // half-edge. next_at_corner: by half-edge, the next half-edge, or end_of_list.
     std::array<std::uint8_t, 8> first_at_corner{};
     std::array<std::uint8_t, 24> next_at_corner{};
 
@@ -29,7 +29,8 @@ struct StandardShape {
     }
 };
 
-using ShapeLoops = std::array<std::array<int, 4>, 6>; // corners of each face; -1 is the fourth corner of a triangle
+// The corners of each face. In a triangle, -1 replaces the fourth corner.
+using ShapeLoops = std::array<std::array<int, 4>, 6>;
 
 constexpr void put_loops(StandardShape& shape, const ShapeLoops& loops) {
     std::uint8_t h = 0;
@@ -88,8 +89,8 @@ inline constexpr StandardShape wedge_shape =
 inline constexpr StandardShape pyramid_shape =
     make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
 
-// Returns the standard type with these numbers of faces and half-edges, or polyhedron. `largest`: number of corners of
-// the largest face; above 4 the cell is a polyhedron.
+// Returns the standard type with these numbers of faces and half-edges, or polyhedron if there is none. `largest`:
+// number of corners of the largest face. If it is above 4, the result is polyhedron.
 constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std::size_t largest) {
     if (largest > 4) return CellType::polyhedron;
     for (const StandardShape* shape : {&tetrahedron_shape, &hexahedron_shape, &wedge_shape, &pyramid_shape})
@@ -97,7 +98,8 @@ constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std:
     return CellType::polyhedron;
 }
 
-// Calls f.template operator()<shape>() and returns true for a standard type; returns false for polyhedra.
+// If `type` is a standard type, calls f.template operator()<shape>() and returns true. If it is polyhedron, returns
+// false.
 template <class F>
 bool with_shape(CellType type, F&& f) {
     switch (type) {

@@ -1,4 +1,4 @@
-// Sinks: turn the cuts of a sweep into indexed triangles, triangle soups or outlines. Callers may define other sinks.
+// Sinks: convert the cuts of a sweep to indexed triangles, triangle soups or outlines. Callers may define other sinks.
 // (Paper, algorithm 3, which draws polygon by polygon.)
 #pragma once
 
@@ -7,23 +7,23 @@
 
 namespace ciel {
 
-// A sink writes each block's cut to a Piece, on any thread, and joins the pieces of one value in the order of the
-// blocks. This file has three sinks; SlabSink is in slab.hpp. A sink has these members:
+// A sink converts the cut of each block to a Piece, on any thread. Then it joins the pieces of each value, in the order
+// of the blocks. This file has three sinks; SlabSink is in slab.hpp. A sink has these members:
 //     using Piece = ...; using Out = ...;
 //     void check(const FaceMeshView& mesh) const; // throws Error if an array of the sink has a wrong size
 //     void write(const BlockPolygons& cut, Piece& piece) const;
 //     void join(std::span<const Piece* const> pieces, Out& out) const;
-// SliceSink and SlabSink return a point on an edge that two blocks share once per block. So the number of points
-// depends on the block size. The polygons and the triangles of SliceSink do not depend on it. With another block size,
-// a fan of SlabSink may start at another corner.
+// SliceSink and SlabSink write a point once for each block that has the point's edge. Therefore the number of points
+// depends on the block size. The polygons do not depend on it, and the triangles of SliceSink do not either. A triangle
+// fan of SlabSink may start at another corner when the block size changes.
 
-// Sink for blended slices: indexed triangles, a fan per polygon, with a property at the points.
+// Sink for blended slices: a fan of indexed triangles for each polygon, and a property at the points.
 struct SliceSink {
-    std::span<const float> property; // one value per mesh vertex
+    std::span<const float> property; // one value for each mesh vertex
     struct Piece {
         std::vector<Vec3f> positions;
-        std::vector<float> property;  // one value per position
-        std::vector<Index> triangles; // three indices of positions each
+        std::vector<float> property;  // one value for each position
+        std::vector<Index> triangles; // three indices in `positions` for each triangle
     };
     using Out = Piece;
     void check(const FaceMeshView& mesh) const;
@@ -33,14 +33,14 @@ struct SliceSink {
 
 // Sink for triangle soups: triangles that share no positions.
 struct SoupSink {
-    using Piece = std::vector<Vec3f>; // three positions per triangle
+    using Piece = std::vector<Vec3f>; // three positions for each triangle
     using Out = Piece;
     void check(const FaceMeshView& /*mesh*/) const {}
     void write(const BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Sink for polygon outlines: two positions per polygon side. A side that two polygons share is listed twice.
+// Sink for polygon outlines: two positions for each polygon side. A side of two polygons is listed twice.
 struct OutlineSink {
     using Piece = std::vector<Vec3f>;
     using Out = Piece;
@@ -49,21 +49,22 @@ struct OutlineSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Buffers that sweeps into a sink reuse, so that a repeated sweep allocates no memory. They never shrink.
+// Buffers of a sweep into a sink. If a sweep is repeated with the same object, it allocates no memory. The buffers
+// never shrink. Only one sweep at a time may use an object.
 template <class Sink>
 struct SweepParts {
     struct OfBlock {
         std::vector<std::pair<std::size_t, typename Sink::Piece>> piece; // (index of the value, piece)
-        std::size_t count = 0;                                           // entries of `piece` used by this sweep
+        std::size_t count = 0; // number of entries of `piece` that the current sweep uses
     };
     std::vector<OfBlock> block;
     std::vector<std::vector<const typename Sink::Piece*>> of_value;
     SweepScratch scratch;
 };
 
-// Writes the sink's result for values[i] to out[i] and reuses the buffers of `out`. All algorithms give the same bits.
-// Returns false, with `out` unspecified, when `stop` was requested. Throws Error as the `sweep` of sweep.hpp does, and
-// when an array of the sink has a wrong size. `parts` may be used by one call at a time.
+// Sets out[i] to the sink's result for values[i], and reuses the buffers of `out`. All algorithms give the same bits.
+// Returns false when `stop` was requested; `out` is then unspecified. Throws Error when the `sweep` of sweep.hpp does,
+// and when an array of the sink has a wrong size.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, SweepParts<Sink>& parts, std::vector<typename Sink::Out>& out, const StopToken& stop = {},
@@ -92,7 +93,7 @@ bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& fiel
     return true;
 }
 
-// Does the same with temporary buffers, for a single sweep.
+// The same with temporary buffers, for a single sweep.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {},

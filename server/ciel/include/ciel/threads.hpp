@@ -1,4 +1,4 @@
-// The kernel's stop token and lock. In WebAssembly, which runs one thread, they do nothing. The parallel loop is in
+// The kernel's stop token and mutex. In WebAssembly, which runs one thread, both do nothing. The parallel loop is in
 // parallel.hpp. Not in the paper.
 #pragma once
 

@@ -12,42 +12,48 @@
 
 namespace ciel {
 
-// A half-edge of one Topology. Opaque: can be kept, compared, hashed, and given to the operators of its Topology.
+// A half-edge of one Topology. The number has no public meaning. A half-edge can be kept, compared, hashed, and passed
+// to the operators of the same Topology.
 enum class HalfEdge : std::uint64_t {};
 inline constexpr HalfEdge no_half_edge{~std::uint64_t{0}};
 
-// Numbers of elements. `half_edges` counts both sides of a face between two cells. `components` are sets of cells
-// connected by faces.
+// Numbers of elements of a mesh. half_edges: a face between two cells has half-edges on both sides, and both are
+// counted. components: number of sets of cells that are connected by faces.
 struct TopologyCounts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, half_edges = 0, boundary_faces = 0, cells = 0, components = 0;
 };
 
-// Immutable once built, and thread-safe, so any number of Queries may share it. Keeps no reference to the FaceMeshView,
-// whose arrays may be freed after the build.
+// Immutable after construction and thread-safe, so that any number of Queries may share it. A topology keeps no
+// reference to the FaceMeshView from which it was built; the arrays may then be freed.
 class Topology {
 public:
     struct Options {
-        Index cells_per_block = 4096; // a block gets fewer cells if its local ids would exceed 16 bits
+        Index cells_per_block = 4096; // a block has fewer cells if its local ids would exceed 16 bits
     };
-    // Throws Error when the mesh breaks the contract of FaceMeshView.
+    // Builds the topology, on all threads of parallel_for. Throws Error when `mesh` breaks the contract of
+    // FaceMeshView.
     explicit Topology(const FaceMeshView& mesh, Options options);
     explicit Topology(const FaceMeshView& mesh) : Topology(mesh, Options{}) {}
-    // A topology that was built elsewhere: `tables` is what tables() returned there, `source` gives its records. Reads
-    // no record. Throws Error when the tables are damaged. The operators, and all that uses a block, then throw Error
-    // when a record is damaged.
+    // Makes a topology that was built elsewhere. `tables`: the bytes that tables() returned there. `source`: provides
+    // the records of the blocks. Reads no record. Throws Error when the tables are damaged. If a record is damaged, the
+    // functions that use it throw Error: the operators, and all functions that read a block.
     Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source);
     ~Topology();
     Topology(Topology&&) noexcept;
     Topology& operator=(Topology&&) noexcept;
 
-    // The six operators. Vertex and cell ids are those of the FaceMeshView that the topology was built from. For the
-    // topology of a Mesh these are the stored ids (Mesh::stored), not the caller's; Mesh::original_vertex and
-    // Mesh::original_cell lead from the one to the other. `vertex` is the vertex that the half-edge points to, as in
-    // the paper; `edge` is a mesh-wide edge id. mate_polyhedron is no_half_edge on a boundary face. next_around_vertex
-    // runs through all half-edges that leave the half-edge's origin (the paper's appendix A), across blocks. Repeated
-    // vertices of a loop (collapsed cells) make no half-edge. So every half-edge joins two distinct vertices, and
-    // mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the same face.
-    // Edge ids follow the first appearance of the edge in the mesh's faces, so they do not depend on the blocks.
+    // The six operators. Vertex and cell ids are those of the FaceMeshView from which the topology was built. In the
+    // topology of a Mesh these are the stored ids (Mesh::stored); Mesh::original_vertex and Mesh::original_cell convert
+    // them to the caller's ids.
+    // vertex: the vertex that the half-edge points to, as in the paper.
+    // edge: the mesh-wide id of the edge. Edge ids are in the order in which the edges first appear in the mesh's
+    // faces, so that they do not depend on the blocks.
+    // next_around_vertex: repeated calls visit all half-edges that leave the same vertex (the paper's appendix A), in
+    // all blocks.
+    // mate_polyhedron: no_half_edge on a boundary face.
+    // Repeated vertices of a loop (collapsed cells) make no half-edge. Therefore every half-edge joins two distinct
+    // vertices, and mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the
+    // same face.
     [[nodiscard]] Index vertex(HalfEdge h) const;
     [[nodiscard]] Index edge(HalfEdge h) const;
     [[nodiscard]] HalfEdge next_around_face(HalfEdge h) const;
@@ -58,15 +64,16 @@ public:
     [[nodiscard]] Index cell(HalfEdge h) const;
     [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves the vertex, or no_half_edge
     [[nodiscard]] HalfEdge half_edge_begin(Index cell) const;         // first of half_edges(cell), or no_half_edge
-    [[nodiscard]] std::vector<HalfEdge> half_edges(Index cell) const; // allocates memory: not for hot loops
+    [[nodiscard]] std::vector<HalfEdge> half_edges(Index cell) const; // allocates memory: slow in inner loops
 
     [[nodiscard]] const TopologyCounts& counts() const;
     [[nodiscard]] Index block_count() const;
-    // Returns the size of all tables of the topology, without positions and fields.
+    // Returns the size in bytes of all tables of the topology, without positions and fields.
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    // Return the bytes from which a Topology like this can be made: the tables of all blocks, and a record of a block,
-    // which lives as long as this Topology. Little-endian; formats: src/blocks/record.hpp.
+    // Return the bytes from which the same Topology can be made: the tables of all blocks, and one record of one block.
+    // A record is valid while this Topology lives. Numbers are little-endian; src/blocks/record.hpp describes the
+    // format.
     [[nodiscard]] std::vector<std::uint64_t> tables() const;
     [[nodiscard]] std::span<const std::byte> record(Index block, RecordKind kind) const;
 

@@ -1,6 +1,6 @@
-// ValueSource and VertexLoader: numbers at vertices that lie in a file and are read when a block of cells needs them.
-// With them the cost of a surface depends on the blocks that it crosses, not on the size of the mesh. Not in the paper,
-// whose meshes are in memory.
+// ValueSource and VertexLoader: values and positions of vertices in a file. They are read when a block of cells needs
+// them. Therefore the cost of a surface depends on the blocks that the surface crosses, not on the size of the mesh.
+// Not in the paper, whose meshes are in memory.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,8 +12,8 @@
 
 namespace ciel {
 
-// The values of a Field, one per vertex in the topology's vertex order. Any thread may call the functions at any time.
-// `read` throws Error when the values cannot be read; the next call may succeed.
+// The values of a Field: one for each vertex, in the topology's vertex order. Any thread may call the functions at any
+// time. `read` throws Error when the values cannot be read; a later call may succeed.
 class ValueSource {
 public:
     ValueSource() = default;
@@ -23,15 +23,17 @@ public:
 
     [[nodiscard]] virtual std::size_t size() const = 0; // number of vertices
     [[nodiscard]] virtual bool has_doubles() const = 0;
-    // Set out[i] to the value of vertex first + i. Called for doubles if has_doubles(), else for floats.
+    // Sets out[i] to the value of vertex first + i. If has_doubles(), only the functions for doubles are called; else
+    // only those for floats.
     virtual void read(Index first, std::span<float> out) const = 0;
     virtual void read(Index first, std::span<double> out) const = 0;
-    // Set out[i] to the value of vertices[i]. All these vertices exist.
+    // Sets out[i] to the value of vertices[i]. All these vertices exist.
     virtual void read(std::span<const Index> vertices, std::span<float> out) const = 0;
     virtual void read(std::span<const Index> vertices, std::span<double> out) const = 0;
 };
 
-// Makes positions in a mapped file ready before they are read (FaceMeshView::loader).
+// Makes positions in a file ready before they are read (FaceMeshView::loader). `blocks`: number of blocks of the
+// topology.
 class VertexLoader {
 public:
     explicit VertexLoader(std::size_t blocks) : has_block_(std::make_unique<std::atomic<bool>[]>(blocks)) {}
@@ -39,10 +41,10 @@ public:
     VertexLoader& operator=(const VertexLoader&) = delete;
     virtual ~VertexLoader() = default;
 
-    // Makes the positions of the vertices from `begin` to `end` - 1, all of which exist, ready to be read. Throws Error
-    // when they cannot be read. Any thread may call it at any time.
+    // Makes the positions of the vertices `begin` to `end` - 1 ready to be read. All these vertices exist. Throws Error
+    // when a position cannot be read. Any thread may call it at any time.
     virtual void load(Index begin, Index end) const = 0;
-    // Return and set whether the positions of all vertices of a block are ready.
+    // Return and set whether the positions of all vertices of a block are ready. Any thread may call them.
     [[nodiscard]] bool has_block(Index block) const { return has_block_[block].load(std::memory_order_acquire); }
     void set_has_block(Index block) const { has_block_[block].store(true, std::memory_order_release); }
 

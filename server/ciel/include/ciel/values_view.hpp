@@ -1,4 +1,4 @@
-// ValuesView: the values of a field as they are stored, floats or doubles. Not in the paper, whose values are floats.
+// ValuesView: the values of a field, stored as floats or as doubles. Not in the paper, whose values are floats.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace ciel {
 
-// Does not own the values. Returns each value as a double: a float becomes the double that is equal to it, and a NaN
-// keeps its payload.
+// View of an array of floats or of doubles; does not own the array. Returns each value as a double. A float becomes the
+// equal double; a NaN keeps its payload.
 class ValuesView {
 public:
     class Iterator {
     public:
-        using iterator_category = std::input_iterator_tag; // of C++17, because it gives no reference
+        using iterator_category = std::input_iterator_tag; // in C++17's terms, because operator* returns a value
         using iterator_concept = std::forward_iterator_tag;
         using value_type = double;
         using difference_type = std::ptrdiff_t;
@@ -78,7 +78,7 @@ public:
         part.size_ = count;
         return part;
     }
-    // Calls f(span of floats) or f(span of doubles). Lets a loop test the type once instead of at each value.
+    // Calls f with a span of floats or a span of doubles. Lets a loop test the type once instead of at each value.
     template <class F>
     decltype(auto) with(F&& f) const {
         return doubles_ ? f(std::span(static_cast<const double*>(begin_), size_))
@@ -95,7 +95,7 @@ private:
     bool doubles_ = false;
 };
 
-// Returns whether each value is equal to a float. NaN and infinities count as equal.
+// Returns whether each value is equal to some float. NaN and infinities are treated as equal to a float.
 [[nodiscard]] inline bool are_floats(ValuesView values) {
     constexpr double largest = std::numeric_limits<float>::max();
     return !values.has_doubles() || std::ranges::all_of(values, [](double value) {
@@ -104,8 +104,8 @@ private:
     });
 }
 
-// Returns value - origin, rounded to float, for each value. With `origin` near the values, values that differ by little
-// differ as floats, too.
+// Returns value - origin, rounded to float, for each value. If `origin` is near the values, values that differ by
+// little remain different after the rounding.
 [[nodiscard]] inline std::vector<float> floats_from(double origin, ValuesView values) {
     std::vector<float> floats(values.size());
     for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = static_cast<float>(values[i] - origin);

@@ -1,4 +1,5 @@
-// Arithmetic on three-vectors in double precision, because products of floats lose bits in float. Not in the paper.
+// Arithmetic on three-vectors in double precision, because a product of two floats may need more bits than a float has.
+// Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -22,7 +23,7 @@ template <class A, class B>
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Returns `v` scaled to length 1, or zero if its length is zero or not finite.
+// Returns `v` scaled to length 1. Returns zero if the length of `v` is zero or not finite.
 [[nodiscard]] inline Vec3f unit(const Vec3d& v) {
     const double length = std::sqrt(dot(v, v));
     if (!(length > 0) || !std::isfinite(length)) return {};

@@ -1,4 +1,4 @@
-// The cut of one block: which of its edges are active and which polygons they make (paper, algorithm 4).
+// The cut of one block: its active edges, and its polygons, whose corners lie on active edges (paper, algorithm 4).
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,21 +10,22 @@
 
 namespace ciel {
 
-// The cut of one block at one nu. It depends only on which vertices are high, unless `decided` is set, so it is kept
-// while the same vertices are high. The next cut reuses the buffers.
+// The cut of one block at the iso-value nu. A vertex is high if its value is >= nu. The cut depends only on the set of
+// high vertices, unless `decided` is set. Therefore the cut stays valid while this set is the same. The next cut reuses
+// the buffers.
 struct ActiveBlock {
     std::vector<std::uint64_t> signature;   // one bit per local vertex, set if high
-    bool known = false;                     // whether the other members are the cut of `signature`
+    bool known = false;                     // true if the other members are the cut for `signature`
     std::vector<std::uint64_t> active;      // one bit per local edge, set if active
     std::vector<Index> rank;                // number of active edges before each word of `active`
-    std::vector<std::array<Index, 2>> ends; // by active edge, ascending: local end vertices, the lower first
-    Index ghosts = 0;                       // number of active ghost edges, which are the first of `ends`
-    std::vector<Index> adopted;      // indices in `ends` of the ghosts whose points this block makes (AdoptedEdges)
+    std::vector<std::array<Index, 2>> ends; // by active edge, ascending: its local end vertices, lower id first
+    Index ghosts = 0;                       // number of active ghost edges (Ghosts); they come first in `ends`
+    std::vector<Index> adopted; // indices in `ends` of the ghost edges whose points this block makes (AdoptedEdges)
     std::vector<Index> polygon_cell; // local cell of each polygon, ascending
-    std::vector<Index> polygon_end;  // end of each polygon in polygon_edge
-    std::vector<Index> polygon_edge; // local edges of each polygon
-    bool wasted = false;             // some active edges may be in no polygon
-    bool decided = false;            // a decider used nu on some face, so the cut depends on nu
+    std::vector<Index> polygon_end;  // by polygon: index after its last entry in polygon_edge
+    std::vector<Index> polygon_edge; // local edges of the polygons, one per polygon corner
+    bool wasted = false;             // true if some active edges may be in no polygon
+    bool decided = false;            // true if a Decider used nu on a face; the cut then depends on nu
 
     // First point, polygon and polygon corner of the block in the current surface. Set by write_surface.
     Index first_point = 0, first_polygon = 0, first_corner = 0;

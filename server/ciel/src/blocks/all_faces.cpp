@@ -20,7 +20,7 @@ void add_face(std::span<const Index> loop, Index owner, Index neighbour, FaceLis
     lists.neighbour.push_back(neighbour);
 }
 
-// The faces inside the mesh that the cells of a block own, section by section.
+// Finds the faces between two cells whose owner, the cell with the lower id, is in one block.
 class InnerFacesOf {
 public:
     InnerFacesOf(const Topology& topology, Index b) : topology_(topology), b_(b) {
@@ -29,7 +29,7 @@ public:
         block.with([&](const auto& polyhedra) { add(block, polyhedra); });
     }
 
-    // Calls f(loop, owner, neighbor) for each face, in the order of the owners.
+    // Calls f(loop, owner, neighbor) for each face found, in ascending order of the owners.
     template <class F>
     void for_each(F&& f) const {
         std::vector<Index> order(owner_.size());
@@ -63,8 +63,8 @@ private:
             }
         }
     }
-    // Returns whether the cell owns the face of its half-edge `half_edge`. If so, appends the two cells of the face to
-    // owner_ and neighbour_.
+    // `half_edge`: a local half-edge of `cell`. Returns whether the cell owns the face of this half-edge. If it does,
+    // appends the two cells of the face to owner_ and neighbour_.
     bool owns(Index cell, Index half_edge) {
         const HalfEdge mate = topology_.mate_polyhedron(half_edge_in(b_, half_edge));
         if (mate == no_half_edge) return false;
@@ -86,7 +86,7 @@ private:
 FaceLists all_faces(const Topology& topology, const FaceMeshView& boundary) {
     const Index blocks = topology.block_count();
     FaceLists lists;
-    Index next = 0; // face of the boundary
+    Index next = 0; // next face of `boundary` to add
     std::vector<Index> loop;
     const auto add_boundary_to = [&](Index cell) {
         for (; next < boundary.face_count() && boundary.owner[next] <= cell; ++next) {
@@ -95,7 +95,7 @@ FaceLists all_faces(const Topology& topology, const FaceMeshView& boundary) {
             add_face(loop, boundary.owner[next], none, lists);
         }
     };
-    constexpr Index at_once = 64; // limits the results that are in memory beside the lists
+    constexpr Index at_once = 64; // blocks searched at a time; limits the memory for found faces
     for (Index first = 0; first < blocks; first += at_once) {
         std::array<std::optional<InnerFacesOf>, at_once> found;
         parallel_for(std::min(at_once, blocks - first), 1, [&](std::size_t begin, std::size_t end) {

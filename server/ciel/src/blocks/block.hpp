@@ -1,21 +1,24 @@
-// The cells of a block: all that a surface, a slice and a picture need of the paper's half-edge structure (section 2.2,
-// figure 3). A block has consecutive cells, 16-bit local ids and no pointers. The kernel changes nothing after the
-// build, so any thread may read.
+// The cells of a block. Surfaces, slices and pictures need only this part of the paper's half-edge structure (section
+// 2.2, figure 3). A block has consecutive cells of the mesh. Its links are local ids, not pointers; the ids have 16
+// bits, except in a block of one giant cell. Any thread may read a block, because the kernel does not change it after
+// the build.
 //
-// The cells of one standard type in a block are a StandardSection. A cell stores its vertices and its edges; all else
-// is the same for all cells of the type and is in StandardShape. All other cells of a block are its PolyhedralSection.
-// An inner face lies between two cells of this section and is stored once. A tail face has only one cell in the
-// section. All stored loops run in the direction of the mesh's loop.
+// The cells of one standard type in a block form a StandardSection. It stores the vertices and the edges of each cell.
+// All other data are the same for all cells of the type and are in StandardShape. All other cells of a block form its
+// PolyhedralSection. It stores each face as a loop of vertices, in the same direction as the loop of the face in the
+// mesh. An inner face lies between two cells of the section and is stored once. A tail face has only one cell in the
+// section.
 //
 // Local half-edges are numbered section by section. In a standard cell, they have the order of its shape. In a
-// PolyhedralSection, the half-edges of inner faces are 2 * corner + side; after them, tail faces have one half-edge per
-// corner. Side 0 of a face is the owner's and runs along the stored loop; side 1 runs against it.
-// An entry is a place where a vertex occurs: a corner of a standard cell or a corner of a stored loop.
+// PolyhedralSection, an inner face has two half-edges per corner, with the numbers 2 * corner + side. The half-edges of
+// tail faces follow, one per corner. Side 0 of a face belongs to the owner cell; its half-edges run along the stored
+// loop. Side 1 belongs to the neighbor cell; its half-edges run against the stored loop.
+// An entry is one occurrence of a vertex: a corner of a standard cell or a corner of a stored loop.
 //
-// The elements of a viewed array may change after their check (RecordSource); the sizes of the arrays and all other
-// members do not change. So an element is used as an index only into arrays of the records, into scratch arrays with
-// room for every 16-bit number (local_ids), or after a comparison with the size. Ids of 32 bits do not change, because
-// topology.cpp copies their records.
+// The elements of a viewed array may change after they were checked (RecordSource). The sizes of the arrays and all
+// other members do not change. Therefore an element may be used as an index in three cases only: into an array of a
+// record, into a scratch array with room for every 16-bit number (local_ids), or after a comparison with the size of
+// the array. Ids of 32 bits do not change, because topology.cpp copies the records that have them.
 #pragma once
 
 #include "blocks/record.hpp"
@@ -33,30 +36,31 @@
 
 namespace ciel {
 
-// Number of different local ids of 16 bits.
+// Number of different 16-bit local ids.
 inline constexpr std::size_t local_ids = std::size_t{1} << 16;
 
-// The arrays of a block are owned while it is built, and lie in its records afterwards (block_records.hpp).
+// While a block is built, it owns its arrays. Afterwards its arrays are views of its records (block_records.hpp).
 template <class T>
 using Owned = std::vector<T>;
 template <class T>
 using Viewed = std::span<const T>;
 
-// The ghosts of a block: vertices or edges that blocks before it own. A record names a ghost by an index into its list
-// of neighbors, and by the ghost's index among what that neighbor owns.
+// The ghosts of a block: vertices or edges that the block has, but that an earlier block owns. A record stores two
+// indices for each ghost: the index of the owner in the record's list of neighbors, and the index of the ghost among
+// the vertices or edges of this owner.
 struct Ghosts {
-    std::span<const std::array<std::uint16_t, 2>> narrow; // (neighbor, index); empty if an index needs 32 bits
+    std::span<const std::array<std::uint16_t, 2>> narrow; // pairs (neighbor, index); empty if an index needs 32 bits
     std::span<const std::array<std::uint32_t, 2>> wide;
-    std::vector<Index> begin; // by neighbor: id of the first vertex or edge that it owns
-    Index last = 0;           // last id of the mesh
+    std::vector<Index> begin; // by neighbor: mesh-wide id of the first vertex or edge that it owns
+    Index last = 0;           // greatest vertex or edge id of the mesh
 
     [[nodiscard]] std::size_t size() const { return narrow.size() + wide.size(); }
-    // Returns the mesh-wide id.
+    // Returns the mesh-wide id of ghost i.
     [[nodiscard]] Index operator[](std::size_t i) const {
         if (wide.empty()) return id(read_once(narrow[i][0]), read_once(narrow[i][1]));
         return id(read_once(wide[i][0]), read_once(wide[i][1]));
     }
-    // Calls f(mesh-wide id) for each ghost. Faster than the operator.
+    // Calls f(mesh-wide id) for each ghost. Faster than operator[].
     template <class F>
     void for_each(F&& f) const {
         for (const auto& [neighbour, index] : narrow) f(id(read_once(neighbour), read_once(index)));
@@ -64,8 +68,8 @@ struct Ghosts {
     }
 
 private:
-    // Returns an id that exists, even if the record has changed. A record with a ghost has a neighbor (check_ghosts),
-    // so `begin` is not empty.
+    // Returns an id that exists in the mesh, even if the record has changed. A record with a ghost has a neighbor
+    // (check_ghosts), so `begin` is not empty.
     [[nodiscard]] Index id(Index neighbour, Index index) const {
         return std::min(begin[std::min(neighbour, static_cast<Index>(begin.size() - 1))] + index, last);
     }
@@ -88,7 +92,7 @@ struct StandardSectionOf {
     Array<std::uint16_t> cell;                  // local cells, ascending; empty means all cells of the block
     Array<std::uint16_t> vertex;                // shape->corners local vertices per cell
     Array<std::uint16_t> edge;                  // shape->edges local edges per cell
-    Array<std::uint64_t> group_parts;           // by group of cells: one bit per part (vertices_per_part) that it uses
+    Array<std::uint64_t> group_parts;           // by group of cells: bit p is set if it uses part p (vertices_per_part)
 
     [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }
@@ -100,22 +104,23 @@ using StandardSection = StandardSectionOf<Viewed>;
 template <class Local, template <class> class Array = Viewed>
 struct PolyhedralSection {
     Index half_edge_begin = 0, entry_begin = 0; // first local half-edge, first entry
-    Index inner_corners = 0;                    // corners below this are of inner faces (between two cells here)
-    Index far_corner = 0;                       // corners from here on: tail faces whose owner is not in the section
-    Index inner_faces = 0;                      // faces below this are inner; the others are tail faces
-    Array<Local> cell;                          // local cells, ascending; empty means all cells of the block
+    Index inner_corners = 0;                    // number of corners of inner faces, which come first
+    Index far_corner = 0;  // first corner of tail faces whose owner is not in the section; they come last
+    Index inner_faces = 0; // number of inner faces, which come first; all others are tail faces
+    Array<Local> cell;     // local cells, ascending; empty means all cells of the block
     // By corner of a stored loop:
-    Array<Local> vertex; // origin of the half-edge on side 0, target on side 1
+    Array<Local> vertex; // origin of the corner's half-edge on side 0, target of its half-edge on side 1
     Array<Local> edge;   // local edge from this corner to the next
     // By face:
-    Array<Local> face_begin;               // first corner of the face; one more at the end
-    Array<std::array<Local, 2>> face_cell; // [side]: cell of the section; a tail face has it twice
+    Array<Local> face_begin;               // first corner of each face, then the number of corners
+    Array<std::array<Local, 2>> face_cell; // [side]: index of the cell in the section; a tail face has its cell twice
     Array<std::uint64_t> face_start;       // one bit per corner, set at the first corner of a face
     Array<Local> face_rank;                // number of faces that start before each word of face_start
-    // By word of face_start: one bit per part of the vertices of its corners. Empty in records of earlier versions.
+    // For each word of face_start, that is for 64 corners: bit p is set if a corner has a vertex in part p
+    // (vertices_per_part). Empty if an earlier version of CIEL wrote the record.
     Array<std::uint64_t> corner_parts;
     // By cell of the section:
-    Array<Local> cell_face_begin; // first index in cell_face; one more at the end
+    Array<Local> cell_face_begin; // first index in cell_face of each cell, then the size of cell_face
     Array<Local> cell_face;       // 2 * face + side, in the order of the mesh's faces
 
     [[nodiscard]] Index count() const {
@@ -135,7 +140,8 @@ struct PolyhedralSection {
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
-    // Here and in previous_in_loop, the result does not wrap around below 0, even if the record has changed.
+    // Returns the face that has the corner. Here and in previous_in_loop, the result does not wrap around below 0, even
+    // if the record has changed.
     [[nodiscard]] Index face(Index corner_id) const {
         const std::uint64_t up_to = ~std::uint64_t{0} >> (63 - corner_id % 64);
         const Index begun = Index{read_once(face_rank[corner_id / 64])} +
@@ -172,7 +178,8 @@ struct PolyhedralSection {
         for (Index face_id = 0, k = 0, faces = face_count(); face_id < faces; ++face_id)
             for (const Index end = read_once(face_begin[face_id + 1]); k < end; ++k) f(face_id, k);
     }
-    // Likewise calls f(cell of the section, entry of cell_face) for the faces of all cells.
+    // Calls f(cell of the section, entry of cell_face) for each face of each cell. Ends even if the record changes,
+    // because `at` never decreases.
     template <class F>
     void for_cell_faces(F&& f) const {
         for (Index i = 0, at = 0, cells = count(); i < cells; ++i)
@@ -191,15 +198,16 @@ struct BlockOf {
     Index cell_begin = 0, cell_count = 0;
     Index half_edge_count = 0;
     Index standard_half_edges = 0;              // number of half-edges of standard cells, which come first
-    Index edge_begin = 0, edge_count = 0;       // id of the first owned edge; number of local edges
+    Index edge_begin = 0, edge_count = 0;       // mesh-wide id of the first owned edge; number of local edges
     Index vertex_begin = 0, vertex_count = 0;   // vertex_begin + local vertex is a "slot", unique in the mesh
-    Index own_vertex_begin = 0;                 // first mesh vertex that this block is the first to have
-    Index last_vertex = none, last_edge = none; // last ids of the mesh; set in a view
-    // Mesh-wide ids of the ghosts, which are the first local ids, ascending.
+    Index own_vertex_begin = 0;                 // mesh-wide id of the first owned vertex
+    Index last_vertex = none, last_edge = none; // greatest ids of the mesh; set only in a view
+    // Mesh-wide ids of the ghosts, ascending. Ghost i has the local id i; the owned vertices or edges have the
+    // following local ids.
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
-    RecordBytes copied; // if the ids have 32 bits: a copy of the record, which cannot change; else empty
+    RecordBytes copied; // copy of a record with 32-bit ids from a source that is not trusted; else empty
 
     // vertex, cell and edge_id return ids that exist in the mesh for any 16-bit `local`, because a changed record may
     // hold any number.
@@ -208,14 +216,15 @@ struct BlockOf {
         return local < ghosts ? ghost_vertex[local] : std::min(own_vertex_begin + local - ghosts, last_vertex);
     }
     [[nodiscard]] Index cell(Index local) const { return cell_begin + std::min(local, cell_count - 1); }
-    // Returns the number of consecutive local vertices that are one part. A block has at most 64 parts.
+    // The local vertices are divided into parts of consecutive vertices, at most 64 parts. Returns the number of
+    // vertices in a part.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
         return local < ghosts ? ghost_edge[local] : std::min(edge_begin + local - ghosts, last_edge);
     }
-    // Return the index in `standard` of the section with a local half-edge or an entry; standard.size() if the
-    // PolyhedralSection has it.
+    // Return the index in `standard` of the section that has the local half-edge or the entry. Return standard.size()
+    // if it is in the PolyhedralSection.
     [[nodiscard]] std::size_t section_of_half_edge(Index h) const {
         std::size_t s = 0;
         while (s < standard.size() &&
@@ -237,7 +246,7 @@ struct BlockOf {
 
 using Block = BlockOf<Viewed>;
 
-// Returns the local half-edge that is `steps` after the given one in its face.
+// Goes `steps` half-edges forward around the face of a local half-edge, and returns the local half-edge there.
 template <template <class> class Array>
 [[nodiscard]] Index turn(const BlockOf<Array>& block, Index local_half_edge, Index steps) {
     if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size()) {
@@ -251,7 +260,8 @@ template <template <class> class Array>
         const Index local = local_half_edge - polyhedra.half_edge_begin;
         const Index corner = polyhedra.corner(local), side = polyhedra.side(local);
         const auto loop = polyhedra.loop(polyhedra.face(corner));
-        if (!loop.has(corner) || loop.end > polyhedra.vertex.size()) refuse_changed("a face does not have its corners");
+        if (!loop.has(corner) || loop.end > polyhedra.vertex.size())
+            refuse_changed("the corners of a face do not exist");
         const Index n = loop.size(), forward = side == 0 ? steps % n : n - steps % n;
         return polyhedra.half_edge_begin + polyhedra.half_edge(loop.begin + (corner - loop.begin + forward) % n, side);
     });

@@ -1,5 +1,5 @@
-// What leads around a vertex: the entries of each vertex in a block, and the other blocks that have it. For gradients,
-// and for next_around_vertex (paper, section 2.2 and appendix A).
+// The links around each vertex of a block: the list of the vertex's entries in the block, and the other blocks that
+// have the vertex. Gradients and next_around_vertex (paper, section 2.2 and appendix A) follow these links.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -14,18 +14,18 @@ struct AroundArrays {
 
     Array<Local> first_entry; // by local vertex: its first entry, or end_of_list
     Array<Local> next_entry;  // by corner of the PolyhedralSection: next entry of the vertex, or end_of_list
-    // border_vertex: local vertices that other blocks have too, ascending. The blocks of such a vertex form a ring:
-    // each leads to the next higher block, the last to the first. border_block: the next block in the ring, as an index
-    // into BlockAroundOf::neighbour. border_place: index of the vertex in border_vertex of that block.
+    // border_vertex: the local vertices that other blocks also have, ascending. The blocks that have such a vertex form
+    // a ring in ascending order; after the last block comes the first. border_block: the next block in the ring, as an
+    // index into BlockAroundOf::neighbour. border_place: the index of the vertex in border_vertex of this next block.
     Array<Local> border_vertex, border_block, border_place;
 };
 
 template <template <class> class Array>
 struct BlockAroundOf {
-    std::vector<Index> neighbour;                 // blocks that come next in a ring, ascending
-    std::vector<Array<std::uint16_t>> next_entry; // by standard section and corner, as in AroundArrays
+    std::vector<Index> neighbour;                 // all blocks that border_block refers to, ascending
+    std::vector<Array<std::uint16_t>> next_entry; // by standard section: like AroundArrays::next_entry
     std::variant<AroundArrays<std::uint16_t, Array>, AroundArrays<std::uint32_t, Array>> arrays;
-    RecordBytes copied; // as in BlockOf
+    RecordBytes copied; // like BlockOf::copied
 
     // Returns the index of the vertex in border_vertex, or none if no other block has the vertex.
     [[nodiscard]] Index border_place_of(Index local_vertex) const {
@@ -43,7 +43,7 @@ struct BlockAroundOf {
 };
 using BlockAround = BlockAroundOf<Viewed>;
 
-// Calls f(PolyhedralSection, AroundArrays) with those of a block. The ids of both have the same size.
+// Calls f with the PolyhedralSection and the AroundArrays of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {
@@ -51,8 +51,9 @@ decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f)
     });
 }
 
-// Returns the entry after `entry` in `list`, the next_entry of a section whose entries start at `begin`. Throws Error
-// if it is not above `entry`: a changed list might otherwise have no end.
+// Returns the next entry of the vertex that has `entry`. `list`: next_entry of the section with `entry`. `begin`: first
+// entry of this section. Throws Error if the next entry is not greater than `entry`, because a walk along a changed
+// list might otherwise never end.
 template <class Local>
 [[nodiscard]] Index next_entry(std::span<const Local> list, Index entry, Index begin) {
     const Index next = read_once(list[entry - begin]);
@@ -61,7 +62,8 @@ template <class Local>
     return next;
 }
 
-// Returns the first entry of the vertex that is at least `begin`, or end_of_list, which is above all entries.
+// Returns the first entry of the vertex that is not less than `begin`. If there is none, returns end_of_list, which is
+// greater than all entries.
 [[nodiscard]] Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin);
 
 } // namespace ciel

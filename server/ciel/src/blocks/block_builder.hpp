@@ -1,4 +1,4 @@
-// Algorithm 5 of the paper (appendix A), second half, one block at a time: local vertices, edges and half-edges.
+// Second half of the paper's Algorithm 5 (appendix A): builds the local vertices, edges and half-edges of one block.
 #pragma once
 
 #include "blocks/block_around.hpp"
@@ -8,30 +8,32 @@
 
 namespace ciel {
 
-// A block before link_blocks, with tables that only link_blocks needs.
+// A block that is not yet linked to other blocks, with tables that only link_blocks needs.
 struct BuiltBlock {
     BlockOf<Owned> block; // ghost and owned vertices and edges are not yet separated
     BlockAroundOf<Owned> around;
     BlockMatesOf<Owned> mates;
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
-    // A side of a face whose mate is in another block or section, or does not exist. link_blocks stores the mate of
-    // such a side as a twin (BlockMates::twin).
+    // One side of a face. The mates of its half-edges (mate_polyhedron) are in another block or section, or do not
+    // exist. link_blocks stores the mate of the first half-edge as a twin (BlockMates::twin).
     struct Tail {
-        Index face, side; // mesh face; 0: side of the owner, 1: side of the neighbor
-        Index anchor;     // local half-edge at the face's first corner: leaves it on side 0, leads to it on side 1
-        Index steps;      // steps around the face from the half-edge whose mate is stored to the anchor
+        Index face, side; // mesh face; side 0 is the owner's, side 1 the neighbor's
+        Index anchor;     // local half-edge that leaves the face's first corner (side 0) or leads to it (side 1)
+        Index steps;      // steps around the face from its first half-edge to the anchor
         Index mate;       // the anchor's mate if it is in another section of this block; else none
     };
     std::vector<Tail> tails; // tails[i] belongs to twin i
 };
 
-// Builds many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.
+// Builds many blocks with the same buffers. Each thread needs its own object. Does not own the mesh and the lists of
+// faces; both must outlive the object.
 class BlockBuilder {
 public:
     BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces) : loops_(mesh, faces) {}
 
-    // Builds the block of the cells [cell_begin, cell_end). Throws Error, naming the cell, when a cell is not closed.
+    // Builds the block of the cells [cell_begin, cell_end). Throws Error with the id of the cell if a cell is not
+    // closed.
     [[nodiscard]] BuiltBlock build(Index cell_begin, Index cell_end);
 
 private:
@@ -55,13 +57,13 @@ private:
 
     BlockLoops loops_;
     std::array<std::vector<Recognised>, 4> standard_; // by index in standard_types
-    std::vector<Index> polyhedra_;                    // other cells of the block: local ids
-    std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: local half-edge at the first corner, or none
+    std::vector<Index> polyhedra_;                    // local ids of the other cells of the block
+    std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: as BuiltBlock::Tail::anchor, or none
 };
 
-// Fills the PolyhedralSection of `built` with `cells`, and sets the mates of their half-edges. Their local half-edges
-// and entries come after those of the standard sections. Faces with only one of `cells` become tails of `built`. Sets
-// `anchor` for the sides of `cells`. Throws Error, naming the cell, when a cell is not closed.
+// Fills the PolyhedralSection of `built` with `cells`, and sets the mates of their half-edges. The local half-edges of
+// the section follow the half-edges of the standard sections. Appends a tail to `built` for each face that only one of
+// `cells` has. Sets `anchor` for the sides of `cells`. Throws Error with the id of the cell if a cell is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor);

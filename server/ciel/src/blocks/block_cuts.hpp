@@ -9,24 +9,26 @@
 
 namespace ciel {
 
-// Keeps the cuts of the blocks that the surface crosses. Of the blocks that earlier surfaces crossed, keeps the cuts of
-// at most as many, or of `always_kept` if that is more. So the memory depends on the current surface, not on all
-// earlier ones. Not thread-safe, but different blocks may be used at the same time.
+// Keeps the cuts of the blocks that the current surface crosses. Let N be the number of these blocks. Also keeps the
+// cuts of other blocks that earlier surfaces crossed: at most N of them, or `always_kept` if that is more. Therefore
+// the memory depends on the current surface, not on all earlier surfaces. Not thread-safe, but several threads may use
+// different blocks at the same time.
 class BlockCuts {
 public:
-    static constexpr std::size_t always_kept = 1024; // about 10 MB
+    static constexpr std::size_t always_kept = 1024; // number of blocks; their cuts take about 10 MB
 
     explicit BlockCuts(std::size_t blocks) : cuts_(blocks) {}
 
     [[nodiscard]] std::size_t size() const { return cuts_.size(); } // number of blocks of the mesh
-    // REQUIRES: the block was in the last call of `keep`.
+    // REQUIRES: the block was one of `blocks` in the last call of `keep`.
     [[nodiscard]] ActiveBlock& operator[](Index block) { return *cuts_[block]; }
     [[nodiscard]] const ActiveBlock& operator[](Index block) const { return *cuts_[block]; }
 
-    // Makes sure that each of `blocks` (ascending) has a cut. A block without a cut gets one that is not known
-    // (ActiveBlock::known). It reuses the buffers of the blocks that the surface left first, if these need not be kept.
+    // Ensures that each of `blocks` (ascending) has a cut. A block without a cut gets a new cut with `known` set to
+    // false (ActiveBlock). The new cut takes the buffers of a cut that need not be kept, if there is one: the cut of
+    // the block that the surface left earliest.
     void keep(std::span<const Index> blocks);
-    void forget(); // marks all cuts as not known
+    void forget(); // sets `known` of all cuts to false
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t blocks_per_task = 8;
 
-// Calls body(block) for all blocks in parallel.
 template <class F>
 void for_blocks(std::size_t count, F&& body) {
     parallel_for(count, blocks_per_task, [&](std::size_t begin, std::size_t end) {
@@ -20,7 +19,7 @@ void for_blocks(std::size_t count, F&& body) {
     });
 }
 
-// Sorts the blocks of a list, and removes repeated ones.
+// Sorts a list of blocks and removes duplicates.
 void sort_once(std::vector<Index>& blocks) {
     std::ranges::sort(blocks);
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
@@ -81,7 +80,7 @@ private:
         Index high, block, edge;
     };
     struct SharedLists {
-        std::vector<std::uint64_t> begin; // by mesh vertex: first index in `edge`; one more at the end
+        std::vector<std::uint64_t> begin; // by mesh vertex: first index in `edge`; then the size of `edge`
         std::vector<SharedEdge> edge;
     };
 
@@ -104,7 +103,7 @@ private:
     std::vector<BuiltBlock>& built_;
     Topology::Blocks& out_;
     struct Owner {
-        Index edge, block, owner_edge; // ghost edge `edge` is edge `owner_edge` of its owner `block`
+        Index edge, block, owner_edge; // local id of a ghost edge; its owner; its local id in the owner
     };
     std::vector<std::vector<Owner>> ghosts_;   // by block: its ghost edges
     std::vector<std::vector<Index>> new_edge_; // by block, local edge: index among the owned edges; none for ghosts
@@ -123,8 +122,8 @@ void Linker::count_half_edges() {
     out_.counts.vertices = mesh_.vertex_count();
 }
 
-// Separates ghost vertices from owned vertices. A block owns the vertices that it is the first to use. Vertices are
-// numbered by first use, so these are consecutive.
+// Separates ghost vertices from owned vertices. A block owns the vertices that no earlier block has. Vertices are
+// numbered by first use, so the owned vertices of a block have consecutive ids.
 void Linker::own_vertices() {
     Index owned = 0;
     for (BuiltBlock& b : built_) {
@@ -139,7 +138,8 @@ void Linker::own_vertices() {
 }
 
 void Linker::ring_vertices() {
-    // A slot is Block::vertex_begin + local vertex. `first` and `last` are by mesh vertex, `next` is by slot.
+    // A slot is Block::vertex_begin + local vertex. By mesh vertex: `first` and `last` are its first and last slot so
+    // far. By slot: `next` is the next slot in the ring of the vertex.
     std::vector<Index> first(mesh_.vertex_count(), none), last(mesh_.vertex_count(), none), next;
     for (const BuiltBlock& b : built_) {
         Index slot = b.block.vertex_begin;
@@ -149,7 +149,7 @@ void Linker::ring_vertices() {
                 first[v] = slot;
             } else {
                 next[last[v]] = slot;
-                next[slot] = first[v]; // closes the ring, until a later block has v too
+                next[slot] = first[v]; // closes the ring; replaced if a later block has v, too
             }
             last[v] = slot++;
         }
@@ -168,8 +168,8 @@ void Linker::ring_vertices() {
     for_blocks(built_.size(), [&](Index b) { link_border(b, next); });
 }
 
-// Sets BlockAround::neighbour, border_block and border_place of a block. `next`: slot -> next slot of the same vertex
-// around its ring.
+// Sets BlockAround::neighbour, border_block and border_place of a block. `next`: by slot, the next slot in the ring of
+// the vertex.
 void Linker::link_border(Index b, std::span<const Index> next) {
     const BlockOf<Owned>& block = built_[b].block;
     BlockAroundOf<Owned>& around = built_[b].around;
@@ -198,8 +198,8 @@ void Linker::link_border(Index b, std::span<const Index> next) {
         around.arrays);
 }
 
-// Returns, by block, the edges that other blocks may have too, which are those with both ends on the border. Each edge
-// comes with its lower mesh vertex.
+// Returns the edges of each block that other blocks may also have: the edges whose two ends are border vertices. The
+// first member of each pair is the lower mesh vertex of the edge.
 std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_edges() const {
     std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
     for_blocks(built_.size(), [&](Index b) {
@@ -216,8 +216,9 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     return shared;
 }
 
-// Gives each edge that several blocks have to the first of these blocks. `edges`: edges of one lower vertex, ordered by
-// block. Long lists, at a vertex of many blocks, are sorted by upper vertex to avoid quadratic time.
+// Makes the first of the blocks that share an edge the owner of the edge. `edges`: shared edges with the same lower
+// vertex, ordered by block. A long list, at a vertex that many blocks have, is sorted by upper vertex to avoid
+// quadratic time.
 void Linker::give_to_first(std::span<SharedEdge> edges) {
     constexpr std::size_t short_list = 64;
     const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {
@@ -253,8 +254,8 @@ Linker::SharedLists Linker::list_by_lower_vertex() const {
     return lists;
 }
 
-// Finds the owner of each shared edge: the first block that has the edge. Equal edges meet in the list of their lower
-// vertex.
+// Finds the owner of each shared edge: the first block that has the edge. All copies of an edge are in the list of its
+// lower vertex.
 void Linker::own_edges() {
     SharedLists lists = list_by_lower_vertex();
     ghosts_.resize(built_.size());
@@ -285,7 +286,7 @@ void Linker::number_edges() {
 
 void Linker::renumber_edges(Index b) {
     BlockOf<Owned>& block = built_[b].block;
-    std::vector<std::pair<Index, Index>> ghosts; // of each ghost edge: (mesh-wide id, old local id)
+    std::vector<std::pair<Index, Index>> ghosts; // (mesh-wide id, old local id) of each ghost edge
     for (const Owner& ghost : ghosts_[b])
         ghosts.emplace_back(built_[ghost.block].block.edge_begin + new_edge_[ghost.block][ghost.owner_edge],
                             ghost.edge);
@@ -306,7 +307,7 @@ void Linker::renumber_edges(Index b) {
 }
 
 void Linker::join_twins() {
-    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {no_half_edge, no_half_edge}); // by face, side
+    std::vector<std::array<HalfEdge, 2>> anchor(mesh_.face_count(), {no_half_edge, no_half_edge}); // [face][side]
     for_blocks(built_.size(), [&](Index b) {
         for (const BuiltBlock::Tail& tail : built_[b].tails)
             anchor[tail.face][tail.side] = half_edge_in(b, tail.anchor);
@@ -326,7 +327,6 @@ HalfEdge Linker::turn_in_mesh(HalfEdge h, Index steps) const {
     return half_edge_in(block_of(h), turn(built_[block_of(h)].block, local_of(h), steps));
 }
 
-// Sets BlockMates::neighbour and the twins of a block.
 void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& mates) {
     for (const HalfEdge twin : twins)
         if (twin != no_half_edge) mates.neighbour.push_back(block_of(twin));

@@ -20,7 +20,7 @@ void BlockLoops::gather(Index from, Index to) {
 }
 
 // Copies the loops of the faces that cells of the block own. These faces are consecutive in the mesh. Then removes
-// repeated vertices, if there are any.
+// repeated vertices from the loops, if there are any.
 void BlockLoops::copy_own(Index face_begin, Index face_end) {
     const auto offsets = mesh.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
     own_offset_.assign(offsets.begin(), offsets.end());
@@ -59,7 +59,8 @@ void BlockLoops::remove_repeats() {
         append_loop(std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]));
 }
 
-// Appends a loop without repeated vertices. Returns false when the loop collapsed to a point.
+// Appends the loop `ids` without its repeated vertices. Returns false when the loop has collapsed to a point, so that
+// no corner was appended.
 bool BlockLoops::append_loop(std::span<const Index> ids) {
     const bool any = append_without_repeats(ids, vertex) > 0;
     if (!any && !ids.empty()) collapsed_.push_back(ids.front());
@@ -86,7 +87,7 @@ void BlockLoops::list_faces() {
     cell_loop_begin.assign(1, 0);
     cell_loop.clear();
     for (Index cell = cell_begin; cell < cell_end; ++cell) {
-        Index next = 0; // least valid next face: the list of a cell ascends
+        Index next = 0; // least id that the next face may have, because the list of a cell ascends
         for (const Index face : faces_.of(cell)) {
             if (face < next) mesh.owner.refuse();
             next = face + 1;
@@ -101,7 +102,7 @@ void BlockLoops::list_faces() {
     }
 }
 
-// Throws Error unless, for each side of a loop with a cell of this block, the list of that cell has the loop.
+// Throws Error when a loop has a cell of this block on one side, but the list of this cell does not have the loop.
 void BlockLoops::check_sides() const {
     std::size_t sides = 0;
     for (Index loop = 0; loop < loop_count(); ++loop)
@@ -122,8 +123,8 @@ void BlockLoops::number_vertices() {
     for (Index& v : vertex) v = local_vertex_[v];
 }
 
-// Numbers the edges of the block by first appearance in its loops. For the edges that the block owns, this is the
-// mesh-wide order, which does not depend on the block size.
+// Numbers the edges of the block by first appearance in its loops. For the edges that the block owns, this order is
+// also the mesh-wide order. It does not depend on the block size.
 void BlockLoops::find_edges() {
     edge.resize(vertex.size());
     edge_ends.clear();

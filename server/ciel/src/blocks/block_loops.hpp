@@ -1,5 +1,5 @@
-// Faces of the cells of one block, with local vertex and edge ids. BlockBuilder fills the sections of the block from
-// them. This is the first step of Algorithm 5 (paper, appendix A) in a block.
+// The faces of the cells of one block, with local vertex and edge ids. BlockBuilder makes the sections of the block
+// from these faces. This is the first step of Algorithm 5 (paper, appendix A) in a block.
 #pragma once
 
 #include "blocks/local_numbers.hpp"
@@ -9,12 +9,13 @@
 
 namespace ciel {
 
-// A face as one of its cells sees it: 2 * loop + side. Side 0 runs along the stored loop, side 1 against it.
+// One side of a face, stored as 2 * loop + side. Side 0 runs along the stored loop, side 1 against the stored loop.
 using LoopRef = Index;
 
-// Gathers many blocks with the same buffers; one object per thread. Borrows the mesh and the lists of its cells' faces.
-// Loops have no repeated vertices of collapsed cells. A loop that collapsed to a point is empty and in no cell's list.
-// The mesh may be in a mapped file that changes. So each array is read once and checked, and gather throws Error when
+// Gathers the faces of many blocks with the same buffers. Each thread needs its own object. Does not own the mesh and
+// the lists of faces; both must outlive the object. Repeated vertices, which collapsed cells have, are removed from the
+// loops. A loop that collapsed to a point is empty, and no cell has the loop in its list. The mesh may be in a mapped
+// file that another process changes. Therefore each array is read once and then checked. `gather` throws Error when the
 // data contradict each other.
 class BlockLoops {
 public:
@@ -46,9 +47,9 @@ public:
 
     const FaceMeshView& mesh;
     Index cell_begin = 0, cell_end = 0;
-    std::vector<Index> mesh_face;                  // loop -> mesh face: first those that the cells own, then others
+    std::vector<Index> mesh_face;                  // loop -> mesh face; faces that cells of the block own come first
     std::vector<std::array<Index, 2>> mesh_cell;   // loop -> mesh cells: owner, and neighbor or none
-    std::vector<Index> begin;                      // loop -> first corner; one more at the end
+    std::vector<Index> begin;                      // loop -> first corner; the last entry is the number of corners
     std::vector<Index> vertex, edge;               // by corner: local vertex, and local edge to the next corner
     std::vector<Index> vertices;                   // local vertex -> mesh vertex, ascending
     std::vector<std::array<Index, 2>> edge_ends;   // local edge -> its local vertices, the lower first
@@ -72,7 +73,7 @@ private:
     std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
     LocalNumbers local_vertex_;                             // mesh vertex -> local vertex
     std::vector<Index> edge_head_, edge_next_;              // lists of edges by lower vertex, at most 64 edges each
-    std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, beyond those 64
+    std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, after the first 64
 };
 
 } // namespace ciel

@@ -16,7 +16,7 @@ Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& poly
     }
     const Index k = polyhedra.corner(h), own = polyhedra.face(k);
     const std::span<const Local> faces = polyhedra.faces_of(polyhedra.face_cell[own][polyhedra.side(h)]);
-    Index left = longest_search; // corners to search; fill_polyhedra stores an escape for a mate beyond
+    Index left = longest_search; // corners left to search; a mate beyond them is stored as an escape
     for (Index i = bits; i < faces.size() && left > 0; i += escape) {
         const Index other = faces[i] / 2;
         if (other == own) continue;
@@ -39,7 +39,7 @@ HalfEdge BlockMates::twin(Index i) const {
     return std::visit(
         [&](const auto& all) {
             if (i >= twin_half_edge.size()) return no_half_edge;
-            const Index there = read_once(all.twin_block[i]); // no_block is above all neighbors
+            const Index there = read_once(all.twin_block[i]); // no_block is greater than every index of a neighbor
             return there >= neighbour.size() ? no_half_edge : half_edge_in(neighbour[there], twin_half_edge[i]);
         },
         arrays);

@@ -1,5 +1,5 @@
-// The mates of a block's half-edges, for the operators mate_face and mate_polyhedron (paper, section 2.2). Surfaces and
-// pictures do without them; propagation needs them.
+// The mates of a block's half-edges, for the operators mate_face and mate_polyhedron (paper, section 2.2). Propagation
+// uses the mates; other surfaces and pictures do not.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -8,18 +8,18 @@
 
 namespace ciel {
 
-// A HalfEdge is the number of its block, then its local number in the block.
+// The upper 32 bits of a HalfEdge are the number of its block. The lower 32 bits are its local number in the block.
 [[nodiscard]] inline HalfEdge half_edge_in(Index block, Index local) {
     return static_cast<HalfEdge>(std::uint64_t{block} << 32 | local);
 }
 [[nodiscard]] inline Index block_of(HalfEdge h) { return static_cast<Index>(static_cast<std::uint64_t>(h) >> 32); }
 [[nodiscard]] inline Index local_of(HalfEdge h) { return static_cast<Index>(h); }
 
-// Stored instead of a mate for faces on the boundary, which have none.
+// Stored for a face on the boundary, which has no mate.
 inline constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
 
 struct MateEscape {
-    Index half_edge, mate; // within the PolyhedralSection; they may exceed 16 bits
+    Index half_edge, mate; // numbers in the PolyhedralSection, which may exceed 16 bits
 };
 
 template <class Local, template <class> class Array = Viewed>
@@ -27,9 +27,9 @@ struct MateArrays {
     static constexpr Index escape = 15, longest_search = 256;
     static constexpr Local no_block = std::numeric_limits<Local>::max();
 
-    // Four bits per half-edge of the PolyhedralSection: index of the face with its mate, among the faces of the cell,
-    // modulo `escape`. The value `escape` means that the mate is in mate_escapes. It is used where `mate` would search
-    // more than longest_search corners or find another half-edge.
+    // Four bits per half-edge of the PolyhedralSection. They are the index, modulo `escape`, of the face with the mate
+    // among the faces of the cell. The value `escape` means that the mate is in mate_escapes. It is stored if `mate`
+    // would otherwise search more than longest_search corners or find a wrong half-edge.
     Array<std::uint8_t> mate_face;
     Array<MateEscape> mate_escapes; // sorted by half_edge
     // By twin: its block as an index into BlockMatesOf::neighbour; no_block on the boundary.
@@ -46,22 +46,23 @@ struct MateArrays {
 
 template <template <class> class Array>
 struct BlockMatesOf {
-    std::vector<Index> neighbour; // blocks of the twins, ascending; the block itself for a twin in another section
-    Array<Index> twin_half_edge;  // mates that are in other blocks or sections: local numbers there
-    Index twin_begin = 0;         // twin of the first tail face of the PolyhedralSection
+    std::vector<Index> neighbour; // blocks of the twins, ascending; includes this block if a twin is in it
+    Array<Index> twin_half_edge;  // by twin (mate in another block or section): local number in its block
+    Index twin_begin = 0;         // index of the twin of the first tail face of the PolyhedralSection
     // By standard section, cell and face: the mate of the first half-edge of the face. If the mate is in a standard
-    // section of the block: its local half-edge. Otherwise Block::standard_half_edges + a twin, or no_mate on the
-    // boundary.
+    // section of the block: its local half-edge. Otherwise Block::standard_half_edges + the index of the twin, or
+    // no_mate on the boundary.
     std::vector<Array<std::uint16_t>> mate;
     std::variant<MateArrays<std::uint16_t, Array>, MateArrays<std::uint32_t, Array>> arrays;
-    RecordBytes copied; // as in BlockOf
+    RecordBytes copied; // like BlockOf::copied
 
-    // Returns no_half_edge on the boundary. If the record has changed, the half-edge may not exist, but its block does.
+    // Returns the half-edge that is the i-th twin, or no_half_edge on the boundary. If the record has changed, the
+    // half-edge may not exist, but its block exists.
     [[nodiscard]] HalfEdge twin(Index i) const;
 };
 using BlockMates = BlockMatesOf<Viewed>;
 
-// Calls f(PolyhedralSection, MateArrays) with those of a block. The ids of both have the same size.
+// Calls f with the PolyhedralSection and the MateArrays of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_mates(const Block& block, const BlockMates& mates, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {

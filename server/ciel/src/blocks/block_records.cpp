@@ -7,13 +7,13 @@ namespace ciel {
 
 namespace {
 
-// Ids of sections. They never change their meaning.
+// Ids of the sections of records. An id never changes its meaning, because files store the ids.
 enum Id : std::uint16_t {
-    id_neighbour = 1, // i32: other block - this block
-    // In the record of cells:
+    id_neighbour = 1, // i32: number of the other block - number of this block
+    // In a record of the kind RecordKind::cells:
     id_counts = 2,       // u32: the members of Counts
     id_ghost_vertex = 3, // by ghost: (neighbor, index among the vertices that the neighbor owns)
-    id_ghost_edge = 4,   // likewise
+    id_ghost_edge = 4,   // likewise, with edges
     id_face_begin = 32,
     id_face_cell,
     id_face_start,
@@ -21,18 +21,19 @@ enum Id : std::uint16_t {
     id_cell_face_begin,
     id_cell_face,
     id_corner_parts,
-    // In the record of what leads around:
+    // In a record of the kind RecordKind::around:
     id_first_entry = 8,
     id_border_vertex,
     id_border_block,
     id_border_place,
-    // In the record of mates:
+    // In a record of the kind RecordKind::mates:
     id_twin_counts = 16, // u32: twin_begin
     id_twin_block,
     id_twin_half_edge,
     id_mate_face,
     id_mate_escape,
-    // By standard type, in the order of standard_types; then of polyhedra:
+    // Each of these ids is for tetrahedra. The next ids are for the other types in the order of standard_types, and
+    // then for polyhedra.
     id_cell = 48,
     id_vertex = 56,
     id_edge = 64,
@@ -69,14 +70,14 @@ std::vector<Index> blocks_at(std::span<const std::int32_t> distances, Index numb
     std::vector<Index> out;
     for (const std::int32_t distance : distances) {
         const std::int64_t other = std::int64_t{number} + distance;
-        if (other < 0 || other >= static_cast<std::int64_t>(count)) refuse("it names a block that does not exist");
+        if (other < 0 || other >= static_cast<std::int64_t>(count)) refuse("it refers to a block that does not exist");
         out.push_back(static_cast<Index>(other));
     }
     return out;
 }
 
 // Returns the blocks that own the ghosts, ascending. `ids`: mesh-wide ids of the ghosts, ascending. `begin`: first id
-// of each block.
+// that each block owns.
 std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> begin) {
     std::vector<Index> owners;
     for (const Index id : ids)
@@ -85,8 +86,8 @@ std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> 
     return owners;
 }
 
-// The section of ghosts: (neighbor, index among the ids that the neighbor owns), in 16 bits each if all fit, else in
-// 32. Must live until the record is finished.
+// The ghosts as pairs (neighbor, index among the ids that the neighbor owns). The numbers have 16 bits if all of them
+// fit, else 32 bits. The object must live until RecordWriter::finish.
 struct NamedGhosts {
     std::vector<std::array<std::uint16_t, 2>> narrow;
     std::vector<std::array<std::uint32_t, 2>> wide;

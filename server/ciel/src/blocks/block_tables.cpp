@@ -6,10 +6,10 @@ namespace ciel {
 
 namespace {
 
-// Ids of sections. They never change their meaning.
+// Ids of the sections of the tables. An id never changes its meaning, because files store the ids.
 enum Id : std::uint16_t { id_counts = 1, id_cell, id_vertex, id_edge, id_slot, id_half_edges, id_border_vertices };
 
-constexpr auto kind = static_cast<RecordKind>(0x6c626174); // "tabl"; not one that a block has
+constexpr auto kind = static_cast<RecordKind>(0x6c626174); // "tabl"; no record of a block has this kind
 
 [[noreturn]] void refuse(const char* what) {
     fail(std::string("the index of the blocks is damaged: ") + what + "; import the dataset again");
@@ -18,7 +18,7 @@ constexpr auto kind = static_cast<RecordKind>(0x6c626174); // "tabl"; not one th
 std::vector<Index> read_prefix(const RecordView& record, Id id, std::size_t blocks) {
     const auto stored = record.get<std::uint64_t>(id);
     if (stored.size() != blocks + 1 || stored.front() != 0 || !std::ranges::is_sorted(stored))
-        refuse("numbers of blocks do not ascend");
+        refuse("the first ids of the blocks do not ascend");
     if (stored.back() >= none) fail("the mesh has more than 4,294,967,294 cells, vertices or edges; split the dataset");
     return {stored.begin(), stored.end()};
 }

@@ -1,13 +1,15 @@
-// The tables of a mesh's blocks as bytes (not in the paper): what is known of every block before its records are read.
+// The tables of all blocks of a mesh as bytes (not in the paper). They have the data about each block that are needed
+// before its records are read.
 #pragma once
 
 #include "blocks/block_records.hpp"
 
 namespace ciel {
 
-// A record of the kind "tabl". Sections: 1: the members of TopologyCounts (u64); by block and one more: 2: first
-// cell, 3: first owned vertex, 4: first owned edge, 5: sum of the vertex counts of the blocks before (u64 each); by
-// block: 6: half-edges, 7: border vertices (u32 each).
+// Returns a record of the kind "tabl". Section 1 has the members of TopologyCounts (u64). Sections 2 to 5 have one
+// number per block and one more at the end (u64). 2: first cell; 3: first owned vertex; 4: first owned edge; 5: sum of
+// the vertex counts of all earlier blocks. Sections 6 and 7 have one number per block (u32). 6: number of half-edges;
+// 7: number of border vertices.
 [[nodiscard]] RecordBytes tables_of(const BlockNumbers& numbers, const TopologyCounts& counts);
 // Reads the result of tables_of. Throws Error when the tables contradict each other or a number needs more than 32
 // bits.

@@ -1,5 +1,5 @@
 // The layout behind Topology (paper, section 2.2), for the kernel's own files. A block has three records: its cells
-// (block.hpp), what leads around its vertices (block_around.hpp), and the mates of its half-edges (block_mates.hpp).
+// (block.hpp), the links around its vertices (block_around.hpp), and the mates of its half-edges (block_mates.hpp).
 #pragma once
 
 #include "blocks/block_records.hpp"
@@ -24,8 +24,8 @@ struct Topology::Blocks {
     void begin();
     [[nodiscard]] Index count() const { return static_cast<Index>(numbers.block_count()); }
     [[nodiscard]] Index slot_count() const { return numbers.slot.empty() ? 0 : numbers.slot.back(); }
-    // Return the views of a block's records, which are read and checked when they are first asked for. Throw what the
-    // source throws, and Error if a record is damaged.
+    // Return the views of a block's records. The first call for a block reads the record and, if the source is not
+    // trusted, checks it. Throw the exceptions of the source, and Error if a record is damaged.
     [[nodiscard]] const Block& cells(Index b) const {
         return cells_.of(b, [&] { return read_cells(b); });
     }
@@ -38,40 +38,43 @@ struct Topology::Blocks {
     [[nodiscard]] std::size_t memory_bytes() const;
 
     [[nodiscard]] Index block_of_cell(Index cell) const;
-    // Returns the vertex in the block that owns it, or {none, none} if no cell has it.
+    // Returns the block that owns the vertex, and the local id of the vertex there. Returns {none, none} if no cell has
+    // the vertex.
     [[nodiscard]] BlockVertex first_with(Index vertex) const;
-    // Returns the vertex in the next block that has it, on a walk that began in block `start`. Throws Error if a record
-    // is damaged so that the walk would not come back to `start`.
+    // Returns the next block in the ring of a vertex, and the index of the vertex there. `start`: block in which the
+    // walk around the ring began. Throws Error if a damaged record would keep the walk from coming back to `start`.
     [[nodiscard]] BorderVertex next_in_ring(BorderVertex at, Index start) const {
         const BlockAround& here = around(at.block);
         const auto next = here.with([&](const auto& all) {
             const Index block =
                 at.place < all.border_block.size() ? Index{read_once(all.border_block[at.place])} : none;
-            if (block >= here.neighbour.size()) refuse_changed("a ring leads to no neighbor");
+            if (block >= here.neighbour.size())
+                refuse_changed("a border vertex leads to a block that is not a neighbor");
             return BorderVertex{here.neighbour[block], read_once(all.border_place[at.place])};
         });
         if (!is_trusted_) check_ring(at, next, start);
         return next;
     }
-    // Returns the local vertex. Throws Error if a changed record leads beyond the vertices of the block.
+    // Returns the local id of a border vertex. Throws Error if a changed record leads beyond the vertices of the block.
     [[nodiscard]] Index vertex_at(BorderVertex at) const {
         const Index vertex = around(at.block).with([&](const auto& all) {
             return at.place < all.border_vertex.size() ? Index{read_once(all.border_vertex[at.place])} : none;
         });
-        if (vertex >= cells(at.block).vertex_count) refuse_changed("a ring leads to a vertex that does not exist");
+        if (vertex >= cells(at.block).vertex_count)
+            refuse_changed("a border vertex leads to a vertex that does not exist");
         return vertex;
     }
     // Returns the first half-edge in the block that leaves the vertex; no_half_edge if only collapsed faces have the
     // vertex.
     [[nodiscard]] HalfEdge first_at(BlockVertex at) const;
-    // Returns the first half-edge that leaves the vertex at `entry`. If `entry` is end_of_list, continues in the next
-    // block of the ring of the vertex.
+    // Returns the first half-edge at `entry` that leaves the vertex. If `entry` is end_of_list, returns the result of
+    // first_after_block.
     [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // Returns the first half-edge that leaves the vertex in the blocks of its ring: first those after at.block, at last
-    // at.block itself.
+    // Searches the blocks in the ring of the vertex, from the block after at.block to at.block itself. Returns the
+    // first half-edge that leaves the vertex, or no_half_edge.
     [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
-    // Returns the block and the local number of a half-edge. Throws Error if the mesh does not have it: the record that
-    // led to it has changed, or the caller has made it up.
+    // Returns the block and the local number of a half-edge. Throws Error if the mesh does not have the half-edge,
+    // because a record has changed or because the caller passed an invalid half-edge.
     struct Place {
         const Block& block;
         Index number, local;
@@ -101,15 +104,15 @@ private:
     bool is_trusted_ = true;
 };
 
-// Makes sure that a walk from half-edge to half-edge ends: after a change of the records, the walk might never come
-// back to its start.
+// Ensures that a walk from half-edge to half-edge ends. If the records change, the walk might otherwise never come back
+// to its start.
 class WalkEnds {
 public:
     explicit WalkEnds(const TopologyCounts& counts) : most_(counts.half_edges) {}
 
     // Call at each step. Throws Error when the walk runs in a circle that does not contain its start, or has more steps
-    // than the mesh has half-edges. Compares `h` with one earlier half-edge: that of the last step whose number is 8,
-    // 16, 32 and so on (Brent's algorithm).
+    // than the mesh has half-edges. Compares `h` with only one earlier half-edge. This half-edge is replaced at the
+    // steps 8, 16, 32 and so on (Brent's algorithm).
     void step(HalfEdge h) {
         if (h == seen_ || steps_ > most_) [[unlikely]]
             refuse_changed("the half-edges around a vertex do not come back to the first");

@@ -1,14 +1,14 @@
-// The faces of a block's cells as loops of vertices. They are the loops that walks around a cell's faces by the paper's
-// operators (section 2.2) would find.
+// Reads the faces of a block's cells as loops of vertices. A walk around each face with the paper's operators (section
+// 2.2) would find the same loops.
 #pragma once
 
 #include "blocks/block.hpp"
 
 namespace ciel {
 
-// The faces of one cell, wound outwards. Vertices are those of the mesh.
+// The faces of one or more cells as loops. Each loop is wound outwards from its cell and has mesh-wide vertex ids.
 struct CellLoops {
-    std::vector<Index> begin{0}; // by face: its first vertex in `vertex`; one more at the end
+    std::vector<Index> begin{0}; // index in `vertex` of each face's first vertex, then the size of `vertex`
     std::vector<Index> vertex;
 
     [[nodiscard]] std::size_t count() const { return begin.size() - 1; }
@@ -22,7 +22,7 @@ struct CellLoops {
     void end_face() { begin.push_back(static_cast<Index>(vertex.size())); }
 };
 
-// Adds a face of the i-th cell of a section.
+// Appends a face of the i-th cell of a section to `loops`.
 inline void add_face(const Block& block, const StandardSection& section, Index i, std::size_t face, CellLoops& loops) {
     const StandardShape& shape = *section.shape;
     for (std::size_t h = shape.face_begin[face]; h < shape.face_begin[face + 1]; ++h)
@@ -30,16 +30,17 @@ inline void add_face(const Block& block, const StandardSection& section, Index i
     loops.end_face();
 }
 
-// Returns the corners of a face. Throws Error if the record has changed and does not have them.
+// Returns the range of the corners of a face. Throws Error if the face or its corners do not exist, because the record
+// has changed.
 template <class Local, template <class> class Array>
 [[nodiscard]] auto corners_of_face(const PolyhedralSection<Local, Array>& section, Index face) {
     if (face >= section.face_count()) refuse_changed("a cell has a face that does not exist");
     const auto loop = section.loop(face);
-    if (loop.end > section.vertex.size()) refuse_changed("a face does not have its corners");
+    if (loop.end > section.vertex.size()) refuse_changed("the corners of a face do not exist");
     return loop;
 }
 
-// Adds the face with the corners `loop`, wound outwards from its cell on side `side`.
+// Appends the face with the corners `loop` to `loops`, wound outwards from its cell on side `side`.
 template <class Local, template <class> class Array>
 void add_face(const Block& block, const PolyhedralSection<Local, Array>& section,
               const typename PolyhedralSection<Local, Array>::Loop& loop, Index side, CellLoops& loops) {
@@ -50,7 +51,7 @@ void add_face(const Block& block, const PolyhedralSection<Local, Array>& section
     loops.end_face();
 }
 
-// Replaces `loops` by those of the i-th cell of a section.
+// Replaces the contents of `loops` by the faces of the i-th cell of a section.
 inline void read_loops(const Block& block, const StandardSection& section, Index i, CellLoops& loops) {
     loops.clear();
     for (std::size_t face = 0; face < section.shape->faces; ++face) add_face(block, section, i, face, loops);
@@ -68,8 +69,9 @@ void read_loops(const Block& block, const PolyhedralSection<Local, Array>& secti
     }
 }
 
-// Calls f(cell of the mesh, loops) for each cell of the block, section by section. `loops` is overwritten for the next
-// cell. Throws Error if the cells have more corners than the block has half-edges, so it ends for any changed record.
+// Calls f(mesh-wide cell id, loops) for each cell of the block, section by section. `loops` is overwritten for the next
+// cell. Throws Error if the cells have more corners than the block has half-edges. Therefore the function ends even if
+// the record has changed.
 template <class F>
 void for_cells(const Block& block, CellLoops& loops, F&& f) {
     std::size_t corners = 0;
@@ -77,7 +79,8 @@ void for_cells(const Block& block, CellLoops& loops, F&& f) {
         for (Index i = 0; i < section.count(); ++i) {
             read_loops(block, section, i, loops);
             corners += loops.vertex.size();
-            if (corners > block.half_edge_count) refuse_changed("its cells have more corners than it has half-edges");
+            if (corners > block.half_edge_count)
+                refuse_changed("the cells of the block have more corners than the block has half-edges");
             f(block.cell(section.local_cell(i)), loops);
         }
     };
@@ -85,7 +88,7 @@ void for_cells(const Block& block, CellLoops& loops, F&& f) {
     block.with(for_section);
 }
 
-// Sets the loops of one cell. Leaves them empty if the block does not have the cell.
+// Replaces the contents of `loops` by the faces of one cell. Leaves `loops` empty if the block does not have the cell.
 inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
     const auto find_in = [&](const auto& section) {
         const auto cells = section.cell;

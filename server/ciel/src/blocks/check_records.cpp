@@ -19,7 +19,7 @@ public:
     }
     template <class Ids>
     void below(const Ids& ids, std::size_t limit, const char* what) const {
-        bool inside = true; // no branch in the loop, so that it costs little more than reading
+        bool inside = true; // no branch in the loop, so that the check costs little more than reading
         for (const auto id : ids) inside &= id < limit;
         require(inside, what);
     }
@@ -35,7 +35,7 @@ public:
 
     // Returns false if the edge does not exist, a equals b, or an earlier call gave the edge other ends.
     [[nodiscard]] bool agrees(Index edge, Index a, Index b) {
-        if (edge >= ends_.size()) return false; // the record changed after the check of its numbers
+        if (edge >= ends_.size()) return false; // the record changed after its ids were checked
         const std::uint64_t here = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
         std::uint64_t& known = ends_[edge];
         if (known == unknown) known = here;
@@ -50,10 +50,11 @@ private:
 template <class Section>
 void check_cell_list(const Checker& checker, const Section& section, const Block& block) {
     if (section.cell.empty()) {
-        checker.require(section.count() == 0 || section.count() == block.cell_count, "a section lacks its cells");
+        checker.require(section.count() == 0 || section.count() == block.cell_count,
+                        "a section has no list of its cells");
         return;
     }
-    checker.require(section.cell.size() == section.count(), "a section has another number of cells than it lists");
+    checker.require(section.cell.size() == section.count(), "the list of a section's cells has a wrong length");
     checker.require(std::adjacent_find(section.cell.begin(), section.cell.end(), std::greater_equal<>()) ==
                             section.cell.end() &&
                         section.cell.back() < block.cell_count,
@@ -66,10 +67,10 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     checker.require(cells <= local_ids && section.vertex.size() == cells * of_section.corners &&
                         section.edge.size() == cells * of_section.edges &&
                         section.group_parts.size() == section.group_count(),
-                    "the arrays of a section do not fit each other");
+                    "the sizes of a section's arrays contradict each other");
     check_cell_list(checker, section, block);
-    checker.below(section.vertex, block.vertex_count, "a cell names a vertex that the block does not have");
-    checker.below(section.edge, block.edge_count, "a cell names an edge that the block does not have");
+    checker.below(section.vertex, block.vertex_count, "a cell has a vertex that the block does not have");
+    checker.below(section.edge, block.edge_count, "a cell has an edge that the block does not have");
     bool agree = true;
     with_shape(of_section.type, [&]<const StandardShape & shape>() {
         for (std::size_t i = 0; i < cells; ++i)
@@ -112,19 +113,21 @@ void check_face_starts(const Checker& checker, const PolyhedralSection<Local>& s
     checker.require(agree, "the table of face starts contradicts the faces");
 }
 
-// Checks that faces name their cells, and cells their faces.
+// Checks that each face refers to its cells, and each cell to its faces.
 template <class Local>
 void check_face_cells(const Checker& checker, const PolyhedralSection<Local>& section) {
-    checker.require(section.face_cell.size() == section.face_count(), "the faces do not fit their cells");
+    checker.require(section.face_cell.size() == section.face_count(),
+                    "the number of faces contradicts the list of their cells");
     for (const auto& [near, far] : section.face_cell)
-        checker.require(near < section.count() && far < section.count(), "a face names a cell that does not exist");
-    checker.below(section.cell_face, 2 * std::size_t{section.face_count()}, "a cell names a face that does not exist");
+        checker.require(near < section.count() && far < section.count(), "a face refers to a cell that does not exist");
+    checker.below(section.cell_face, 2 * std::size_t{section.face_count()},
+                  "a cell refers to a face that does not exist");
     for (Index i = 0; i < section.count(); ++i)
         for (const Index ref : section.faces_of(i)) {
             const Index face = ref / 2, side = ref % 2;
             const Index of_tail = Index{section.face_begin[face] >= section.far_corner};
             checker.require(section.face_cell[face][side] == i && (face < section.inner_faces || side == of_tail),
-                            "a face does not name the cell that has it");
+                            "a cell has a face that does not refer to the cell");
         }
 }
 
@@ -134,24 +137,25 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
     const std::size_t corners = section.vertex.size();
     check_cell_list(checker, section, block);
     checker.require(section.edge.size() == corners && section.face_begin.empty() == section.cell_face_begin.empty(),
-                    "the arrays of the polyhedra do not fit each other");
+                    "the sizes of the arrays of polyhedra contradict each other");
     if (section.cell_face_begin.empty()) {
         checker.require(corners == 0 && section.cell_face.empty() && section.inner_corners == 0 &&
                             section.inner_faces == 0,
                         "there are faces without a cell");
         return;
     }
-    check_begins(checker, section.face_begin, corners, 2, "a face does not have its corners");
-    check_begins(checker, section.cell_face_begin, section.cell_face.size(), 1, "a cell does not have its faces");
+    check_begins(checker, section.face_begin, corners, 2, "the list of the faces' first corners is wrong");
+    check_begins(checker, section.cell_face_begin, section.cell_face.size(), 1,
+                 "the list of the cells' first faces is wrong");
     checker.require(section.inner_faces <= section.face_count() &&
                         section.face_begin[section.inner_faces] == section.inner_corners &&
                         section.inner_corners <= section.far_corner && section.far_corner <= corners &&
                         std::ranges::binary_search(section.face_begin, section.far_corner),
-                    "the groups of faces have wrong limits");
+                    "the limits between inner faces and tail faces are wrong");
     check_face_starts(checker, section);
     check_face_cells(checker, section);
-    checker.below(section.vertex, block.vertex_count, "a face names a vertex that the block does not have");
-    checker.below(section.edge, block.edge_count, "a face names an edge that the block does not have");
+    checker.below(section.vertex, block.vertex_count, "a face has a vertex that the block does not have");
+    checker.below(section.edge, block.edge_count, "a face has an edge that the block does not have");
     bool agree = true;
     section.for_corners([&](Index face, Index k) {
         agree &=
@@ -164,22 +168,22 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
         checker.require(pairs.run(section, i, left, [](Index, Index, Index) {}), "a cell is not closed");
 }
 
-// Checks that each ghost is an id that its owner has, that the owner comes before block `number`, and that the ghosts
-// ascend. `begin`: first id of each block.
+// Checks that each ghost exists in the block that owns it, that this block comes before block `number`, and that the
+// ghosts ascend. `begin`: first id that each block owns.
 void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const Index> begin, Index number) {
-    Index last = none, owner = none, first = 0, count = 0; // count: number of the owner's ids
+    Index last = none, owner = none, first = 0, count = 0; // count: number of ids that the owner has
     const auto check = [&](Index neighbour, Index index) {
         if (neighbour != owner) {
-            checker.require(neighbour < ghosts.begin.size(), "a ghost is not of a neighbor");
+            checker.require(neighbour < ghosts.begin.size(), "the owner of a ghost vertex or edge is not a neighbor");
             first = ghosts.begin[neighbour];
             const auto next = std::ranges::upper_bound(begin, first);
-            checker.require(next != begin.end(), "a ghost is not of a neighbor");
+            checker.require(next != begin.end(), "the owner of a ghost vertex or edge is not a neighbor");
             owner = neighbour;
             count = *next - first;
         }
-        checker.require(index < count, "a ghost is not one of its owner's");
+        checker.require(index < count, "the owner of a ghost vertex or edge does not have it");
         const Index id = first + index;
-        checker.require(id < begin[number] && (last == none || id > last), "the ghosts do not ascend");
+        checker.require(id < begin[number] && (last == none || id > last), "the ghost vertices or edges do not ascend");
         last = id;
     };
     for (const auto& [neighbour, index] : ghosts.narrow) check(read_once(neighbour), read_once(index));
@@ -195,10 +199,10 @@ void check_cells(const Block& block, Index number, const BlockNumbers& numbers) 
     checker.require(block.cell_count == difference(numbers.cell, number) &&
                         block.vertex_count == difference(numbers.slot, number) &&
                         block.half_edge_count == numbers.half_edges[number],
-                    "it has other numbers of cells, vertices or half-edges than the index says");
+                    "its number of cells, vertices or half-edges differs from the number in the index");
     checker.require(block.ghost_vertex.size() + difference(numbers.vertex, number) == block.vertex_count &&
                         block.ghost_edge.size() + difference(numbers.edge, number) == block.edge_count,
-                    "it owns other numbers of vertices or edges than the index says");
+                    "its number of owned vertices or edges differs from the number in the index");
     check_ghosts(checker, block.ghost_vertex, numbers.vertex, number);
     check_ghosts(checker, block.ghost_edge, numbers.edge, number);
     EdgeEnds ends(block.edge_count);
@@ -211,12 +215,11 @@ void check_cells(const Block& block, Index number, const BlockNumbers& numbers) 
         check_polyhedra(checker, polyhedra, block, ends);
         cells += polyhedra.count();
     });
-    checker.require(cells == block.cell_count, "its sections have another number of cells");
+    checker.require(cells == block.cell_count, "its sections have more or fewer cells than the block");
 }
 
 namespace {
 
-// Returns the vertex at each entry of a block.
 std::vector<Index> vertices_by_entry(const Block& block) {
     std::vector<Index> vertices;
     for (const StandardSection& section : block.standard)
@@ -256,7 +259,7 @@ void check_around(const Block& block, const BlockAround& around, Index number, c
         const std::size_t border = all.border_vertex.size();
         checker.require(border == numbers.border_vertices[number] && all.border_block.size() == border &&
                             all.border_place.size() == border,
-                        "it has another number of border vertices than the index says");
+                        "its number of border vertices differs from the number in the index");
         checker.require(std::adjacent_find(all.border_vertex.begin(), all.border_vertex.end(),
                                            std::greater_equal<>()) == all.border_vertex.end() &&
                             (border == 0 || all.border_vertex.back() < block.vertex_count),
@@ -264,10 +267,10 @@ void check_around(const Block& block, const BlockAround& around, Index number, c
         bool inside = true;
         for (std::size_t i = 0; i < border; ++i) {
             const Index next = read_once(all.border_block[i]);
-            checker.require(next < around.neighbour.size(), "a ring leads to no neighbor");
+            checker.require(next < around.neighbour.size(), "a border vertex leads to a block that is not a neighbor");
             inside &= all.border_place[i] < numbers.border_vertices[around.neighbour[next]];
         }
-        checker.require(inside, "a ring leads to a vertex that the neighbor does not share");
+        checker.require(inside, "a border vertex leads to a vertex that the neighbor does not share");
     });
 }
 
@@ -276,7 +279,7 @@ void check_mates(const Block& block, const BlockMates& mates, Index number, cons
     const std::size_t twins = mates.twin_half_edge.size();
     for (std::size_t s = 0; s < block.standard.size(); ++s) {
         checker.require(mates.mate[s].size() == std::size_t{block.standard[s].cells} * block.standard[s].shape->faces,
-                        "the mates do not fit the cells");
+                        "the number of mates contradicts the number of cells");
         bool inside = true;
         for (const std::uint16_t mate : mates.mate[s])
             inside &= mate == no_mate || mate < block.standard_half_edges + twins;
@@ -287,25 +290,25 @@ void check_mates(const Block& block, const BlockMates& mates, Index number, cons
         const std::size_t tails = polyhedra.face_count() - polyhedra.inner_faces;
         checker.require(all.twin_block.size() == twins && mates.twin_begin <= twins &&
                             tails <= twins - mates.twin_begin && all.mate_face.size() == (half_edges + 1) / 2,
-                        "the mates do not fit the faces");
+                        "the number of mates contradicts the number of faces");
         bool inside = true;
         for (std::size_t i = 0; i < twins; ++i) {
             const Index there = read_once(all.twin_block[i]);
             inside &= there == all.no_block || (there < mates.neighbour.size() &&
                                                 mates.twin_half_edge[i] < numbers.half_edges[mates.neighbour[there]]);
         }
-        checker.require(inside, "a twin does not exist");
+        checker.require(inside, "a mate in another block or section does not exist");
         bool ascend = true;
         Index last = none;
         for (const auto& [half_edge, mate] : all.mate_escapes) {
             ascend &= (last == none || half_edge > last) && half_edge < half_edges && mate < half_edges;
             last = half_edge;
         }
-        checker.require(ascend, "the listed mates do not ascend");
+        checker.require(ascend, "the list of mates does not ascend, or a mate does not exist");
         for (Index h = 0; h < half_edges; ++h)
             checker.require(all.mate_bits(h) != all.escape ||
                                 std::ranges::binary_search(all.mate_escapes, h, {}, &MateEscape::half_edge),
-                            "a mate is listed nowhere");
+                            "a mate is missing in the list of mates");
     });
 }
 

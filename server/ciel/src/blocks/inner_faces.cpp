@@ -11,7 +11,8 @@ namespace ciel {
 InnerFaces::InnerFaces(const Topology& topology, const BlockBoxes& boxes, std::span<const std::uint8_t> kept)
     : topology_(topology), blocks_(topology.blocks()), boxes_(boxes), kept_(kept), has_(blocks_.count()) {
     if (kept.size() != topology.counts().cells || boxes[0].low.size() != topology.block_count())
-        fail("the flags of the cells or the boxes are of another mesh than the topology");
+        fail("the flags of the cells or the boxes do not fit the topology; pass one flag per cell and one box per "
+             "block");
     parallel_for(has_.size(), 16, [this](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             const auto cells =
@@ -25,7 +26,7 @@ InnerFaces::InnerFaces(const Topology& topology, const BlockBoxes& boxes, std::s
 
 void InnerFaces::for_blocks(const std::function<void(const OfBlock&)>& f) const {
     const std::vector<Index> blocks = blocks_to_read();
-    constexpr std::size_t at_once = 64; // limits the results that are in memory
+    constexpr std::size_t at_once = 64; // blocks searched at a time; limits the memory for found faces
     for (std::size_t first = 0; first < blocks.size(); first += at_once) {
         std::array<OfBlock, at_once> found;
         parallel_for(std::min(at_once, blocks.size() - first), 1, [&](std::size_t begin, std::size_t end) {
@@ -35,10 +36,11 @@ void InnerFaces::for_blocks(const std::function<void(const OfBlock&)>& f) const 
     }
 }
 
-// Returns the blocks that have both kept cells and others. Of the blocks with only kept cells, adds those whose box
-// touches the box of a block with a cell that is not kept.
+// Returns the blocks that may have a face between a kept cell and a cell that is not kept. These are the blocks with
+// cells of both kinds, and the blocks with only kept cells whose box touches the box of a block with a cell that is not
+// kept.
 std::vector<Index> InnerFaces::blocks_to_read() const {
-    std::vector<Index> others; // by the low end of their box in x
+    std::vector<Index> others; // blocks with a cell that is not kept, sorted by the low x of their box
     double widest = 0;
     for (Index b = 0; b < blocks_.count(); ++b) {
         if (has_[b] == Has::all) continue;

@@ -1,4 +1,4 @@
-// InnerFaces: the faces inside the mesh around a set of cells. Not in the paper.
+// InnerFaces: the faces inside the mesh that bound a set of cells. Not in the paper.
 #pragma once
 
 #include "blocks/cell_loops.hpp"
@@ -9,9 +9,9 @@
 
 namespace ciel {
 
-// The faces between a kept cell and one that is not kept. Reads the blocks that have both kept cells and others. Of the
-// blocks with only kept cells, reads those whose box touches the box of a block with a cell that is not kept. `kept`: a
-// flag per cell. boxes: what block_boxes returned for the positions. The arguments must outlive the object.
+// The faces between a kept cell and a cell that is not kept. Reads the blocks that have cells of both kinds. Also reads
+// a block with only kept cells if its box touches the box of a block with a cell that is not kept. `kept`: one flag per
+// cell. boxes: the result of block_boxes for the positions. The arguments must outlive the object.
 class InnerFaces {
 public:
     struct OfBlock {

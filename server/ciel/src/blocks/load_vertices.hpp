@@ -1,4 +1,4 @@
-// Makes the positions of a block's vertices ready. Not in the paper.
+// Makes the positions of a block's vertices ready to be read. Not in the paper.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -6,7 +6,8 @@
 
 namespace ciel {
 
-// Call it before the positions of the block's vertices are read. `loader`: of the mesh; null if all are in memory.
+// Call it before the positions of the block's vertices are read. `loader`: FaceMeshView::loader; null if all positions
+// are ready. `b`: number of the block.
 inline void load_vertices(const VertexLoader* loader, Index b, const Block& block) {
     if (loader == nullptr || loader->has_block(b)) return;
     const auto own = block.vertex_count - static_cast<Index>(block.ghost_vertex.size());

@@ -1,6 +1,7 @@
-// Maps the mesh ids of the vertices of one block to local numbers. Its memory grows with the block, not with the mesh.
-// The vertices that a block owns are consecutive and its highest, so most ids are found in an array over a window of
-// ids. The other ids are hashed. Not in the paper, which has no blocks.
+// Maps the mesh-wide vertex ids of one block to local numbers. The memory grows with the size of the block, not with
+// the size of the mesh. The ids of the vertices that a block owns are consecutive, and they are its highest ids.
+// Therefore most ids are in a window of consecutive ids, for which an array has the local numbers. The other ids are in
+// a hash table. Not in the paper, which has no blocks.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,7 +13,8 @@ namespace ciel {
 // Not thread-safe. Reused for many blocks.
 class LocalNumbers {
 public:
-    // Removes all ids. `highest`: highest id that will be added. `most`: the most calls of `add` that will follow.
+    // Removes all ids. `highest`: highest id that will be added. `most`: maximum number of calls of `add` that will
+    // follow.
     void begin(Index highest, std::size_t most);
     void add(Index id) {
         if (id < window_begin_)
@@ -36,7 +38,7 @@ private:
     void grow();
 
     Index window_begin_ = 0;
-    std::vector<Index> window_; // number of id window_begin_ + i; none if not added
+    std::vector<Index> window_; // local number of the id window_begin_ + i; none if it was not added
     std::vector<Slot> hashed_;  // hash table with open addressing; size is a power of two
     std::vector<Index> added_;  // ids in hashed_
 };

@@ -1,22 +1,23 @@
-// Pairs the half-edges of one cell: the mates of Algorithm 5 (paper, appendix A). For the construction of a block, and
-// for cuts of cells that touch themselves.
+// Finds the mate of each half-edge within one cell, as Algorithm 5 does (paper, appendix A). Used to build and check
+// blocks, and to cut cells that touch themselves.
 #pragma once
 
 #include "blocks/block.hpp"
 
 namespace ciel {
 
-// Pairs the cells of many sections with the same buffers; one object per thread.
+// Handles the cells of many sections with the same buffers. Each thread needs its own object.
 class HalfEdgePairs {
 public:
     // Calls paired(half-edge, mate, index of the mate's face among the faces of the cell) for each half-edge of a cell.
-    // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Then any pairing of
-    // opposite directions is valid, and pairs in different faces are preferred. Returns false if a half-edge has no
-    // mate, because the cell is not closed. `left`: number of half-edges that this cell and those after it may have.
-    // Set it to the section's half_edge_count before the first cell. If a changed record names more, returns false.
+    // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Any pairing of
+    // half-edges in opposite directions is then valid; pairs in different faces are preferred. Returns false if a
+    // half-edge has no mate, because the cell is not closed. `left`: number of half-edges that this cell and all later
+    // cells may have together. Set it to the section's half_edge_count before the first cell. Returns false if a
+    // changed record has more half-edges.
     template <class Section, class Paired> // Section: a PolyhedralSection
     [[nodiscard]] bool run(const Section& section, Index cell, Index& left, Paired&& paired) {
-        for (const Index edge : touched_) open_[edge] = none; // the last call may have ended early and left some
+        for (const Index edge : touched_) open_[edge] = none; // entries that a call left when it returned early
         waiting_.clear();
         touched_.clear();
         const auto faces = section.faces_of(cell);
@@ -36,8 +37,8 @@ public:
 
 private:
     struct Waiting {
-        Index half_edge, face_of_cell, next; // next: in the list of the edge
-        bool upward;                         // the half-edge runs from the lower local vertex to the higher one
+        Index half_edge, face_of_cell, next; // next: index in waiting_ of the edge's next half-edge
+        bool upward;                         // the half-edge runs from the lower to the higher local vertex
     };
 
     template <class Paired>
@@ -60,8 +61,8 @@ private:
         paired(mate.half_edge, here.half_edge, here.face_of_cell);
     }
 
-    // Pairs the half-edges that `meet` left unpaired. In a face that collapsed to a line, both half-edges of a pair may
-    // be in that face.
+    // Pairs the half-edges that `meet` left unpaired. If a face has collapsed to a line, both half-edges of a pair may
+    // be in this face.
     template <class Paired>
     [[nodiscard]] bool pair_inside_faces(Paired& paired) {
         bool closed = true;
@@ -85,7 +86,7 @@ private:
         return closed;
     }
 
-    std::vector<Index> open_; // local edge -> first of its unpaired half-edges, in waiting_; none when a call begins
+    std::vector<Index> open_; // local edge -> index in waiting_ of its first unpaired half-edge, or none
     std::vector<Waiting> waiting_;
     std::vector<Index> touched_; // local edges of the cell
 };

@@ -6,8 +6,8 @@ namespace ciel {
 
 namespace {
 
-// Returns the base face of a type, from which the other corners are found: a triangle of a tetrahedron or wedge, a
-// quadrangle of a hexahedron or pyramid.
+// Returns the index of the base face of a type, from which find_corners finds the other corners. The base is a triangle
+// of a tetrahedron or wedge, or a quadrangle of a hexahedron or pyramid.
 constexpr std::size_t base_face(CellType type) {
     switch (type) {
     case CellType::tetrahedron:
@@ -25,14 +25,14 @@ constexpr bool is_in_face(const StandardShape& shape, std::size_t face, std::siz
     return false;
 }
 
-// Returns the first corner of the base that an edge joins with `corner`, which is not in the base.
+// `corner` is not in the base. Returns the first corner of the base that is joined with `corner` by an edge.
 constexpr std::size_t below(const StandardShape& shape, std::size_t base, std::size_t corner) {
     for (std::size_t h = 0; h < shape.half_edges; ++h)
         if (shape.target(h) == corner && is_in_face(shape, base, shape.origin[h])) return shape.origin[h];
     return 0;
 }
 
-// Returns a vertex outside the base that an edge joins with `vertex`, or none.
+// Returns a vertex outside the base that is joined with `vertex` by an edge, or none.
 Index above(const BlockLoops& loops, std::span<const LoopRef> refs, std::span<const Index> base, Index vertex) {
     for (const LoopRef ref : refs) {
         const Index n = loops.size(ref);

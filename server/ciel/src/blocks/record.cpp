@@ -59,14 +59,14 @@ RecordBytes RecordWriter::finish(RecordKind kind) const {
 RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind) : bytes_(bytes) {
     static_assert(sizeof(Entry) == entry_bytes);
     Header header{};
-    if (bytes.size() < header_bytes) refuse("it has " + std::to_string(bytes.size()) + " bytes");
+    if (bytes.size() < header_bytes) refuse("it has " + std::to_string(bytes.size()) + " bytes, less than a header");
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.kind != static_cast<std::uint32_t>(kind)) refuse("it is of another kind");
     if (header.version > version)
         fail("a record of a block has the version " + std::to_string(header.version) +
              "; this program reads version 1. Update CIEL");
     const std::size_t table = header_bytes + entry_bytes * std::size_t{header.sections};
-    if (header.bytes != bytes.size() || table > bytes.size()) refuse("it is cut off");
+    if (header.bytes != bytes.size() || table > bytes.size()) refuse("its length does not match its header");
     entries_.resize(header.sections);
     known_.resize(header.sections);
     if (!entries_.empty()) std::memcpy(entries_.data(), bytes.data() + header_bytes, entry_bytes * entries_.size());
@@ -74,7 +74,7 @@ RecordView::RecordView(std::span<const std::byte> bytes, RecordKind kind) : byte
         const std::uint64_t begin = std::uint64_t{entry.offset} * word;
         const std::uint64_t size = std::uint64_t{entry.element} * entry.count;
         if (entry.element == 0 || begin < table || begin > bytes.size() || size > bytes.size() - begin)
-            refuse("section " + std::to_string(entry.id) + " goes beyond its end");
+            refuse("section " + std::to_string(entry.id) + " goes beyond the end of the record");
         if (std::ranges::count(entries_, entry.id, &Entry::id) > 1)
             refuse("section " + std::to_string(entry.id) + " is given twice");
     }
@@ -96,7 +96,8 @@ std::span<const std::byte> RecordView::find(std::uint16_t id, std::size_t elemen
     const auto found = std::ranges::find(entries_, id, &Entry::id);
     if (found == entries_.end()) return bytes_.last(0);
     if (found->element != element)
-        refuse("an element of section " + std::to_string(id) + " has " + std::to_string(found->element) + " bytes");
+        refuse("an element of section " + std::to_string(id) + " has a wrong size of " +
+               std::to_string(found->element) + " bytes");
     known_[static_cast<std::size_t>(found - entries_.begin())] = true;
     return bytes_.subspan(std::size_t{found->offset} * word, std::size_t{found->element} * found->count);
 }

@@ -1,10 +1,11 @@
 // A record: one kind of a block's data as bytes, the same in memory, in a file and in a message. Little-endian.
 // Not in the paper.
 //
-// It begins with 16 bytes: the kind (u32), the version of the kind (u16), the number of sections (u16), and the length
-// of the record in bytes (u64). The table of sections follows, 16 bytes each: id (u16), flags (u16; bit 0: critical),
-// bytes of an element (u32), number of elements (u32), and offset in units of 8 bytes (u32). Then come the arrays, each
-// at a multiple of 8 bytes, with zeros between. A reader refuses an unknown section that is critical, and skips others.
+// A record begins with 16 bytes: the kind (u32), the version of the kind (u16), the number of sections (u16), and the
+// length of the record in bytes (u64). The table of sections follows, 16 bytes each: id (u16), flags (u16; bit 0:
+// critical), bytes of an element (u32), number of elements (u32), and offset in units of 8 bytes (u32). The arrays
+// follow. Each array starts at a multiple of 8 bytes; the gaps are zeros. A reader refuses a record with an unknown
+// critical section, and skips other unknown sections.
 #pragma once
 
 #include "ciel/record_source.hpp"
@@ -17,7 +18,7 @@
 
 namespace ciel {
 
-using RecordBytes = std::vector<std::uint64_t>; // words, for their alignment
+using RecordBytes = std::vector<std::uint64_t>; // 64-bit words, so that the bytes are aligned
 
 class RecordWriter {
 public:
@@ -27,14 +28,15 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         if (!array.empty()) sections_.push_back({id, critical, sizeof(T), std::as_bytes(array)});
     }
-    // Appends a section that is not critical: a reader that does not know the section skips it.
+    // Appends a section that is not critical, unless the array is empty. A reader that does not know the section skips
+    // it.
     template <class T>
     void add_optional(std::uint16_t id, std::span<const T> array) {
         if (!array.empty()) sections_.push_back({id, 0, sizeof(T), std::as_bytes(array)});
     }
     [[nodiscard]] RecordBytes finish(RecordKind kind) const;
 
-    static constexpr std::uint16_t critical = 1; // a flag
+    static constexpr std::uint16_t critical = 1; // flag of a section
 
 private:
     struct Section {
@@ -45,15 +47,17 @@ private:
     std::vector<Section> sections_;
 };
 
-// Borrows the bytes, which must begin at a multiple of 8 and may be in a mapped file.
+// Does not own the bytes, which must outlive the view. Their address must be a multiple of 8. They may be in a mapped
+// file.
 class RecordView {
 public:
-    // Throws Error for another kind, a newer version, and sections that overlap the end or are given twice.
+    // Throws Error if the record has another kind or a newer version, has a wrong length, or has a section that goes
+    // beyond its end or is given twice.
     RecordView(std::span<const std::byte> bytes, RecordKind kind);
 
-    // Returns a section's array, or an empty one if the record does not have the section. The empty array lies at the
-    // record's end, because an index from a changed record may lead beyond it and bytes there are readable
-    // (RecordSource). Throws Error if the elements have another size.
+    // Returns the array of a section, or an empty array if the record does not have the section. The address of the
+    // empty array is the end of the record: an index from a changed record may be applied to the array, and the bytes
+    // after the record can be read (RecordSource). Throws Error if the elements have another size.
     template <class T>
     [[nodiscard]] std::span<const T> get(std::uint16_t id) const {
         const std::span<const std::byte> found = find(id, sizeof(T));
@@ -61,7 +65,8 @@ public:
     }
     // Returns the size of the section's elements in bytes; 0 if the record does not have the section.
     [[nodiscard]] std::size_t element_size(std::uint16_t id) const;
-    // Call after the last `get`. Throws Error if no `get` asked for a critical section: this program does not know it.
+    // Call after the last `get`. Throws Error if the record has a critical section that no `get` asked for, because
+    // this program does not know such a section.
     void check_all_known() const;
 
 private:
@@ -83,7 +88,7 @@ template <class T>
     return *const_cast<const volatile T*>(&entry);
 }
 
-// Throws Error with the message that a record changed while it was used. `what`: what is wrong with the record.
+// Throws Error with the message that a record changed while it was used. `what`: the contradiction in the record.
 [[noreturn]] void refuse_changed(const char* what);
 
 } // namespace ciel

@@ -15,9 +15,9 @@ namespace ciel {
 namespace {
 
 // Divides the cells into blocks of at most `cells_per_block`. Returns the first cell of each block, then the number of
-// cells. A block has fewer cells where its local ids would not fit 16 bits: one id for each half-edge of a standard
-// cell, and one for each corner of a polyhedron's face, even if two cells share the face. Only a block of one giant
-// cell may have more.
+// cells. A block gets fewer cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits). `used` counts
+// the half-edges of its cells, and counts half-edges of standard cells twice. `corners` counts the corners of its
+// faces. Only a block of one giant cell may exceed the limits of these two counts.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};
@@ -54,7 +54,7 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
         return c;
     };
     std::uint64_t components = parent.size();
-    const Ids owners = mesh.owner; // copies, so that index limits stay in registers
+    const Ids owners = mesh.owner; // local copies, so that their index limits stay in registers
     const OptionalIds neighbours = mesh.neighbour;
     for (std::size_t f = 0; f < owners.size(); ++f) {
         const Index neighbour = neighbours[f];
@@ -129,17 +129,18 @@ void Topology::Blocks::begin() {
 }
 
 // Checks one step of a walk around a ring: both blocks must name the same mesh vertex, and the step must not pass the
-// block `start`. The blocks of a ring ascend, except for the step from the last to the first, so such a walk ends.
+// block `start`. The blocks of a ring ascend, except at the step from the last block to the first. Therefore a walk of
+// such steps ends.
 void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
     const bool onwards =
         at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;
     if (!onwards || cells(at.block).vertex(vertex_at(at)) != cells(next.block).vertex(vertex_at(next)))
         fail("the blocks " + std::to_string(at.block) + " and " + std::to_string(next.block) +
-             " of the mesh do not agree on a vertex; import the dataset again");
+             " of the mesh contradict each other about a vertex that they share; import the dataset again");
 }
 
-// A changed id of 32 bits may lead anywhere. So the records of a block with such ids are copied, and the copies, which
-// cannot change, are checked.
+// A changed 32-bit id may lead to any address. Therefore the records of a block with such ids are copied. The copies
+// cannot change; the copies are checked.
 Block Topology::Blocks::read_cells(Index b) const {
     const std::span<const std::byte> record = source->record(b, RecordKind::cells);
     Block block = view_cells(record, b, numbers);

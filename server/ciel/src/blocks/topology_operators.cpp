@@ -13,7 +13,8 @@ struct InCell {
     Index cell, half_edge;
 };
 
-// Divides by a compile-time constant, chosen by shape, because this division is most of the work of an operator.
+// Divides by a constant that the compiler knows for each shape, because this division is most of the work of an
+// operator.
 InCell in_cell(const StandardSection& section, Index local_half_edge) {
     InCell place{};
     const Index at = local_half_edge - section.half_edge_begin;
@@ -23,10 +24,10 @@ InCell in_cell(const StandardSection& section, Index local_half_edge) {
     return place;
 }
 
-// Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, it is the first in
-// the list of the shape. At a corner of a stored loop, it runs along the loop, or against the loop if only side 1 of
-// the face is in the section.
-// The number is local to the block. If a record has changed, the half-edge may not exist.
+// Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, this half-edge is the
+// first in the list of the shape (first_at_corner). At a corner of a stored loop, it runs along the loop, or against
+// the loop if only side 1 of the face is in the section.
+// Returns the local number of the half-edge in the block. If a record has changed, the half-edge may not exist.
 Index first_at_entry(const Block& block, Index entry) {
     if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -37,7 +38,8 @@ Index first_at_entry(const Block& block, Index entry) {
     }
     return block.with([&](const auto& polyhedra) {
         const Index corner = entry - polyhedra.entry_begin;
-        if (corner >= polyhedra.vertex.size()) refuse_changed("a list of entries leads to one that does not exist");
+        if (corner >= polyhedra.vertex.size())
+            refuse_changed("a list of entries leads to an entry that does not exist");
         const bool far = corner >= polyhedra.far_corner;
         return polyhedra.half_edge_begin +
                polyhedra.half_edge(far ? polyhedra.previous_in_loop(corner, polyhedra.face(corner)) : corner,
@@ -101,8 +103,8 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
     return half_edge_in(b, mate);
 }
 
-// Only the mate of the first half-edge of a face is stored. From there, the other mates follow in reverse order around
-// the face of the other cell.
+// Only the mate of the first half-edge of a face is stored. Starting at this mate, the mates of the next half-edges
+// follow in reverse order around the face of the other cell.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Blocks::Place at = blocks_->place_of(h);
     const Block& block = at.block;
@@ -133,8 +135,9 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     });
 }
 
-// Goes through the entries of the vertex. At a corner of a standard cell: the half-edges of the cell that leave the
-// corner. At a corner of a stored loop: the half-edge that leaves along the loop, then the one that leaves against it.
+// Visits the entries of the vertex. An entry at a corner of a standard cell gives the half-edges of the cell that leave
+// the corner. An entry at a corner of a stored loop gives the half-edge that leaves along the loop, and then the
+// half-edge that leaves against the loop.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Blocks::Place at = blocks_->place_of(h);
     const Block& block = at.block;
@@ -208,7 +211,7 @@ std::vector<HalfEdge> Topology::half_edges(Index cell) const {
             const auto loop = polyhedra.loop(ref / 2);
             for (Index k = loop.begin; k < loop.end; ++k) {
                 const Index h = polyhedra.half_edge(k, ref % 2);
-                if (h >= most || out.size() == most) refuse_changed("a cell names a half-edge that does not exist");
+                if (h >= most || out.size() == most) refuse_changed("a cell has a half-edge that does not exist");
                 out.push_back(half_edge_in(b, polyhedra.half_edge_begin + h));
             }
         }
@@ -253,7 +256,7 @@ HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) c
 }
 
 void Topology::Blocks::refuse_half_edge() {
-    fail("the mesh is damaged, or a half-edge is not one of it; import the dataset again");
+    fail("the mesh is damaged, or a half-edge belongs to another mesh; import the dataset again");
 }
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// Views that are made when a block is touched for the first time. Not in the paper.
+// Touched: views of blocks, each made when its block is first used. Not in the paper.
 #pragma once
 
 #include "ciel/threads.hpp"
@@ -20,14 +20,14 @@ public:
         for (std::size_t b = 0; b < size_; ++b) delete views_[b].load(std::memory_order_relaxed);
     }
 
-    // Call before anything else.
+    // Sets the number of blocks. Call it before all other functions.
     void resize(std::size_t blocks) {
         views_ = std::make_unique<std::atomic<const View*>[]>(blocks);
         size_ = blocks;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
-    // Returns the view of a block. Calls make() if the view is not made yet. If make() throws, so does this function,
-    // and a later call tries again.
+    // Returns the view of a block. Calls make() if the view is not made yet. If make() throws, this function throws the
+    // same exception, and a later call tries again.
     template <class Make>
     [[nodiscard]] const View& of(std::size_t block, Make&& make) const {
         if (const View* const made = views_[block].load(std::memory_order_acquire); made != nullptr) [[likely]]

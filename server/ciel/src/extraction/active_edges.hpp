@@ -1,5 +1,6 @@
-// Two ways to record the active edges of a cut: SharedEdges and MetEdges. They differ in the ids that polygons store.
-// The records replace the is_marked of the paper's half-edge (section 2.2, figure 3).
+// SharedEdges and MetEdges: two ways to record the active edges of a cut. Polygons store a local edge id with
+// SharedEdges, and a point number with MetEdges. The records replace the is_marked of the paper's half-edge (section
+// 2.2, figure 3).
 #pragma once
 
 #include "extraction/cut_block.hpp"
@@ -8,18 +9,19 @@
 
 namespace ciel {
 
-// For surfaces whose points are shared between blocks. Sets one bit per active edge; polygons store local edges.
+// For surfaces whose points are shared between blocks. Sets one bit for each active edge. Polygons store local edge
+// ids.
 class SharedEdges {
 public:
     explicit SharedEdges(CutScratch& scratch) : active_(scratch.active.data()), ends_(scratch.ends.data()) {}
 
-    // Marks the edge between local vertices a and b as active. Returns the id that polygons store for the edge.
+    // Marks the edge between the local vertices a and b as active. Returns the id that polygons store.
     Index activate(Index edge, Index a, Index b) {
         active_[edge / 64] |= std::uint64_t{1} << edge % 64;
         ends_[edge] = {std::min(a, b), std::max(a, b)};
         return edge;
     }
-    // Return whether an edge is active, and the id that polygons store for it.
+    // has: returns whether an edge is active. kept: returns the id that polygons store for an active edge.
     [[nodiscard]] bool has(Index edge) const { return (active_[edge / 64] >> edge % 64 & 1) != 0; }
     [[nodiscard]] static Index kept(Index edge) { return edge; }
     void finish() const {}
@@ -29,16 +31,16 @@ private:
     std::array<Index, 2>* ends_;
 };
 
-// For cuts of one block alone. Numbers points in the order of first use, so that inactive edges cost nothing; polygons
-// store these point numbers.
+// For cuts of one block alone. Numbers the points in the order of first use, so that inactive edges cost nothing.
+// Polygons store point numbers.
 class MetEdges {
 public:
     explicit MetEdges(CutScratch& scratch)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 
-    // Branch-free, because it is unpredictable whether the edge already has a point. If it has one, the ends are
-    // written past the last entry, where the next new point overwrites them.
+    // Branch-free, because it is unpredictable whether the edge already has a point. If it has a point, the ends are
+    // written to the first unused entry of `ends_`, and the next new point overwrites them.
     Index activate(Index edge, Index a, Index b) {
         const Index known = met_[edge], is_new = known < before_ ? 1 : 0;
         const Index number = known ^ ((known ^ next_) & (0 - is_new));
@@ -56,7 +58,7 @@ private:
     std::array<Index, 2>* ends_;
     Index before_;
     Index* count_;
-    Index next_; // before_ + number of the next new point
+    Index next_; // before_ + the number of points so far
 };
 
 } // namespace ciel

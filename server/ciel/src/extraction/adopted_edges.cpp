@@ -8,12 +8,12 @@ namespace ciel {
 
 namespace {
 
-// Appends the active edges of block `b` that a left-out block owns.
+// Appends the active edges of block `b` whose owner is a left-out block.
 void list_edges(const Topology::Blocks& blocks, const Cutter& cutter, Index b, const ActiveBlock& cut,
                 std::vector<AdoptedEdges::Edge>& out) {
     const Block& block = blocks.cells(b);
     const std::vector<Index>& begin = blocks.numbers.edge;
-    Index owner_begin = 0, owner_edges = 0; // edges of the last owner, which often owns the next edge too
+    Index owner_begin = 0, owner_edges = 0; // edges of the last owner found, which often owns the next edge too
     bool is_left_out = false;
     Index end = 0;
     for (std::size_t w = 0; end < cut.ghosts; ++w)
@@ -26,7 +26,7 @@ void list_edges(const Topology::Blocks& blocks, const Cutter& cutter, Index b, c
                 owner_edges = begin[static_cast<std::size_t>(owner) + 1] - owner_begin;
             }
             if (!is_left_out) continue;
-            if (edge >= begin[b]) refuse_changed("a block does not come after the owner of an edge");
+            if (edge >= begin[b]) refuse_changed("a block refers to an edge that no earlier block owns");
             out.push_back({edge, b, end, none});
         }
 }
@@ -62,7 +62,8 @@ std::uint64_t AdoptedEdges::number_below(Index edge, std::uint64_t next) {
 
 Index AdoptedEdges::point_of(Index edge) const {
     const auto at = std::ranges::lower_bound(edges_, edge, {}, &Edge::edge);
-    if (at == edges_.end() || at->edge != edge) refuse_changed("an edge of a neighbor is another one than before");
+    if (at == edges_.end() || at->edge != edge)
+        refuse_changed("an edge that a left-out block owns has another id than before");
     return at->point;
 }
 

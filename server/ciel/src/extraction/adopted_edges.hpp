@@ -1,30 +1,32 @@
-// The points of a surface of some blocks (Query::set_blocks) on edges that a left-out block owns. Not in the paper.
+// AdoptedEdges: points of a surface of some blocks (Query::set_blocks), on edges that a left-out block owns. Not in the
+// paper.
 //
-// The first block that has an edge owns the edge and makes its point. If this block is left out, the first remaining
-// block that has the edge adopts it and makes the point. The point is the same, because all blocks have the same values
-// at the ends of the edge.
+// The first block that has an edge owns the edge and makes the point on it. If the owner is left out, the first
+// remaining block that has the edge adopts the edge and makes the point. The point is the same, because all blocks have
+// the same values at the ends of the edge.
 #pragma once
 
 #include "extraction/cutter.hpp"
 
 namespace ciel {
 
-// Reused from surface to surface. Not thread-safe.
+// The object is reused for each surface. Not thread-safe.
 class AdoptedEdges {
 public:
     struct Edge {
-        Index edge;       // of the mesh
-        Index block, end; // the block that makes the point, and the index of the edge in its ActiveBlock::ends
-        Index point;      // of the surface
+        Index edge;       // mesh-wide id
+        Index block, end; // block that adopts the edge, and index of the edge in ActiveBlock::ends of that block
+        Index point;      // index of the point in the surface
     };
 
-    // Finds the active edges of the cutter's blocks whose owners the cutter leaves out. Sets `adopted` of its cuts.
+    // Finds the active edges of the cutter's blocks whose owner is left out. Sets ActiveBlock::adopted in the cutter's
+    // cuts.
     void find(const Topology::Blocks& blocks, Cutter& cutter);
-    // Numbers the points of the adopted edges below `edge` that have no number yet, from `next` on. Returns the next
-    // free number. Call with ascending `edge`.
+    // Numbers the points of the adopted edges below `edge` that have no number yet, beginning with `next`. Returns the
+    // next unused number. The calls must have ascending `edge`.
     [[nodiscard]] std::uint64_t number_below(Index edge, std::uint64_t next);
 
-    [[nodiscard]] std::span<const Edge> edges() const { return edges_; } // ascending
+    [[nodiscard]] std::span<const Edge> edges() const { return edges_; } // ascending by edge
     // Returns the point of the adopted edge with the mesh-wide id `edge`.
     [[nodiscard]] Index point_of(Index edge) const;
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -32,7 +34,7 @@ public:
 private:
     std::vector<Edge> edges_;
     std::size_t numbered_ = 0;
-    std::vector<std::vector<Edge>> found_; // by active block
+    std::vector<std::vector<Edge>> found_; // by index in Cutter::active(): the edges found in that block
 };
 
 } // namespace ciel

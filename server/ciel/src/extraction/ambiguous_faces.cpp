@@ -1,4 +1,5 @@
-// Counts the ambiguous faces, on which the points of a surface could be joined in more than one way (paper, section 4).
+// Counts the ambiguous faces: faces on which the points of a surface can be joined in more than one way (paper, section
+// 4).
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
 #include "ciel/field.hpp"
@@ -27,9 +28,13 @@ bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
 } // namespace
 
 std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView& boundary, ValuesView values) {
-    if (values.size() != topology.counts().vertices) fail("a field must hold one value per vertex");
+    if (values.size() != topology.counts().vertices)
+        fail("counting ambiguous faces needs one value for each vertex; pass as many values as the topology has "
+             "vertices");
     const Topology::Blocks& blocks = topology.blocks();
-    std::atomic<std::uint64_t> sides{0}; // each ambiguous face counts twice; a boundary face once here and once below
+    // Each ambiguous face is counted twice: a face inside the mesh once for each of its cells, a boundary face once in
+    // the blocks and once in the loop over `boundary`.
+    std::atomic<std::uint64_t> sides{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;
         std::vector<Index> loop;

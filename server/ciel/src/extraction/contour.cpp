@@ -13,7 +13,7 @@
 namespace ciel {
 namespace {
 
-// Replaces vertex and cell ids of the stored mesh by the caller's ids.
+// Replaces the vertex and cell ids of the stored mesh by the caller's ids.
 void name_as_given(const Mesh& mesh, std::span<EdgePoint> points, std::span<Index> cells) {
     const std::span<const Index> vertex = mesh.original_vertex(), cell = mesh.original_cell();
     if (!vertex.empty())
@@ -27,7 +27,7 @@ void name_as_given(const Mesh& mesh, std::span<EdgePoint> points, std::span<Inde
 
 void name_as_given(const Mesh& mesh, Surface& surface) { name_as_given(mesh, surface.points, surface.polygon_cell); }
 
-// A cut of a sweep with the caller's ids.
+// A cut of a sweep, copied to replace stored ids by the caller's ids.
 class NamedCut {
 public:
     NamedCut(const Mesh& mesh, const BlockPolygons& cut)
@@ -52,11 +52,14 @@ private:
 
 const Mesh& mesh_of(const Field& field) {
     const Mesh* mesh = field.mesh();
-    if (mesh == nullptr) fail("a surface with the caller's ids needs a field that was made from a Mesh");
+    if (mesh == nullptr)
+        fail("the field was not made from a Mesh; make the field from a Mesh, so that results can have the caller's "
+             "ids");
     return *mesh;
 }
 
-// Returns one row per point of the mesh, in the caller's order: the means that Field::from_cells makes.
+// Returns one row for each point of the mesh, in the caller's order: the mean of the cells around the point, as in
+// Field::from_cells.
 std::vector<double> at_points(const Mesh& mesh, const ArrayView& of_cells) {
     const std::span<const Index> vertex = mesh.original_vertex();
     const std::size_t width = of_cells.columns();
@@ -125,7 +128,8 @@ std::vector<Surface> contour(const Mesh& mesh, const ArrayView& values, std::spa
 
 Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options) {
     const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    if (!(length > 0) || !std::isfinite(length)) fail("a slice needs a normal of finite length, not zero");
+    if (!(length > 0) || !std::isfinite(length))
+        fail("a slice needs a normal whose length is finite and not zero; give another normal");
     Surface surface;
     with_threads(options.threads, [&] {
         Contour(Field::plane(mesh, origin, {normal[0] / length, normal[1] / length, normal[2] / length}), options)
@@ -142,8 +146,9 @@ bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_c
         on_cut(value, block, NamedCut(mesh, cut).get());
     };
     bool done = false;
-    // With a limit, a loop that a callback starts stays on its thread. Without one, the thread could take another block
-    // while it waits, call the callback again, and overwrite the cut of the first call.
+    // With a thread limit, a loop that a callback starts runs on the callback's thread only. Without a limit, this
+    // thread could take another block while it waits for that loop. It would then call the callback again and overwrite
+    // the cut of the first call.
     with_threads(options.threads > 0 ? options.threads : thread_count(), [&] {
         SweepScratch scratch;
         done = sweep(mesh.topology(), mesh.stored(), field, levels, named, scratch, stop,
@@ -163,7 +168,8 @@ ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& v
                     std::span<const HalfSpace> planes, double slack) {
     std::vector<double> at_surface;
     if (!values.empty()) at_surface = interpolate(surface, mesh, values);
-    std::vector<HalfSpace> shifted(planes.begin(), planes.end()); // to the origin of surface.positions
+    // The planes, relative to surface_origin as surface.positions are.
+    std::vector<HalfSpace> shifted(planes.begin(), planes.end());
     for (HalfSpace& plane : shifted)
         for (std::size_t axis = 0; axis < 3; ++axis)
             plane.offset += plane.normal[axis] * mesh.stored().surface_origin[axis];
@@ -172,19 +178,20 @@ ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& v
 
 std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values, bool of_cells) {
     if (surface.points.size() < surface.positions.size())
-        fail("a clipped surface has points on no edge of the mesh; interpolate before clipping, or clip with the "
-             "values");
-    if (values.columns() == 0) fail("values to interpolate must have at least one column");
+        fail("a clipped surface has points that lie on no edge of the mesh; interpolate before clipping, or pass the "
+             "values to clip");
+    if (values.columns() == 0) fail("values to interpolate have no columns; give at least one column");
     if (of_cells) return interpolate(surface, mesh, {at_points(mesh, values), values.columns()});
     if (values.rows() != mesh.point_count())
-        fail("values to interpolate must be one row per point of the mesh (" + std::to_string(mesh.point_count()) +
-             "), not " + std::to_string(values.rows()));
+        fail("values to interpolate must have one row for each point of the mesh (" +
+             std::to_string(mesh.point_count()) + " rows), not " + std::to_string(values.rows()));
     std::vector<double> out;
     out.reserve(surface.points.size() * values.columns());
     for (const EdgePoint& point : surface.points) {
         if (std::max(point.a, point.b) >= values.rows())
-            fail("the surface has the point " + std::to_string(std::max(point.a, point.b)) + ", but the mesh only " +
-                 std::to_string(values.rows()) + " points; give the mesh that the surface was made of");
+            fail("the surface uses the point " + std::to_string(std::max(point.a, point.b)) +
+                 ", but the mesh has only " + std::to_string(values.rows()) +
+                 " points; pass the mesh from which the surface was made");
         for (std::size_t c = 0; c < values.columns(); ++c)
             out.push_back(lerp(values.real(point.a, c), values.real(point.b, c), point.t));
     }

@@ -42,7 +42,7 @@ const std::uint8_t* mark(ValuesView values, double threshold, CutScratch& scratc
     return high;
 }
 
-// Packs eight bytes of 0 or 1 into eight bits. The multiplication moves byte i to bit i of the top byte.
+// Packs eight bytes, each 0 or 1, into eight bits: the multiplication moves byte i to bit i of the top byte.
 std::uint64_t bits_of(const std::uint8_t* bytes) {
     std::uint64_t word;
     std::memcpy(&word, bytes, sizeof word);
@@ -76,8 +76,8 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Appends the active cells in [begin, end) to scratch.cell. Branch-free, because it is unpredictable which cells are
-// active.
+// Appends the active cells among the cells begin to end - 1 to scratch.cell. Branch-free, because it is unpredictable
+// which cells are active.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -92,9 +92,10 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// Sets the bits of the parts (Block::vertices_per_part) with low vertices in scratch.low_parts and those with high
-// vertices in scratch.high_parts. A group of cells touches few parts, and most parts are all low or all high, so most
-// groups are skipped. The padding counts as low, which at worst causes a needless visit of a group.
+// Finds the parts of the block's vertices (Block::vertices_per_part) that have low vertices, and the parts that have
+// high vertices. Sets a bit for each in scratch.low_parts and scratch.high_parts. A group of cells has vertices in few
+// parts, and most parts are all low or all high. Therefore most groups can be skipped. The padding after the last
+// vertex is low; at worst, a group is visited in vain.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -136,9 +137,9 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-// Sets a bit in scratch.crossed_cells for each cell of a face with low and high corners. In such a face two successive
-// corners differ. Looks at 64 corners at a time, because a loop over the unpredictable number of corners of a face
-// mispredicts branches, and skips those in parts that are all low or all high.
+// Sets a bit in scratch.crossed_cells for each cell that has a face with low and high corners. In such a face two
+// successive corners differ. Compares 64 corners at a time, because a loop over the unpredictable number of corners of
+// a face mispredicts branches. Does not read 64 corners whose vertices are in parts that are all low or all high.
 template <class Local>
 void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     const std::size_t corners = section.vertex.size();
@@ -153,7 +154,7 @@ void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) 
             scratch.crossed_cells[cell / 64] |= std::uint64_t{1} << cell % 64;
         }
     };
-    std::uint64_t before = 0; // 1 if the last corner of the previous word is high
+    std::uint64_t before = 0; // 1 if the last corner of the previous 64 corners is high
     Index last = none;
     for (std::size_t w = 0, begin = 0; begin < corners; ++w, begin += 64) {
         const std::uint64_t parts =
@@ -198,7 +199,7 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
 }
 
 // Clears `cut` and grows the buffers of `scratch`. `ends` and `cell` get one extra entry, because branch-free loops
-// write inactive entries past the last active one.
+// write an inactive entry after the last active entry.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, std::max<std::size_t>(block.edge_count, local_ids) + 1);
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -209,7 +210,7 @@ void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.decided = false;
 }
 
-// Sorts the polygons of the cut by cell. Before, they are ordered by section.
+// Sorts the polygons of the cut by cell. Before, they are sorted by section, then by cell.
 void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());
@@ -240,11 +241,12 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Throws Error if a finished cut has a cell or an edge that does not exist: the record may have changed meanwhile.
+// Throws Error if a finished cut has a cell or an edge that does not exist, because the record changed during the cut.
 // `edges`: number of edge ids that polygons may store.
 void check_cut(const Block& block, Index edges, const ActiveBlock& cut) {
     const Index cells = block.cell_count;
-    Index outside = 0; // no branches, so that it takes little of the time of the cut
+    // Branch-free, so that the check takes only a small part of the time of the cut.
+    Index outside = 0;
     for (const Index cell : cut.polygon_cell) outside |= cell >= cells ? 1U : 0U;
     for (const Index edge : cut.polygon_edge) outside |= edge >= edges ? 1U : 0U;
     if (outside != 0) refuse_changed("a cell or an edge does not exist");
@@ -257,8 +259,8 @@ void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     std::fill_n(scratch.active.begin(), words, std::uint64_t{0});
 }
 
-// Copies the active edges from `scratch` to `cut`. Clears the bits after the block's last edge, which only a changed
-// record can set.
+// Copies the active edges from `scratch` to `cut`. Clears the bits after the block's last edge. Only a changed record
+// can set these bits.
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     check_cut(block, block.edge_count, cut);
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
@@ -300,11 +302,11 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-// Like cut_sections, but tests only the cells in `cells`.
+// Does the same as cut_sections, but tests only the cells in `cells`.
 template <class Edges>
 void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                 ActiveBlock& cut) {
-    // Calls found(index in the section) for each of `cells` that is in the section.
+    // Calls found(index in the section) for each cell in `cells` that belongs to the section.
     const auto for_each_in = [&](const auto& section, auto&& found) {
         scratch.cells = 0;
         for (const Index cell : cells) {
@@ -334,7 +336,8 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     const Index most = std::max(block.edge_count, Index{local_ids});
     grow(scratch.met, most);
     (void)mark(in.values, in.threshold, scratch);
-    scratch.met_before += scratch.met_most; // skips all numbers that the last cut may have used before it threw
+    // The last cut may have thrown. Skips all numbers that it may have used.
+    scratch.met_before += scratch.met_most;
     scratch.met_most = most;
     scratch.met_count = 0;
     if (scratch.met_before > none - most) {

@@ -1,4 +1,4 @@
-// How a sink of a sweep joins the pieces of one value: concatenates arrays and offsets triangle indices. Not in the
+// Joins the pieces of one value of a sweep: concatenates arrays, and adds offsets to triangle indices. Not in the
 // paper, which draws polygon by polygon (algorithm 3).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace ciel {
 
-// Concatenates array(piece) of all pieces into array(out), whose buffer is reused.
+// Concatenates array(piece) of all pieces into array(out), and reuses the buffer of array(out).
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
     auto& to = std::invoke(array, out);
@@ -24,8 +24,8 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
     }
 }
 
-// Concatenates the triangles of all pieces and offsets their indices into the joined points. points(piece): the points
-// of a piece.
+// Concatenates the triangles of all pieces. Adds to the indices of each piece the number of points in the pieces before
+// it. points(piece): the points of a piece.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;

@@ -5,16 +5,17 @@
 
 namespace ciel {
 
-// Returns true when the high corners are joined. `value(i)`: value of the i-th of n corners around the face. The face
-// must be ambiguous at nu: at least four changes between high and low around it. For a quadrangle, the result does not
-// depend on the first corner and the direction, so both cells of the face get the same result.
+// Returns true when the high corners are joined. `n`: number of corners of the face. value(i): the value of corner i.
+// The face must be ambiguous at nu: around the face, there are at least four changes between high and low. For a
+// quadrangle, the result does not depend on the first corner and the direction. Therefore both cells of the face get
+// the same result.
 template <class Value>
 [[nodiscard]] bool joins_high(std::size_t n, double nu, Value&& value) {
     if (n == 4) {
         const bool first_is_high = value(0) >= nu;
         const double a = value(first_is_high ? 0 : 1), c = value(first_is_high ? 2 : 3);
         const double b = value(first_is_high ? 1 : 0), d = value(first_is_high ? 3 : 2);
-        return a * c - b * d >= nu * ((a + c) - (b + d)); // a and c are high, so the last factor is positive
+        return a * c - b * d >= nu * ((a + c) - (b + d)); // a and c are high, so that nu's factor is positive
     }
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) sum += value(i);

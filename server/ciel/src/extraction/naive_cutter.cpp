@@ -1,4 +1,4 @@
-// The paper's own baseline: no list of active edges; visits every cell of the mesh for every value.
+// The paper's own baseline: has no list of active edges, and visits every cell of the mesh for every value.
 #include "ciel/parallel.hpp"
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"

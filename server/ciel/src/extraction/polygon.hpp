@@ -1,5 +1,5 @@
-// Corners and area vectors of a surface's polygons, which Algorithm 4 of the paper makes. The corners are borrowed from
-// the surface. Any thread.
+// Corners and area vectors of a surface's polygons. The paper's Algorithm 4 makes these polygons. A span of corners is
+// a view of the surface. Any thread may call the functions.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -12,8 +12,8 @@ namespace ciel {
     return std::span(surface.polygon_vertex).subspan(begin, surface.polygon_offset[i + 1] - begin);
 }
 
-// Returns twice the area, along the right-hand normal. Uses offsets from the first corner to stay precise far from the
-// origin.
+// Returns the normal of the polygon (right-hand rule), with twice the area as its length. Uses offsets from the first
+// corner, to stay precise far from the origin. REQUIRES: `loop` has at least two corners.
 [[nodiscard]] inline Vec3d area_vector(std::span<const Vec3f> positions, std::span<const Index> loop) {
     Vec3d sum{};
     Vec3d a = arm(positions[loop[0]], positions[loop[1]]);

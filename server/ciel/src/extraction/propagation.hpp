@@ -1,9 +1,9 @@
-// Algorithm 2 of the paper: keeps the active edges and the cells around them from one nu to the next.
+// Algorithm 2 of the paper: keeps the active edges, and the cells around them, from one nu to the next.
 //
 // Corrects errata. Step 2 as printed removes `succ` instead of `h`, and turns around the origin of h instead of its
 // head. The printed test "is not active already" takes exponential time: an edge that a jump skips is appended once for
-// each path to it. Here a sweep passes each vertex once and then appends its edges once. A sweep down is the same as a
-// sweep up with the order (value, id) reversed.
+// each path that leads to the edge. Here a sweep passes each vertex once, and appends the edges of the vertex once. A
+// sweep down is a sweep up in which the order (value, id) is reversed.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -14,21 +14,23 @@ namespace ciel {
 // Not thread-safe, except `settle`.
 class Propagation {
 public:
-    // Sets the field. The next `reach` starts below all values. Borrows both arguments until the next `begin`.
+    // Sets the topology and the field. Does not own them; both must live until the next call of `begin`. The next
+    // `reach` starts below all values.
     void begin(const Topology& topology, const Field& field);
 
-    // Moves the active edges to nu, up or down. Returns false when stopped; throws when out of memory. The next call
-    // then starts below all values, because an incomplete list of active edges is useless. Reuses the buffers of
-    // earlier fields.
+    // Moves the active edges to nu, up or down. Returns false when `stop` was requested. Throws when out of memory. In
+    // both cases the list of active edges is incomplete, and the next call starts below all values. Reuses the buffers
+    // of earlier fields.
     bool reach(double nu, const StopToken& stop);
     [[nodiscard]] double threshold() const { return threshold_; }
 
-    // Sets `out` to the blocks that may have active cells, ascending.
+    // Sets `out` to the blocks that may have active cells, in ascending order.
     void list_blocks(std::vector<Index>& out) const;
-    // Updates `cells(block)`. Returns true when nu has passed a vertex of the block's cells since the last call.
-    // Different blocks may be settled on different threads.
+    // Updates the result of `cells(block)`. Returns true when nu has passed a vertex of the block's cells since the
+    // last call. May be called for different blocks on different threads at the same time.
     bool settle(Index block);
-    // Returns the local ids of the active cells of the block, ascending. Call settle(block) before.
+    // Returns the local ids of the active cells of the block, ascending. REQUIRES: settle(block) was called after
+    // `reach`.
     [[nodiscard]] std::span<const Index> cells(Index block) const { return cells_[block]; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -50,11 +52,11 @@ private:
 
     const Topology* topology_ = nullptr;
     const Field::Data* field_ = nullptr;
-    bool arrived_ = false; // whether the members below are valid for threshold_
+    bool arrived_ = false; // whether the members below are complete for threshold_
     double threshold_ = 0;
     std::vector<HalfEdge> active_edges_;    // half-edges, each from the low end to the high end of its edge
     std::vector<std::uint8_t> is_active_;   // by edge: 1 if in active_edges_
-    std::vector<std::uint8_t> is_low_;      // by vertex: 1 if its value is below nu
+    std::vector<std::uint8_t> is_low_;      // by vertex: 1 if the value is below nu
     std::vector<Index> half_edges_;         // by cell: number of half-edges
     std::vector<Index> low_half_edges_;     // by cell: number of half-edges that leave a low vertex
     std::vector<std::uint8_t> is_listed_;   // by cell: 1 if in cells_

@@ -1,4 +1,4 @@
-// Algorithms 1 and 3 of the paper: move the active edges to nu, intersect them, cut the cells around them.
+// Algorithms 1 and 3 of the paper: move the active edges to nu, intersect them, and cut the cells around them.
 #include "extraction/surface_writer.hpp"
 
 namespace ciel {
@@ -59,7 +59,7 @@ void Query::set_field(const Field& field) {
 }
 
 bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
-    if (state_->field == nullptr) fail("choose a field before extracting a surface");
+    if (state_->field == nullptr) fail("the query has no field; call set_field before extract");
     if (!state_->cutter->update(nu, stop)) return false;
     write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
                   normals ? std::optional(state_->normals) : std::nullopt, state_->scratch, out);
@@ -76,7 +76,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;
         sink(nu, std::move(surface));
-        // The sink may have moved from `surface`; the next extract replaces its contents.
+        // `surface` may be moved from here. The next call of extract replaces its contents.
     }
     return true;
 }

@@ -1,5 +1,5 @@
-// The Cutter that reuses the cut of a block while the same vertices are high. A cut depends on nothing else, unless a
-// decider uses nu.
+// A Cutter that keeps the cut of a block while the same vertices are high. The cut depends only on which vertices are
+// high, unless a decider uses nu.
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"
@@ -39,7 +39,7 @@ void SignatureCutter::update_block(Index b, double threshold, double nu) {
     const ValuesView values = field_->of_block(b);
     const bool gaps = field_->has_gaps(b);
     if (classify(values, threshold, scratch, cut) && !gaps) return;
-    cut.known = false; // remains false if cut_block throws
+    cut.known = false; // so that it is false if cut_block throws
     cut_block(block, {values, gaps, threshold, nu, decider_, field_->ranges.of(block, b, values)}, scratch, cut);
     cut.known = !gaps && !cut.decided;
 }

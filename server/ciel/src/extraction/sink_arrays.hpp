@@ -1,4 +1,4 @@
-// Checks the sizes of the arrays that a caller gives to a sink of a sweep. Not in the paper.
+// Checks the sizes of arrays that a caller gives to a sink of a sweep. Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -7,10 +7,11 @@
 
 namespace ciel {
 
-// Throws Error unless `found` is `wanted`. `what` names the entries in the message.
+// Throws Error unless `found` equals `wanted`. `what`: describes the entries of the array in the message.
 inline void require_size(std::size_t found, std::size_t wanted, const char* what) {
     if (found != wanted)
-        fail("a sweep needs " + std::to_string(wanted) + " " + what + ", not " + std::to_string(found));
+        fail("an array for slices must have " + std::to_string(wanted) + " " + what + "; it has " +
+             std::to_string(found));
 }
 
 } // namespace ciel

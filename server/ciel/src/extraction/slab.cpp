@@ -18,7 +18,7 @@ namespace ciel {
 
 namespace {
 
-// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must already be vertices of the SlabMesh.
+// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must be vertices of the SlabMesh already.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -35,8 +35,8 @@ public:
     }
 
 private:
-    // Returns `point`, or a copy of the vertex if another fan starts at `point`. The first vertex of a fan has the
-    // limits of one cell, so two fans cannot share it.
+    // Returns the vertex at which a new fan starts: `point`, or a copy of it if another fan starts at `point`. The
+    // first vertex of a fan has the limits of one cell; therefore two fans cannot share it.
     [[nodiscard]] Index own(Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;
@@ -52,15 +52,16 @@ private:
         return taken;
     }
 
-    // Returns the corner where the fan of a polygon starts: the first one without a reversed triangle, else the best.
-    // Begins with a corner where no other fan starts, if there is one. A fan with a reversed triangle overlaps itself,
-    // and the overlap would be blended twice. Of more than 64 corners, 64 to 127 are tried.
+    // Returns the corner at which the fan of a polygon starts: the first corner from which no triangle is reversed,
+    // else the corner with the best triangles. A fan with a reversed triangle overlaps itself, and the overlap would be
+    // blended twice. Begins the search at a corner where no other fan starts, if there is one. In a polygon of more
+    // than 64 corners, only 64 to 127 corners are tried.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
         std::size_t best = 0;
         double best_worst = -std::numeric_limits<double>::infinity();
-        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // keeps the time linear in the corners
+        const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // makes the time linear in the corners
         for (std::size_t k = 0, first = free_corner(loop); k < loop.size() && best_worst < 0; k += step) {
             const std::size_t corner = (first + k) % loop.size();
             const double worst = worst_area(loop, normal, corner);
@@ -90,7 +91,8 @@ private:
     }
     [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
         const std::size_t n = loop.size();
-        // Tolerance: a sliver triangle that is reversed only by rounding does not count as a fold.
+        // Areas are compared with the area of the polygon. The tolerance of 1e-6 accepts a sliver that only rounding
+        // has reversed.
         double worst = 1e-5 * dot(normal, normal);
         for (std::size_t i = 1; i + 1 < n; ++i)
             worst = std::min(worst, 1e-6 * dot(normal, normal) +
@@ -100,7 +102,7 @@ private:
     }
 
     SlabMesh& out_;
-    std::vector<std::uint8_t>& taken_; // by vertex: 1 if a fan starts there
+    std::vector<std::uint8_t>& taken_; // by vertex: 1 if a fan starts at the vertex
 };
 
 bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
@@ -109,8 +111,8 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
-// Makes a SlabMesh of faces of the mesh. `add` collects vertices and corners. `take` writes the fans, because FanWriter
-// needs all vertices first.
+// Makes a SlabMesh from faces of the mesh. `add` collects the vertices and the corners. `take` writes the fans at the
+// end, because FanWriter needs all vertices.
 class SlabFaces {
 public:
     SlabFaces(const FaceMeshView& points, const SlabProperty& property)
@@ -140,16 +142,16 @@ public:
 private:
     const FaceMeshView& points_;
     const SlabProperty& property_;
-    SparseArray<Index> local_; // by mesh vertex: its index in the result plus 1; 0 if it is not added
+    SparseArray<Index> local_; // by mesh vertex: index in out_.vertices plus 1; 0 if not added
     std::vector<Index> corners_, cells_;
-    std::vector<std::size_t> ends_; // by face: the end of its corners
+    std::vector<std::size_t> ends_; // by face: end of the face's corners in corners_
     SlabMesh out_;
 };
 
 } // namespace
 
 std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values) {
-    require_size(values.size(), topology.counts().vertices, "values, one per vertex");
+    require_size(values.size(), topology.counts().vertices, "values, one for each vertex");
     const Topology::Blocks& blocks = topology.blocks();
     std::vector<std::array<float, 2>> limits(topology.counts().cells, not_filled);
     parallel_for(blocks.count(), fair_grain(blocks.count(), 16), [&](std::size_t begin, std::size_t end) {
@@ -169,9 +171,9 @@ std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::spa
 }
 
 void SlabSink::check(const FaceMeshView& mesh) const {
-    require_size(property.value.size(), mesh.vertex_count(), "values, one per vertex");
-    require_size(property.gradient.size(), mesh.vertex_count(), "gradients, one per vertex");
-    require_size(property.limits.size(), mesh.cell_count(), "limits, one per cell");
+    require_size(property.value.size(), mesh.vertex_count(), "values, one for each vertex");
+    require_size(property.gradient.size(), mesh.vertex_count(), "gradients, one for each vertex");
+    require_size(property.limits.size(), mesh.cell_count(), "limits, one for each cell");
 }
 
 void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
@@ -200,7 +202,8 @@ void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
 SlabMesh slab_boundary(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                        const SlabProperty& property) {
     if (boundary.vertex_count() != topology.counts().vertices || boundary.cell_count() != topology.counts().cells)
-        fail("a slab's boundary is of another mesh than the topology");
+        fail("the boundary of a volume belongs to another mesh than the topology; pass the boundary of the topology's "
+             "mesh");
     SlabSink{property}.check(boundary);
     std::vector<std::uint8_t> filled(property.limits.size());
     std::ranges::transform(property.limits, filled.begin(), [](const auto& limits) { return is_filled(limits); });

@@ -8,16 +8,17 @@ namespace {
 
 struct Corners {
     const StandardShape& shape;
-    std::size_t high, joined; // one bit per high corner; one bit per face whose high corners are joined
+    // high: one bit for each high corner. joined: one bit for each face whose high corners are joined.
+    std::size_t high, joined;
 
     [[nodiscard]] bool is_high(std::size_t corner) const { return (high >> corner & 1) != 0; }
     [[nodiscard]] bool climbs(std::size_t h) const { return !is_high(shape.origin[h]) && is_high(shape.target(h)); }
     [[nodiscard]] bool descends(std::size_t h) const { return is_high(shape.origin[h]) && !is_high(shape.target(h)); }
 };
 
-// Appends the polygon that starts at half-edge `start`. The walk enters a face where its loop climbs from low to high.
-// It leaves the face at the next active half-edge, which descends, and goes on at the mate of that half-edge, which
-// climbs in the adjacent face.
+// Appends the polygon that starts at half-edge `start`. The walk enters a face at a half-edge that climbs from low to
+// high. It leaves the face at the next active half-edge of the loop, which descends from high to low. It continues at
+// the mate of that half-edge, which climbs in the adjacent face.
 void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walked, StandardCase& out) {
     const std::size_t begin = out.edges;
     std::size_t h = start;
@@ -29,8 +30,8 @@ void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walke
         while (!corners.descends(h));
         h = corners.shape.mate[h];
     } while (h != start);
-    // Reverses the polygon: seen from outside the cell, the walk has the high side on its left, but polygons run
-    // counter-clockwise seen from the high side.
+    // Reverses the polygon. Seen from outside the cell, the walk has the high side on its left. But seen from the high
+    // side, polygons must run counter-clockwise.
     for (std::size_t first = begin, end = out.edges; first + 1 < end; ++first)
         std::swap(out.edge[first], out.edge[--end]);
     out.end[out.polygons++] = out.edges;

@@ -1,4 +1,4 @@
-// Point normals from the polygons of a surface. Also replaces unusable gradient normals by them.
+// Makes normals at points from the polygons around the points. Replaces gradient normals that cannot be used.
 #include "extraction/polygon.hpp"
 #include "extraction/surface_writer.hpp"
 #include "parallel/grain.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-// Marks points whose gradient normal is zero or points against a polygon around the point. In flat cells at a wall, the
-// least-squares gradient of a cell and the surface in the cell may disagree.
+// Marks points whose gradient normal is zero, or points against a polygon around the point. This happens in flat cells
+// at a wall, where the least-squares gradient of a cell and the surface in the cell may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
     doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -37,8 +37,9 @@ std::size_t SurfaceScratch::memory_bytes() const {
     return bytes;
 }
 
-// Sums at each point in the order of its polygons, so that the bits do not depend on the ranges. First adds the
-// polygons of the range that owns the point, then the shares that later ranges have recorded.
+// Sums the area vectors at each point in the order of the polygons, so that the bits do not depend on the ranges. First
+// adds the polygons of the range that owns the point. Then adds the shares that other ranges, which come later, have
+// recorded.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const std::span<const PointRange> ranges = scratch.ranges;
     std::vector<Vec3d>& sum = scratch.sum;
@@ -61,7 +62,7 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
                         elsewhere[c].push_back({p, area});
             }
     });
-    // Large tasks, because each task reads all recorded shares.
+    // The tasks are large, because each task reads all recorded shares.
     const std::size_t points_per_task = std::clamp<std::size_t>(sum.size() / (2 * thread_count()), 1024, 65536);
     parallel_for(sum.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
         for (const std::vector<SurfaceScratch::Share>& shares : elsewhere)

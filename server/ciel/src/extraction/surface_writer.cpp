@@ -13,11 +13,11 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t most_blocks_per_task = 4;
-constexpr Index ahead = 8; // prefetch distance in points
+constexpr Index ahead = 8; // number of points between a prefetch and its use
 
 [[noreturn]] void refuse_ghost(Index owner) {
     fail("block " + std::to_string(owner) +
-         " of the mesh does not have an edge that another block shares with it; import the dataset again");
+         " of the mesh does not have an edge that another block refers to; import the dataset again");
 }
 
 class Writer {
@@ -58,7 +58,9 @@ private:
     void write_adopted();
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     struct Owner {
-        Index block = 0, edge_begin = 0, edges = 0, ghosts = 0; // edge_begin, edges: the edges that the block owns
+        // edge_begin, edges: the first id and the number of the edges that the block owns. ghosts: number of its ghost
+        // edges.
+        Index block = 0, edge_begin = 0, edges = 0, ghosts = 0;
         bool is_left_out = false;
     };
     [[nodiscard]] Index point_of_ghost(Index edge, Owner& owner) const;
@@ -136,7 +138,8 @@ void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index e
     out_.normals[point] = unit(between);
 }
 
-// Writes the points on adopted edges. The blocks that adopt them are active, so write_points has loaded the positions.
+// Writes the points on adopted edges. Their positions are loaded already: a block that adopts an edge is active, and
+// write_points has loaded the positions of all active blocks.
 void Writer::write_adopted() {
     const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -153,11 +156,12 @@ void Writer::write_adopted() {
     });
 }
 
-// Returns the surface point of a ghost edge. `edge`: mesh-wide id. `owner`: block that owns the previous ghost;
-// updated. Ghosts ascend by mesh-wide id, so the owner seldom changes. Throws Error if the owner has no point on the
-// edge, because then the records of the two blocks contradict each other.
+// Returns the surface point of a ghost edge (an edge that another block owns). `edge`: mesh-wide id. `owner`: the owner
+// of the previous ghost edge; updated. Ghost edges are sorted by mesh-wide id, so that the owner seldom changes. Throws
+// Error if the owner has no point on the edge: then the records of the two blocks contradict each other.
 Index Writer::point_of_ghost(Index edge, Owner& owner) const {
-    if (edge - owner.edge_begin >= owner.edges) { // also true below edge_begin, where the difference wraps around
+    // Also true if edge < edge_begin, because the difference then wraps around.
+    if (edge - owner.edge_begin >= owner.edges) {
         const std::vector<Index>& begin = blocks_.numbers.edge;
         owner.block = static_cast<Index>(std::ranges::upper_bound(begin, edge) - begin.begin() - 1);
         owner.edge_begin = begin[owner.block];
@@ -176,7 +180,7 @@ Index Writer::point_of_ghost(Index edge, Owner& owner) const {
     return cut.first_point + cut.place(local) - cut.ghosts;
 }
 
-// `point`: buffer for the surface points by local edge.
+// `point`: a buffer for the surface point of each local edge.
 void Writer::write_polygons(Index b, const Block& block, std::vector<Index>& point) {
     const ActiveBlock& cut = cut_[b];
     point.resize(64 * cut.active.size());
@@ -205,8 +209,8 @@ void Writer::list_ranges() {
     }
 }
 
-// Removes points that are in no polygon. Active edges without a polygon exist where cells were skipped or have
-// collapsed.
+// Removes points that belong to no polygon. If cells were skipped or have collapsed, active edges without a polygon
+// exist.
 void Writer::drop_unused_points() {
     std::vector<Index>& renumbered = scratch_.renumbered;
     renumbered.assign(out_.points.size(), none);

@@ -1,6 +1,6 @@
-// Writes the cuts of all blocks as one indexed surface (paper, algorithm 3: intersections, then polygons). Prefix sums
-// over the blocks give the first ids of each block; points are in the order of mesh-wide edge ids. Uses all threads of
-// the parallel loop.
+// Writes the cuts of all blocks as one indexed surface (paper, algorithm 3: first intersections, then polygons). Prefix
+// sums over the blocks give the first point and the first polygon of each block. Points are in the order of mesh-wide
+// edge ids. Uses all threads of parallel_for.
 #pragma once
 
 #include "extraction/adopted_edges.hpp"
@@ -10,12 +10,12 @@
 
 namespace ciel {
 
-// Ids of the polygons and points of one block in a surface. Both are consecutive.
+// The polygons and the points of one block in a surface. The polygons are consecutive, and the points are consecutive.
 struct PointRange {
     Index polygon_begin, polygon_end, point_begin, point_end;
 };
 
-// Scratch of one query, kept so that the next surface allocates nothing.
+// Buffers of one Query. They are kept, so that the next surface allocates no memory.
 struct SurfaceScratch {
     struct Share {
         Index point;
@@ -24,9 +24,9 @@ struct SurfaceScratch {
     AdoptedEdges adopted;
     std::vector<PointRange> ranges;
     std::vector<Vec3d> sum;                    // by point: sum of the area vectors of the polygons around it
-    std::vector<std::vector<Share>> elsewhere; // by range: area vectors of its polygons at points of other ranges
+    std::vector<std::vector<Share>> elsewhere; // by range: shares of its polygons at points of other ranges
     std::vector<std::uint8_t> doubtful;        // by point: 1 if the gradient normal may be unusable
-    std::vector<Index> renumbered;             // by point: new index, or none if in no polygon
+    std::vector<Index> renumbered;             // by point: new index, or none if the point is in no polygon
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
@@ -34,11 +34,12 @@ struct SurfaceScratch {
 void write_surface(const Topology& topology, const FaceMeshView& mesh, const Field::Data& field, Cutter& cutter,
                    double nu, std::optional<Normals> normals, SurfaceScratch& scratch, Surface& out);
 
-// Sets each normal to the area-weighted normal of the polygons around the point. Requires scratch.ranges, in which the
-// range that owns a point comes before the other ranges that use the point.
+// Sets each normal to the mean of the normals of the polygons around the point, weighted by area. REQUIRES:
+// scratch.ranges is set. In it, the range that owns a point comes before the other ranges that use the point.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface);
 
-// Replaces zero or reversed gradient normals by the area-weighted polygon normal.
+// Corrects gradient normals. The polygon normal of a point is the mean of the normals of the polygons around the point,
+// weighted by area. It replaces a gradient normal that is zero or points against it.
 void mend_normals(SurfaceScratch& scratch, Surface& surface);
 
 } // namespace ciel

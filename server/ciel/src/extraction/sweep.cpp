@@ -15,12 +15,11 @@ namespace ciel {
 
 namespace {
 
-// Cuts one block at one value and holds the resulting points and polygons. Reused for many blocks; one object per
+// Cuts one block at one value, and holds the resulting points and polygons. Reused for many blocks; one object for each
 // thread.
 class BlockSlicer {
 public:
-    // `cells`: local ids of the cells that may be active; all cells if nullopt. The result is valid until the next
-    // call.
+    // `cells`: local ids of the cells that may be active; nullopt: all cells. The result is valid until the next call.
     [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Data& field, Extraction how, Index b,
                                     double nu, std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().cells(b);
@@ -60,7 +59,7 @@ BlockSlicer& block_slicer_of_this_thread() {
 
 namespace {
 
-// One sweep over all blocks and values. Borrows its buffers from `scratch`.
+// One sweep over all blocks and values. Does not own `scratch`, whose buffers it uses.
 struct Pass {
     const Topology& topology;
     const FaceMeshView& mesh;
@@ -76,7 +75,8 @@ struct Pass {
         if (cut.polygon_count() != 0) on_cut(value, b, cut);
     }
 
-    // For the algorithms signatures and naive: cuts each block at all values in its range. Blocks run in parallel.
+    // For the algorithms signatures and naive: cuts each block at the values in its range (naive: at all values).
+    // Blocks run in parallel.
     void cut_blocks() const {
         const Field::Data& blocks = field.data();
         parallel_for(topology.block_count(), 1, [&](std::size_t begin, std::size_t end) {
@@ -89,8 +89,8 @@ struct Pass {
         });
     }
 
-    // Moves the active edges through the values in ascending order and cuts the blocks at each value in parallel.
-    // Returns false when the propagation was stopped.
+    // For the algorithm propagation: moves the active edges through the values in ascending order. At each value, cuts
+    // the blocks in parallel. Returns false when `stop` was requested.
     bool propagate() const {
         if (!scratch.propagation) scratch.propagation = std::make_shared<Propagation>();
         Propagation& propagation = *scratch.propagation;

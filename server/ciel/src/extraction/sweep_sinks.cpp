@@ -11,7 +11,7 @@ namespace {
 
 std::size_t triangle_count(const BlockPolygons& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
 
-// Calls f(a, b, c) for the triangles of a fan from each polygon's first point.
+// Calls f(a, b, c) for the triangles of each polygon: a fan that starts at the first point of the polygon.
 template <class F>
 void for_triangles(const BlockPolygons& cut, F&& f) {
     const Index* point = cut.polygon_point.data();
@@ -25,7 +25,7 @@ void for_triangles(const BlockPolygons& cut, F&& f) {
 } // namespace
 
 void SliceSink::check(const FaceMeshView& mesh) const {
-    require_size(property.size(), mesh.vertex_count(), "values, one per vertex");
+    require_size(property.size(), mesh.vertex_count(), "values, one for each vertex");
 }
 
 void SliceSink::write(const BlockPolygons& cut, Piece& piece) const {

@@ -1,4 +1,5 @@
-// The fits of the polyhedra of a block, each made when it is first needed. Not in the paper.
+// BlockFits: the least-squares fits of the polyhedra of one block. Each fit is made when it is first needed. Not in the
+// paper.
 #pragma once
 
 #include "fields/polyhedron_gradient.hpp"
@@ -11,15 +12,15 @@ namespace ciel {
 template <class Local>
 class BlockFits {
 public:
-    // Call before anything else, or to forget all fits.
+    // Removes all fits. Call it before the first `of`. `cells`: number of cells of the PolyhedralSection.
     void begin(Index cells) {
         number_.assign(cells, none);
         first_vertex_.assign(1, 0);
         fit_.clear();
         vertex_.clear();
     }
-    // Returns the fit of a cell, which is valid until the next call. If the fit is not known, calls make(), which must
-    // return it as FittedPolyhedron<Index>.
+    // Returns the fit of a cell, which is valid until the next call. If there is no fit yet, calls make() and keeps the
+    // result. make() must return a FittedPolyhedron<Index>.
     template <class Make>
     [[nodiscard]] FittedPolyhedron<Local> of(Index cell, Make&& make) {
         if (number_[cell] == none) add(cell, make());
@@ -33,7 +34,7 @@ public:
 
 private:
     void add(Index cell, const FittedPolyhedron<Index>& made) {
-        vertex_.resize(first_vertex_.back()); // drops what an earlier call left when it threw std::bad_alloc
+        vertex_.resize(first_vertex_.back()); // an earlier call may have left entries when it threw std::bad_alloc
         fit_.resize(first_vertex_.size() - 1);
         for (const Index v : made.vertices) vertex_.push_back(static_cast<Local>(v));
         fit_.push_back(made.fit);
@@ -43,7 +44,7 @@ private:
 
     std::vector<Index> number_;       // by cell of the section: index in fit_, or none
     std::vector<PolyhedronFit> fit_;  // in the order in which the fits were made
-    std::vector<Index> first_vertex_; // by fit: index in vertex_; one more at the end
+    std::vector<Index> first_vertex_; // index in vertex_ of each fit's first vertex, then the size of vertex_
     std::vector<Local> vertex_;
 };
 

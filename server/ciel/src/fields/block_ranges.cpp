@@ -17,8 +17,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// [min, max] as integers that sort like the numbers. The integers of non-finite values lie outside those of all finite
-// values. Integer min and max do not depend on the order of the values, so the compiler can vectorize the loop.
+// [min, max] of floating-point numbers, stored as integers that have the same order as the numbers. Values that are not
+// finite are below or above all finite values. The minimum and maximum of integers do not depend on the order of the
+// values, so the compiler can vectorize the loop.
 template <class Value>
 using Key = std::conditional_t<std::same_as<Value, float>, std::int32_t, std::int64_t>;
 template <class Value>
@@ -26,7 +27,7 @@ struct Range {
     Key<Value> low = std::numeric_limits<Key<Value>>::max(), high = std::numeric_limits<Key<Value>>::min();
 };
 
-// Maps the bits of a number to integers that sort like the numbers. The function is its own inverse.
+// Maps the bits of a floating-point number to an integer that has the same order. The function is its own inverse.
 template <class K>
 constexpr K in_order(K bits) {
     return bits ^ (bits >> (8 * sizeof(K) - 1) & std::numeric_limits<K>::max());
@@ -47,7 +48,7 @@ inline __attribute__((always_inline)) void widen_all(const Value* from, std::siz
     out = {low, high};
 }
 
-// Extends `out` by `count` values. Vectorized, because it runs over every value of a new field.
+// Extends the range `out` so that it contains `count` values. Vectorized, because it reads every value of a new field.
 CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range<float>& out) {
     widen_all(from, count, out);
 }
@@ -55,8 +56,8 @@ CIEL_FOR_ALL_VECTOR_UNITS void widen(const double* from, std::size_t count, Rang
     widen_all(from, count, out);
 }
 
-// Calls f(values, count) over all of a block's values. The values of ghosts are copied into batches; the values of
-// owned vertices are contiguous and come last, in one call.
+// Passes all values of a block to f(pointer, count), in several calls. First passes copies of the values of ghosts, up
+// to 256 per call. Then passes the values of owned vertices, which are contiguous, in one call.
 template <class Value, class F>
 void for_values(const Block& block, std::span<const Value> values, F&& f) {
     std::array<Value, 256> some;

@@ -14,18 +14,18 @@ struct CellFits::Data {
         Mutex mutex;
         bool has_begun = false;
         BlockFits<std::uint16_t> fits;
-        std::size_t counted = 0; // bytes of `fits` that are in `bytes`
+        std::size_t counted = 0; // bytes of `fits` that are included in `bytes`
     };
 
     const Topology* topology = nullptr;
-    std::atomic<const void*> positions = nullptr; // of the mesh that used the fits first
+    std::atomic<const void*> positions = nullptr; // address of the positions with which the fits were first used
     std::atomic<std::size_t> most_bytes = 0;
     std::size_t blocks = 0;
     std::unique_ptr<OfBlock[]> of_block;
-    std::atomic<std::size_t> bytes = 0; // of all fits
+    std::atomic<std::size_t> bytes = 0; // memory of the fits of all blocks
 
-    // Returns whether the fits belong to the mesh whose positions are at `other`. They belong to that of the first
-    // call.
+    // `other`: address of the positions of a mesh. The fits belong to the positions of the first call. Returns whether
+    // `other` is the address of these positions.
     [[nodiscard]] bool belong_to(const void* other) {
         const void* first = nullptr;
         return positions.compare_exchange_strong(first, other) || first == other;
@@ -36,8 +36,9 @@ struct CellFits::Data {
     }
 };
 
-// Calls f(fitted), where fitted(cell of the section) returns the FittedPolyhedron of the cell, valid until its next
-// call. `shared`: keeps the fits, which are locked for the block during f; null to keep none.
+// Calls f(fitted). fitted(cell of the section) returns the FittedPolyhedron of the cell, which is valid until the next
+// call of `fitted`. `shared`: keeps the fits, and is locked for this block while f runs. If `shared` is null, no fits
+// are kept.
 template <class Local, class Sampler, class F>
 void with_fits(CellFits::Data* shared, Index b, const Block& block, const PolyhedralSection<Local>& section,
                const Sampler& sample, PolyhedronFitter& fitter, F&& f) {

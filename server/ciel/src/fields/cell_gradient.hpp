@@ -1,8 +1,8 @@
 // The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departure from
-// the paper: centered 3 x 3 normal equations in double. The paper's 4 x 4 system in float loses all precision far from
-// the origin. Normal equations square a cell's aspect ratio, so strongly stretched cells (boundary layers) use
-// stretched_cells.cpp. Functions are inline, because a call that passes the samples of a tetrahedron costs more than
-// its arithmetic.
+// the paper: the normal equations are centered, 3 x 3 and in double. The paper's 4 x 4 system in float loses all
+// precision far from the origin. Normal equations square the aspect ratio of a cell. Therefore stretched_cells.cpp
+// solves strongly stretched cells (boundary layers). Functions are inline, because passing the samples of a tetrahedron
+// to a call takes longer than the arithmetic.
 #pragma once
 
 #include "ciel/standard_shapes.hpp"
@@ -16,9 +16,9 @@
 namespace ciel {
 
 struct CellGradient {
-    Vec3f gradient{}; // value per length
-    // Length cubed. 0 when the cell spans no volume or a vertex has no value; the cell then has no weight. In double,
-    // because the cube of a float length may not fit a float.
+    Vec3f gradient{}; // units of the value per unit of length
+    // In units of length cubed. 0 when the cell has no volume or a vertex has no value; the cell then has no weight.
+    // The type is double, because the cube of a float length may not fit a float.
     double volume = 0;
 };
 
@@ -42,7 +42,7 @@ using Four = double __attribute__((vector_size(32)));
 struct LeastSquares {
     Vec3f gradient{};
     Sample mean{0, 0, 0, 0};
-    bool good = false; // the samples span a volume and all have values
+    bool good = false; // true if the samples span a volume and all have a value
 };
 
 // Sums over samples. d: a sample minus the mean of the samples.
@@ -70,8 +70,8 @@ template <class Samples>
     return out;
 }
 
-// The matrix of the normal equations, ready to be solved for any values. Number: double, or Four for four cells at
-// once.
+// The inverse of the matrix of the normal equations. It depends on positions only, so it can be used for any values.
+// Number: double, or Four for four cells at once.
 template <class Number>
 struct NormalEquationsOf {
     Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // cofactors of the matrix
@@ -104,9 +104,9 @@ struct NormalEquations : NormalEquationsOf<double> {
     }
 };
 
-// Fits the gradient in a stretched cell. `samples` are relative to their mean; they are sheared in place, which keeps
-// volumes. Returns false when the samples are flat, a line or a point up to rounding. The error is about 1e-16 times
-// the aspect ratio, which may be up to 1e10.
+// Fits the gradient in a stretched cell. `samples` must be relative to their mean. The function shears them in place,
+// which does not change volumes. Returns false when the samples lie in a plane, on a line or at a point, up to
+// rounding. The error is about 1e-16 times the aspect ratio of the cell. The aspect ratio may be up to 1e10.
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
@@ -127,8 +127,8 @@ template <class Samples>
     return out;
 }
 
-// Returns the volume: the sum of the cones from the origin to each face. The origin is the mean of the samples. Twice
-// the area vector of a quadrangle is the cross product of its diagonals.
+// `samples` are relative to their mean. Returns the volume of the cell: the sum of the volumes of the pyramids from the
+// mean to each face. The area vector of a quadrangle is half the cross product of its diagonals.
 template <const StandardShape& shape>
 [[nodiscard]] inline double standard_volume(const std::array<Sample, shape.corners>& samples) {
     double six_volumes = 0;
@@ -161,7 +161,7 @@ template <const StandardShape& shape>
             std::abs(six_volumes) / 6};
 }
 
-// `samples`: one per corner, in the shape's order.
+// `samples`: one sample per corner, in the order of the shape. They are overwritten.
 template <const StandardShape& shape>
 [[nodiscard]] inline CellGradient standard_gradient(std::array<Sample, shape.corners>& samples) {
     if constexpr (shape.type == CellType::tetrahedron) {

@@ -15,9 +15,9 @@
 namespace ciel {
 namespace {
 
-constexpr double rounding = 1e-6; // tolerance of `winding`, in units of 4 pi
+constexpr double rounding = 1e-6; // tolerance for a result of `winding`
 
-// Solid angle of the triangle a, b, c seen from the origin, in steradians.
+// Returns the signed solid angle of the triangle a, b, c seen from the origin, in steradians.
 double solid_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const double la = length(a), lb = length(b), lc = length(c);
     const double volume = dot(a, cross(b, c));
@@ -52,7 +52,8 @@ bool box_holds(const FaceMeshView& points, const CellLoops& loops, const Vec3d& 
     return true;
 }
 
-// Returns the winding of the faces in units of 4 pi: 1 inside, 0 outside.
+// Returns the sum of the solid angles of the faces seen from `at`, in units of 4 pi. It is 1 inside the cell and 0
+// outside.
 double winding(const FaceMeshView& points, const CellLoops& loops, const Vec3d& at) {
     double angle = 0;
     for (std::size_t face = 0; face < loops.count(); ++face) {
@@ -65,7 +66,7 @@ double winding(const FaceMeshView& points, const CellLoops& loops, const Vec3d& 
     return angle / (4 * std::numbers::pi);
 }
 
-// A cell of the mesh, with its positions ready to be read.
+// A cell of the mesh. The positions of its vertices are ready to be read.
 struct Cell {
     CellLoops loops;
     std::vector<Index> vertices; // ascending
@@ -95,7 +96,7 @@ Index nearest_of(const FaceMeshView& points, std::span<const Index> vertices, co
 CellLocator::CellLocator(const Topology& topology, const FaceMeshView& points, std::shared_ptr<const BlockBoxes> boxes)
     : topology_(&topology), points_(points), boxes_(std::move(boxes)) {
     if (points_.vertex_count() != topology.counts().vertices || (*boxes_)[0].low.size() != topology.block_count())
-        fail("the positions or the boxes are of another mesh than the topology");
+        fail("the positions or the boxes do not fit the topology; pass the positions and boxes of the same mesh");
 }
 
 Index CellLocator::cell_at(const Vec3d& position) const {
@@ -128,8 +129,8 @@ VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Cell of = cell_of(*topology_, points_, cell);
     const Vec3d center = centroid(points_, of.vertices);
 
-    // Searches the tetrahedron in which the least barycentric weight of the point is largest. In a bent cell, the point
-    // may lie slightly outside of all tetrahedra.
+    // Finds the tetrahedron in which the smallest barycentric weight of the point is greatest. This weight may be
+    // negative, because the point may lie slightly outside all tetrahedra of a bent cell.
     std::array<double, 4> best{};
     double deepest = -std::numeric_limits<double>::infinity();
     std::span<const Index> best_loop;

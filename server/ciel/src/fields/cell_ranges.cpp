@@ -44,7 +44,8 @@ void append(const PolyhedralSection<Local>& section, std::span<const Value> valu
             widen(range, values[section.vertex[k]]);
         if (!(range[0] <= range[1])) continue; // no finite value on the face
         for (const Index cell : section.face_cell[face]) {
-            CellRanges::Range& widened = out[begin + std::min(cell, section.count() - 1)]; // cell may be out of range
+            // In a changed record, `cell` may be out of range.
+            CellRanges::Range& widened = out[begin + std::min(cell, section.count() - 1)];
             widen(widened, range[0]);
             widen(widened, range[1]);
         }
@@ -53,8 +54,8 @@ void append(const PolyhedralSection<Local>& section, std::span<const Value> valu
 
 } // namespace
 
-// Publishes the state of a block at scope exit: `made`, or asked_once when an allocation threw, so that the next call
-// retries.
+// Sets the state of a block at the end of the scope. The state is `made`, or asked_once if an allocation threw, so that
+// the next call tries again.
 class CellRanges::Making {
 public:
     explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}

@@ -1,6 +1,6 @@
-// Sorted local minima (paper, section 2.2), and maxima for sweeping downwards. Vertices are compared by (value, id),
-// which has no ties, so a plateau has extrema too. For plane distances, only the vertices of GeometricVertices are
-// tested.
+// Finds the sorted local minima (paper, section 2.2), and the maxima for sweeping downwards. Vertices are compared by
+// (value, id). This order has no ties, so a plateau has extrema, too. For plane distances, only the vertices of
+// GeometricVertices are tested.
 #include "blocks/blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/parallel.hpp"
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    // Rules out the upper end of the edge as a minimum and the lower end as a maximum. Local ids can be compared,
+    // Marks that the higher end of the edge is no minimum and the lower end no maximum. Local ids can be compared,
     // because they have the same order as mesh ids.
     void edge(Index a, Index b) {
         if (std::isnan(values_[a]) || std::isnan(values_[b])) return;
@@ -52,8 +52,8 @@ private:
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
-// Sorts by (value, id). Calls value(vertex) once per vertex, because it may read from a mapped file that changes:
-// std::sort accesses memory outside of its array if values change during the sort. Drops vertices whose value is no
+// Sorts by (value, id). Calls value(vertex) only once per vertex, because a value in a mapped file may change. If
+// values changed during the sort, std::sort could access memory outside its array. Drops vertices whose value is no
 // longer finite.
 template <class Value>
 void sort_by_value(std::vector<Index>& vertices, const Value& value) {
@@ -84,14 +84,14 @@ void Field::Data::find_extrema() const {
 }
 
 // Tests only boundary vertices and vertices with a reflex corner, each against its adjacent vertices. Returns false
-// when the values are no plane distances, or are so large that two distances may round to the same float. Ties are
-// broken by id, so with ties any vertex may be an extremum.
+// when the values are no plane distances, or are so large that two distances may round to the same float. With ties,
+// any vertex may be an extremum, because ties are broken by id.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);
     const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
     if (!(largest <= direction_length * where.largest_distance)) return false;
-    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // flags: 1 has a lower adjacent vertex, 2 a higher one
+    std::vector<std::uint8_t> sides(where.vertices.size(), 0); // flags: 1: a neighbor is lower, 2: a neighbor is higher
     parallel_for(sides.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = where.vertices[i];

@@ -19,7 +19,8 @@ Field::Field(const Topology& topology, ValuesView values, std::shared_ptr<const 
 
 Field::Field(const Topology& topology, ValuesView values, BlockRanges ranges, std::shared_ptr<const void> keep_alive)
     : data_(std::make_shared<Data>()) {
-    if (values.size() != topology.counts().vertices) fail("the values belong to another mesh");
+    if (values.size() != topology.counts().vertices)
+        fail("the values belong to another mesh; pass one value per vertex of the topology");
     data_->values = values;
     data_->keep_alive = std::move(keep_alive);
     data_->begin(topology, std::move(ranges));
@@ -28,7 +29,8 @@ Field::Field(const Topology& topology, ValuesView values, BlockRanges ranges, st
 
 Field::Field(const Topology& topology, std::shared_ptr<const ValueSource> source, BlockRanges ranges)
     : data_(std::make_shared<Data>()) {
-    if (source->size() != topology.counts().vertices) fail("the values belong to another mesh");
+    if (source->size() != topology.counts().vertices)
+        fail("the values belong to another mesh; pass one value per vertex of the topology");
     data_->source = std::move(source);
     data_->begin(topology, std::move(ranges));
     data_->range = data_->range_of_blocks();
@@ -36,7 +38,8 @@ Field::Field(const Topology& topology, std::shared_ptr<const ValueSource> source
 
 Field Field::plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal,
                    const BlockBoxes& boxes, std::shared_ptr<const void> keep_alive) {
-    if (points.vertex_count() != topology.counts().vertices) fail("the points belong to another mesh");
+    if (points.vertex_count() != topology.counts().vertices)
+        fail("the points belong to another mesh; pass one point per vertex of the topology");
     Field field;
     field.data_ = std::make_shared<Data>();
     Data& out = *field.data_;
@@ -51,10 +54,10 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
     const Topology::Blocks& all = of.blocks();
     if (block_ranges.low.size() != all.count() || block_ranges.high.size() != all.count() ||
         block_ranges.missing.size() != all.count())
-        fail("the ranges belong to another mesh");
+        fail("the ranges belong to another mesh; pass one range per block of the topology");
     topology = &of;
-    // A changed record may name any local vertex of 16 bits, so there is room for all of them after the last block.
-    // Untouched pages take no memory.
+    // A changed record may have any 16-bit number as a local vertex. Therefore the array has local_ids more entries
+    // after the last block. Pages that are not touched take no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);
@@ -90,7 +93,6 @@ private:
     std::span<const Value> values_;
 };
 
-// Writes the values of a block's vertices to `to`.
 template <class Values, class Value>
 void copy_block(const Block& block, const Values& values, Value* to) {
     block.ghost_vertex.for_each([&](Index vertex) { *to++ = values.at(vertex); });
@@ -109,7 +111,8 @@ void read_block(const Block& block, const ValueSource& source, Value* to) {
 
 } // namespace
 
-// Fills the block's places in `local`. Values that are not finite become NaN.
+// Copies the values of the block to `local`, from the entry Block::vertex_begin on. Values that are not finite become
+// NaN.
 template <class Value>
 void Field::Data::take_in(Index b, Value* local) const {
     const Block& block = topology->blocks().cells(b);
@@ -219,7 +222,8 @@ CellFits::Data* Field::Data::shared_fits(const FaceMeshView& cut) const {
 }
 
 void Field::set_cell_fits(std::shared_ptr<CellFits> fits) {
-    if (fits && fits->data().topology != data_->topology) fail("the cell fits belong to another mesh");
+    if (fits && fits->data().topology != data_->topology)
+        fail("the cell fits belong to another mesh; make them from the topology of the field");
     data_->fits = std::move(fits);
 }
 

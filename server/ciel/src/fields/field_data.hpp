@@ -1,6 +1,6 @@
-// The layout behind Field, for the kernel's own files. Mutable members are made on demand, each under the mutex
-// declared before it or under its own lock. Sorted minima are from the paper's section 2.2, gradients from its section
-// 3.
+// The data of a Field, for the kernel's own files. Mutable members are computed on demand, under the mutex that is
+// declared before them or under their own lock. Sorted minima are from the paper's section 2.2, gradients from its
+// section 3.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -16,21 +16,21 @@ namespace ciel {
 struct Field::Data {
     std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
     const Topology* topology = nullptr;
-    mutable ValuesView values;                 // of all vertices; with a source, empty until read_all
+    mutable ValuesView values;                 // of all vertices; if `source` is set, empty until read_all
     std::shared_ptr<const ValueSource> source; // null if the values are in memory or computed
     std::optional<PlaneDistance> plane;        // if set, values are computed from it, and `values` is empty
     std::shared_ptr<const void> keep_alive;
     BlockRanges of_blocks;
     std::array<double, 2> range{};
 
-    // Values in block order (Block::vertex_begin), NaN where a vertex has no value. The values of a block are filled in
-    // at its first use. After them, at least local_ids more entries can be read; their values are unspecified. Either
-    // local_floats or local_doubles is used; the other is null.
+    // Values in block order: entry Block::vertex_begin + local vertex. NaN means that the vertex has no value. The
+    // values of a block are copied at its first use. After all values, at least local_ids more entries can be read;
+    // they are unspecified. Only one of local_floats and local_doubles is used; the other is null.
     SparseArray<float> local_floats;
     SparseArray<double> local_doubles;
-    std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values are filled in
+    std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values have been copied
     mutable std::array<Mutex, 16> take_in_mutex;
-    std::shared_ptr<const GeometricVertices> where_extrema; // vertices that may be extrema; null means all
+    std::shared_ptr<const GeometricVertices> where_extrema; // the vertices that may be extrema; null means all vertices
     double direction_length = 0;                            // length of the normal when the values are plane distances
 
     mutable Mutex extrema_mutex;
@@ -40,9 +40,9 @@ struct Field::Data {
     std::shared_ptr<CellFits> fits; // shared with other fields; null if there are none
     mutable GradientCache gradients;
 
-    // Makes value() of all vertices ready. Keeps a copy of a source's values.
+    // Makes the values of all vertices ready for value(). If `source` is set, reads all values and keeps them.
     void read_all() const;
-    [[nodiscard]] double value_alone(Index vertex) const; // reads no other value; slower than value()
+    [[nodiscard]] double value_alone(Index vertex) const; // reads only this value; slower than value()
     // REQUIRES: read_all was called.
     [[nodiscard]] double value(Index vertex) const { return plane ? plane->at(vertex) : values[vertex]; }
     [[nodiscard]] bool has_doubles() const {
@@ -55,7 +55,8 @@ struct Field::Data {
     [[nodiscard]] double threshold(double nu) const;
     // Returns `fits` if they belong to the positions of `cut`, else null.
     [[nodiscard]] CellFits::Data* shared_fits(const FaceMeshView& cut) const;
-    [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; } // a vertex has no value
+    // Returns whether a vertex of the block has no value.
+    [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; }
     [[nodiscard]] bool crosses(Index block, double threshold) const {
         return of_blocks.low[block] < threshold && of_blocks.high[block] >= threshold;
     }
@@ -72,7 +73,7 @@ struct Field::Data {
 
 private:
     mutable Mutex reading_all_;
-    mutable std::shared_ptr<const void> all_; // owns `values` that were read from a source
+    mutable std::shared_ptr<const void> all_; // owns `values` if they were read from `source`
 
     void take_in(Index block) const;
     template <class Value>

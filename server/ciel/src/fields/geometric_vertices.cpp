@@ -19,9 +19,10 @@ Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
 double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Flags each vertex with a cell corner that is not convex by `margin`. A corner is convex by `margin` if the vertex is
-// at least this far from each triangle between the other ends of the corner's edges. An unflagged vertex has, in any
-// direction, an adjacent vertex that lies at least `margin` further.
+// Flags each vertex with a cell corner that is not convex by `margin`. A corner is convex by `margin` if the distance
+// of the vertex from each triangle between the other ends of the corner's edges is greater than `margin`. If an inner
+// vertex has no flag, it has in each direction an adjacent vertex that lies at least `margin` farther in this
+// direction.
 class ReflexCorners {
 public:
     ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)
@@ -86,7 +87,7 @@ private:
         mate_.assign(half_edges, none);
         for (Index cell = 0; cell < section.count(); ++cell) {
             half_edges_.clear();
-            // A changed record may name half-edges that do not exist, or that have no mate.
+            // A changed record may have half-edges that do not exist, or that have no mate.
             (void)pairs_.run(section, cell, left, [&](Index h, Index mate, Index) {
                 if (h >= half_edges || mate >= half_edges) return;
                 mate_[h] = mate;
@@ -110,7 +111,7 @@ private:
     std::vector<std::uint8_t>& flag_;
     std::vector<Index> around_;
     HalfEdgePairs pairs_;
-    std::vector<Index> half_edges_; // of the cell
+    std::vector<Index> half_edges_; // of the current cell
     std::vector<Index> mate_;       // by half-edge of the section
     std::vector<std::uint8_t> seen_;
 };
@@ -138,7 +139,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
         for (std::size_t b = begin; b < end; ++b)
             ReflexCorners(mesh, blocks.cells(static_cast<Index>(b)), margin, flag).run();
     });
-    found_.vertices.clear(); // a call that ran out of memory may have left vertices
+    found_.vertices.clear(); // an earlier call that ran out of memory may have left vertices
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
     made_ = true;

@@ -15,8 +15,8 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t blocks_per_task = 2;
-// If a block wants at most this many gradients, the cells around each vertex are solved separately, without a pass over
-// the block.
+// If at most this many vertices of a block need a gradient, the cells around each of these vertices are solved
+// separately, without a pass over all cells of the block.
 constexpr std::size_t few = 12;
 
 enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
@@ -27,14 +27,14 @@ struct Scratch {
     std::vector<BlockVertex> ring;
     PolyhedronFitter fitter;
     std::vector<Sample> stretched;
-    // Of the block whose cells are solved:
-    std::vector<Index> asked;            // its vertices that are wanted or asked for by a neighbor, ascending
-    std::uint64_t asked_parts = 0;       // the parts of the block with these vertices
+    // For the block whose cells are solved:
+    std::vector<Index> asked;            // vertices with the flag `wanted` or asked_by_neighbour, ascending
+    std::uint64_t asked_parts = 0;       // bit p is set if part p of the block has one of these vertices
     std::vector<Index> slot;             // by local vertex: index in `sum`, 0 for vertices that are not wanted
-    std::vector<GradientSum> sum;        // sum[0] collects what belongs to vertices that are not wanted
-    std::vector<std::uint64_t> to_solve; // a bit per cell of the section
-    std::vector<std::uint16_t> corners;  // of the cells to solve
-    std::vector<CellGradient> gradients; // of the cells to solve
+    std::vector<GradientSum> sum;        // sum[0] takes the terms of vertices that are not wanted; not used
+    std::vector<std::uint64_t> to_solve; // one bit per cell of the PolyhedralSection
+    std::vector<std::uint16_t> corners;  // local vertices of the corners of the cells to solve
+    std::vector<CellGradient> gradients; // one gradient per cell to solve
     SolvedCells solved;                  // copied to Pass::solved_ without spare capacity
 };
 
@@ -68,9 +68,9 @@ struct AddSolved {
     }
 };
 
-// One call of make_at. In a block with few wanted vertices, the cells around each vertex are solved separately.
-// Otherwise the block, and the blocks that share its wanted vertices, solve each needed cell once. Then the gradients
-// at vertices shared by blocks are summed.
+// Does the work of one call of GradientCache::make_at. In a block with few wanted vertices, the cells around each
+// wanted vertex are solved separately. Otherwise, each needed cell of the block, and of the blocks that share its
+// wanted vertices, is solved once. Then the gradients at vertices that several blocks have are summed.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
@@ -97,7 +97,7 @@ private:
             for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
         });
     }
-    // Atomic, because two tasks may set the same gradient if the record of a ring has changed.
+    // Atomic, because two tasks may set the same gradient if a record with the ring of a vertex has changed.
     void set_gradient(const BlockVertex& at, const Vec3f& to) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             std::atomic_ref(gradient_[at.block][at.vertex][axis]).store(to[axis], std::memory_order_relaxed);
@@ -266,7 +266,8 @@ void Pass::add_standard(const BlockSampler& sampler, const Block& block, const S
     }
 }
 
-// Sets a bit for each cell that has an asked vertex. Follows the entries of these vertices, which are few.
+// Sets a bit in to_solve for each cell that has a vertex of `asked`. Visits only the entries of these vertices, because
+// they are few.
 template <class Local>
 void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scratch& scratch) const {
     const Block& block = blocks_.cells(b);
@@ -279,7 +280,7 @@ void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scra
              entry = next_entry(next, entry, section.entry_begin))
             for (const Local& side : section.face_cell[section.face(entry - section.entry_begin)]) {
                 const Index i = read_once(side);
-                if (i >= section.count()) refuse_changed("a face names a cell that does not exist");
+                if (i >= section.count()) refuse_changed("a face refers to a cell that does not exist");
                 scratch.to_solve[i / 64] |= std::uint64_t{1} << i % 64;
             }
 }

@@ -1,8 +1,8 @@
-// Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients.
-// Computed only where requested.
+// Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients. A
+// gradient is computed only when it is requested.
 //
-// The cells around a vertex are summed in the order of (cell type, cell), not block by block. So the bits of the sum do
-// not depend on the block size.
+// The gradients of the cells around a vertex are summed in the order of (cell type, cell), not block by block.
+// Therefore the bits of the sum do not depend on the block size.
 #pragma once
 
 #include "blocks/block_cuts.hpp"
@@ -16,12 +16,12 @@ namespace ciel {
 // Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
 public:
-    // Makes the gradients at both ends of the active edges that `blocks` own or adopt (AdoptedEdges). `cut`: the cuts
-    // of these blocks. May throw std::bad_alloc; the next call then makes the missing gradients.
+    // Computes the gradients at both ends of the active edges that `blocks` own or adopt (AdoptedEdges). `cut`: has the
+    // cuts of these blocks. May throw std::bad_alloc; the next call then computes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  const BlockCuts& cut);
-    // Returns the gradients by local vertex; only requested entries are set. Valid until forget or the end of the
-    // cache.
+    // Returns the gradients of a block, indexed by local vertex. Only entries that make_at computed are set. Valid
+    // until forget or the destruction of the cache.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
     // Drops all gradients. Call when the positions have changed. No thread may be using the gradients.
     void forget();
@@ -32,7 +32,7 @@ private:
     SparseArray<std::uint8_t> state_;              // by slot (Block::vertex_begin): State flags (gradient.cpp)
     std::vector<std::uint8_t> busy_;               // by block: 1 if it has cells to solve in the current call
     std::vector<std::unique_ptr<Vec3f[]>> vertex_; // by block: gradients by local vertex, or null
-    bool settled_ = true;                          // whether the last make_at completed, so that no State is `wanted`
+    bool settled_ = true; // whether the last make_at completed; if so, no vertex has the flag `wanted`
 };
 
 // Returns the gradients at all vertices, indexed by mesh vertex.

@@ -1,5 +1,5 @@
 // Volume-weighted sums of cell gradients at a vertex (paper, section 3), and iteration over the cells around a vertex.
-// For both GradientCache and gradients_everywhere.
+// Used by GradientCache and gradients_everywhere.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -12,7 +12,7 @@
 namespace ciel {
 
 struct GradientSum {
-    Four weighted{}; // x, y, z: sum of gradient * volume; last: sum of volume
+    Four weighted{}; // elements 0 to 2: sum of gradient * volume; element 3: sum of volumes
 
     void add(const CellGradient& cell) {
         const double volume = cell.volume;
@@ -27,16 +27,16 @@ struct GradientSum {
     }
 };
 
-// Returns the sample of a local vertex of a block. `values`: by local vertex.
+// Returns the Sample of a local vertex of a block.
 class BlockSampler {
 public:
-    // Loads the positions of the block's vertices. b: number of the block.
+    // Loads the positions of the block's vertices. `b`: number of the block. `values`: by local vertex.
     BlockSampler(const FaceMeshView& mesh, Index b, const Block& block, ValuesView values)
         : mesh_(mesh), block_(block), values_(values) {
         load_vertices(mesh.loader, b, block);
     }
 
-    // Returns the sample of a local vertex, from numbers of known types.
+    // Does the same for values and positions whose number types are template arguments.
     template <class Value, class Position>
     class Typed {
     public:
@@ -47,7 +47,7 @@ public:
             return sample(local,
                           local < ghosts_ ? block_.ghost_vertex[local] : std::min(own_ + local, block_.last_vertex));
         }
-        // Sets out[local vertex] for the vertices from begin to end - 1.
+        // Sets out[v] to the sample of local vertex v, for v from begin to end - 1.
         void range(Index begin, Index end, Sample* out) const {
             for (; begin < std::min(end, ghosts_); ++begin) out[begin] = sample(begin, block_.ghost_vertex[begin]);
             for (; begin < end; ++begin) out[begin] = sample(begin, own_ + begin);
@@ -60,7 +60,7 @@ public:
         }
 
         const Block& block_;
-        Index ghosts_, own_;        // own_ + local id: mesh vertex of an owned vertex; own_ may wrap around
+        Index ghosts_, own_;        // own_ + local id is the mesh vertex of an owned vertex; own_ may wrap below 0
         const Position* positions_; // by mesh vertex
         const Value* values_;       // by local vertex
     };
@@ -77,10 +77,10 @@ public:
         return with([&](const auto& typed) { return typed(local); });
     }
 
-    // Sets out[local vertex] for all vertices of the block.
+    // Sets out[v] to the sample of local vertex v, for all vertices of the block.
     void all(std::vector<Sample>& out) const { of_parts(~std::uint64_t{0}, out); }
-    // Sets out[local vertex] for the vertices of some of the block's parts (Block::vertices_per_part): bit i stands for
-    // part i. Leaves the others as they are.
+    // Sets out[v] only for the vertices v of the parts whose bit in `parts` is set: bit i for part i
+    // (Block::vertices_per_part). Does not change other elements.
     void of_parts(std::uint64_t parts, std::vector<Sample>& out) const {
         out.resize(block_.vertex_count);
         with([&](const auto& typed) {
@@ -96,14 +96,15 @@ private:
     ValuesView values_;
 };
 
-// Returns the local vertices of the cell that begins at `vertex`. A changed record may hold any id; an id beyond the
-// vertices of the block is replaced by the last vertex, because arrays by local vertex have no more entries.
+// `vertex`: the first corner of a standard cell in a section. Returns the local vertices of the cell. A changed record
+// may hold any id. An id that is not a vertex of the block is replaced by the last vertex, so that it can be an index
+// into an array by local vertex.
 template <const StandardShape& shape>
 [[nodiscard]] std::array<std::uint16_t, shape.corners> corners_of(const Block& block, const std::uint16_t* vertex) {
     const auto last = static_cast<std::uint16_t>(std::min<std::size_t>(block.vertex_count, local_ids) - 1);
     std::array<std::uint16_t, shape.corners> corners;
     for (std::size_t c = 0; c < shape.corners; ++c) {
-        const std::uint16_t v = vertex[c]; // a copy, because std::min returns a reference, which would be read again
+        const std::uint16_t v = vertex[c]; // a copy, read only once; std::min would return a reference to the record
         corners[c] = v < last ? v : last;
     }
     return corners;
@@ -116,7 +117,7 @@ template <const StandardShape& shape, class Sampler>
     return standard_gradient<shape>(samples);
 }
 
-// Lists the blocks that share a border vertex, ascending, each with its local id of the vertex.
+// Sets `out` to the blocks that have a border vertex, ascending, each with the local id of the vertex in the block.
 inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vector<BlockVertex>& out) {
     out.clear();
     const Index start = at.block;
@@ -130,9 +131,9 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
 }
 
 // Visits the cells around a vertex. `ring`: the vertex in each block that has it (list_ring). Calls visit.template
-// standard<shape>(block, section, i, place) for standard cells, type by type and ascending. Then calls
-// visit.polyhedron(block, i, place) for polyhedra, ascending and once each. `i`: index of the cell in its section.
-// `place`: index of the cell in the concatenated sections of its block.
+// standard<shape>(block, section, i, place) for standard cells, in the order of (type, cell). Then calls
+// visit.polyhedron(block, i, place) once for each polyhedron, in ascending order. `i`: index of the cell in its
+// section. `place`: index of the cell in the concatenated sections of its block.
 template <class Visit>
 void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
                       Visit&& visit) {
@@ -181,7 +182,7 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
             std::ranges::sort(scratch);
             scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
             if (!scratch.empty() && scratch.back() >= polyhedra.count())
-                refuse_changed("a face names a cell that does not exist");
+                refuse_changed("a face refers to a cell that does not exist");
             const Index place = block.cell_count - polyhedra.count();
             for (const Index i : scratch) visit.polyhedron(at.block, i, place + i);
         });
@@ -189,7 +190,7 @@ void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVerte
 }
 
 // Visitor for for_cells_around that adds the gradients of cells that are already solved. `stored(block, place)` returns
-// a pointer to the gradient. Throws Error if it is null, because then the rings of the vertex have changed.
+// a pointer to the gradient. Throws Error if the pointer is null, because the ring of the vertex has then changed.
 template <class Stored>
 class AddStored {
 public:
@@ -207,7 +208,7 @@ private:
     void add(Index b, Index place) {
         const CellGradient* cell = stored_(b, place);
         if (cell == nullptr) [[unlikely]]
-            refuse_changed("a ring leads to another cell than before");
+            refuse_changed("a border vertex leads to another cell than before");
         sum.add(*cell);
     }
 

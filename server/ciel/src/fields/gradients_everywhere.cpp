@@ -1,5 +1,5 @@
-// Computes the gradients at all vertices, for volumes. Keeps the gradients of all cells until those at vertices shared
-// by blocks are summed.
+// Computes the gradients at all vertices, for volumes. Keeps the gradients of all cells until the gradients at vertices
+// of several blocks are summed.
 #include "ciel/parallel.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient.hpp"

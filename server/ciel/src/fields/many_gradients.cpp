@@ -1,5 +1,5 @@
-// The operations of cell_gradient.hpp in the same order, on vectors of four numbers, one per cell. If one of four cells
-// is stretched or lacks a value, all four are solved one by one.
+// Does the operations of cell_gradient.hpp in the same order for four cells at once. Each vector has one number per
+// cell. If one of the four cells is stretched or lacks a value, all four are solved one by one.
 #include "fields/many_gradients.hpp"
 
 #include "parallel/vector_units.hpp"
@@ -38,7 +38,7 @@ FourSamples transposed(const Four& a, const Four& b, const Four& c, const Four& 
 
 struct FourGradients {
     Four x, y, z, volume;
-    FourFlags good; // false: to be solved alone
+    FourFlags good; // by cell: false if the cell must be solved alone
 };
 
 FourGradients gradients(const std::array<FourSamples, 4>& samples) {
@@ -114,7 +114,6 @@ CellGradient one_gradient(const std::uint16_t* vertex, const Sample* sample) {
     return standard_gradient<shape>(samples);
 }
 
-// Solves four cells.
 template <const StandardShape& shape>
 void solve(const std::uint16_t* vertex, const Sample* sample, CellGradient* out) {
     std::array<FourSamples, shape.corners> samples;
@@ -141,7 +140,7 @@ void solve_all(const std::uint16_t* vertex, const Sample* sample, CellGradient* 
 
 } // namespace
 
-// All calls are inlined (flatten), so that they are compiled for the same vector units.
+// All called functions are inlined (flatten), so that they are compiled for the same vector units.
 [[gnu::flatten]] CIEL_FOR_ALL_VECTOR_UNITS void solve_tetrahedra(const std::uint16_t* vertex, const Sample* sample,
                                                                  CellGradient* out, std::size_t cells) {
     solve_all<tetrahedron_shape>(vertex, sample, out, cells);

@@ -1,5 +1,5 @@
-// Computes the gradients in many standard cells of one type (paper, section 3), four at a time. The bits are those of
-// standard_gradient.
+// Computes the gradients in many standard cells of one type (paper, section 3), four at a time. The results are bit for
+// bit equal to the results of standard_gradient.
 #pragma once
 
 #include "fields/cell_gradient.hpp"
@@ -9,8 +9,8 @@
 
 namespace ciel {
 
-// Sets one gradient per cell. type: of a standard cell. `vertex`: for each cell, the indices of its corners in
-// `sample`.
+// Sets `out` to one gradient per cell. `type`: the standard type of all cells. `vertex`: for each cell, the indices of
+// its corners in `sample`.
 void many_gradients(CellType type, std::span<const std::uint16_t> vertex, std::span<const Sample> sample,
                     std::span<CellGradient> out);
 

@@ -45,7 +45,8 @@ BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     return out;
 }
 
-// Reads blocks by ascending lower bound until no other block can have a lower distance; likewise for the maximum.
+// For the minimum, reads the blocks in the order of their lower bounds, until no other block can have a lower distance.
+// Finds the maximum in the same way.
 std::array<double, 2> PlaneDistance::range(const BlockRanges& bounds, std::span<const Index> first_vertex) const {
     std::vector<Index> order(bounds.low.size());
     std::iota(order.begin(), order.end(), Index{0});

@@ -1,4 +1,4 @@
-// The signed distance of a vertex from a plane (paper, section 2.1: a slice is an iso-surface of it).
+// The signed distance of a vertex from a plane (paper, section 2.1: a slice is an iso-surface of this distance).
 #pragma once
 
 #include "ciel/block_ranges.hpp"
@@ -6,7 +6,7 @@
 
 namespace ciel {
 
-// Borrows the positions. A distance is as precise as its mesh: a float if the positions are floats, else a double.
+// Does not own the positions, which must outlive the object. A distance has the type of the positions, float or double.
 class PlaneDistance {
 public:
     PlaneDistance(const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal)
@@ -41,10 +41,11 @@ public:
         return {static_cast<const Number*>(positions_.data()), normal_, shift_};
     }
 
-    // Returns ranges that hold the distances of each block's vertices, and may be wider.
+    // Returns a range for each block that contains the distances of its vertices. The range may be wider than
+    // necessary. boxes: the result of block_boxes for the positions.
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
-    // Returns [min, max] over the vertices that blocks own. `bounds`: what ranges() returned. `first_vertex`: by block,
-    // the first vertex that it owns; one more at the end.
+    // Returns [min, max] over the vertices that blocks own. `bounds`: what ranges() returned. `first_vertex`: the first
+    // vertex that each block owns, then the end of the last block's vertices.
     [[nodiscard]] std::array<double, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
 
 private:

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-// The normals of the boundary faces around each boundary vertex.
 class BoundaryNormals {
 public:
     BoundaryNormals(const FaceMeshView& mesh, const std::vector<FaceShape>& shapes) : at_(mesh.vertex_count(), none) {

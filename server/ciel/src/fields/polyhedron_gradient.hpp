@@ -1,5 +1,5 @@
-// The gradient in a polyhedron (paper, section 3). The part that depends on positions only is a PolyhedronFit, which is
-// the same for all fields.
+// The gradient in a polyhedron (paper, section 3). The part of the computation that depends only on positions is a
+// PolyhedronFit. It is the same for all fields.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -7,7 +7,7 @@
 
 namespace ciel {
 
-// Least squares over the distinct vertices of a polyhedron. One cache line.
+// The least-squares data for the distinct vertices of a polyhedron. The size is one cache line (64 bytes).
 struct PolyhedronFit {
     NormalEquations equations;
     double volume; // length cubed; 0 if the cell has no gradient
@@ -19,7 +19,8 @@ struct FittedPolyhedron {
     std::span<const Local> vertices; // the distinct local vertices of the cell
 };
 
-// `sample`: BlockSampler::Typed. `scratch`: a buffer that stretched cells need.
+// Returns the gradient of a field in a polyhedron. `sample`: a BlockSampler::Typed. `scratch`: a buffer for stretched
+// cells.
 template <class Local, class Sampler>
 [[nodiscard]] CellGradient fitted_gradient(const FittedPolyhedron<Local>& polyhedron, const Sampler& sample,
                                            std::vector<Sample>& scratch) {
@@ -32,7 +33,8 @@ template <class Local, class Sampler>
         if (!stretched.good) return {};
         return {stretched.gradient, fit.volume};
     }
-    // Sums differences from the first vertex, because values may vary by less than 1e-8 of their size.
+    // Sums differences from the value at the first vertex, because values may vary by less than 1e-8 of their size. A
+    // sum of the values themselves would lose such differences to rounding.
     const Four first = load(sample(vertices[0]));
     Four sum{}, slopes{};
     for (const auto v : vertices) {
@@ -45,12 +47,12 @@ template <class Local, class Sampler>
     return {fit.equations.gradient(slopes), fit.volume};
 }
 
-// Makes the fits of polyhedra. One per thread is reused for many blocks.
+// Makes the fits of polyhedra. Can be reused for many blocks; each thread needs its own object.
 class PolyhedronFitter {
 public:
-    // Call before fitting cells of another block or with other positions. Each cell may be fitted once until the next
-    // `begin`. If a record changes meanwhile, its vertices and faces are limited to those of the block, and `fit`
-    // throws Error when the cells have more corners than before.
+    // Call it before fitting cells of another block, and when the positions have changed. Each cell may be fitted once
+    // until the next `begin`. The record of the block may change meanwhile. Ids that do not exist are then replaced by
+    // ids of the block, and `fit` throws Error when the cells have more corners than before.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -62,8 +64,8 @@ public:
         first_stamp_ = ++stamp_;
     }
 
-    // The result is valid until the next call. `sample`: BlockSampler::Typed, of which only positions are used; it is
-    // called at most once per vertex.
+    // Returns the fit of a cell, which is valid until the next call. `sample`: a BlockSampler::Typed. It is called at
+    // most once per vertex, and only the positions of the samples are used.
     template <class Local, class Sampler>
     [[nodiscard]] FittedPolyhedron<Index> fit(const PolyhedralSection<Local>& section, Index cell,
                                               const Sampler& sample) {
@@ -83,14 +85,14 @@ public:
 private:
     struct Vertex {
         Sample sample;
-        Index stamp = 0; // stamp of the last cell with this vertex; below first_stamp_, `sample` is stale
+        Index stamp = 0; // number of the last fit with this vertex; if < first_stamp_, `sample` is out of date
     };
 
-    static constexpr unsigned visits = 2; // the most visits to each corner of a cell
+    static constexpr unsigned visits = 2; // maximum number of visits to each half-edge of the section
 
     void spend(Index corners) {
         if (corners > left_) [[unlikely]]
-            refuse_changed("its cells have more corners than before");
+            refuse_changed("the cells of the block have more corners than before");
         left_ -= corners;
     }
     [[nodiscard]] Index limited(Index v) const { return std::min(v, last_vertex_); }
@@ -112,8 +114,8 @@ private:
         samples_.push_back(vertex.sample);
     }
 
-    // Returns the volume: the sum of the cones from `mean` to each face. A face's area vector is computed once for both
-    // of its cells.
+    // Returns the volume of a cell: the sum of the volumes of the pyramids from `mean` to each face. The area vector of
+    // a face is computed once for both cells of the face.
     template <class Local>
     [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Four& mean) {
         double six_volumes = 0;
@@ -153,7 +155,7 @@ private:
     }
 
     std::vector<Vertex> vertex_; // by local vertex
-    std::vector<Vec3d> area_;    // by face: twice the area vector, along the stored loop
+    std::vector<Vec3d> area_;    // by face: twice the area vector of the stored loop
     std::vector<std::uint8_t> area_known_;
     std::vector<Index> vertices_;
     std::vector<Sample> samples_;

@@ -8,7 +8,7 @@
 
 namespace ciel {
 
-// A cell is named by its place: its index in the concatenated sections of the block.
+// `place`: the index of a cell in the concatenated sections of the block.
 class SolvedCells {
 public:
     void begin(std::size_t cells) {

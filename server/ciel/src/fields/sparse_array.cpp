@@ -9,7 +9,7 @@
 
 namespace ciel {
 
-#ifdef __wasm__ // has neither pages nor exceptions
+#ifdef __wasm__ // WebAssembly has no mmap and no exceptions
 
 void* reserve_pages(std::size_t bytes) { return std::memset(::operator new(bytes), 0, bytes); }
 void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
@@ -18,7 +18,8 @@ void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
 
 namespace {
 
-// Arrays below this size come from the heap: reused memory costs less than new pages, and the arrays are small.
+// Size in bytes from which an array gets its own pages. Smaller arrays come from the heap, because reused memory costs
+// less than new pages.
 constexpr std::size_t large = std::size_t{16} << 20;
 
 } // namespace

@@ -1,5 +1,5 @@
-// SparseArray: an array of the size of a mesh. If it is large, only the parts that are used take memory. Not in the
-// paper.
+// SparseArray: an array with room for all vertices of a mesh. If it is large, only the pages that are touched take
+// memory. Not in the paper.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace ciel {
 
-// Returns zeroed memory. A large request gets new pages, which take memory when they are first touched; a small one is
-// served from the heap. Throws std::bad_alloc.
+// Returns zeroed memory. A large request gets new pages, which take memory only after they are first touched. A small
+// request gets memory from the heap. Throws std::bad_alloc.
 [[nodiscard]] void* reserve_pages(std::size_t bytes);
 void release_pages(void* begin, std::size_t bytes); // begin: the result of reserve_pages(bytes)
 
-// All elements are zero at first. Not thread-safe, but different elements may be used at the same time.
+// All elements are zero at first. Not thread-safe, but several threads may use different elements at the same time.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class SparseArray {

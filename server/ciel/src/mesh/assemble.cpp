@@ -151,7 +151,7 @@ private:
     }
 
     void list_faces(Assembled& out) const {
-        std::vector<std::pair<Index, std::uint64_t>> faces; // of one cell: (stored cell behind the face, input face)
+        std::vector<std::pair<Index, std::uint64_t>> faces; // of one cell: (stored cell on the other side, input face)
         for (Index cell = 0; cell < order_.size(); ++cell) {
             faces.clear();
             const Index source = order_[cell];

@@ -30,7 +30,7 @@ void check_face_mesh(const FaceMeshView& mesh) {
         if (!holds) fail(std::string("the mesh is damaged: ") + what + "; import it again");
     };
     require(mesh.positions.size() % 3 == 0, "positions do not hold three numbers per vertex");
-    require(mesh.neighbour.size() == mesh.owner.size(), "owner and neighbour differ in length");
+    require(mesh.neighbour.size() == mesh.owner.size(), "owner and neighbour do not have the same length");
     require(mesh.face_offset.size() == mesh.owner.size() + 1, "face_offset does not hold one number more than owner");
     const auto offsets = mesh.face_offset.unchecked();
     require(offsets.front() == 0 && offsets.back() == mesh.face_vertex.size() && std::ranges::is_sorted(offsets),
@@ -40,10 +40,10 @@ void check_face_mesh(const FaceMeshView& mesh) {
             "a vertex id is out of range");
     const auto owners = mesh.owner.unchecked(), neighbours = mesh.neighbour.unchecked();
     require(std::ranges::is_sorted(owners) && (owners.empty() || owners.back() < cells),
-            "owner is not sorted, or names a cell that does not exist");
+            "owner is not sorted, or has a cell that does not exist");
     for (Index f = 0; f < mesh.face_count(); ++f)
         require(neighbours[f] == none || (neighbours[f] > owners[f] && neighbours[f] < cells),
-                "a neighbour is not larger than its owner, or names a cell that does not exist");
+                "a neighbour is not greater than its owner, or is a cell that does not exist");
 }
 
 } // namespace ciel

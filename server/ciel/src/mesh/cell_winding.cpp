@@ -52,7 +52,7 @@ Index CellWinding::target(Index half_edge) const {
 bool CellWinding::balanced() {
     constexpr Index most_listed = 1024;
     const auto count = static_cast<Index>(from_.size());
-    if (count > most_listed) return balanced_when_sorted(); // avoids quadratic time at a vertex of many half-edges
+    if (count > most_listed) return balanced_when_sorted(); // avoids quadratic time at a vertex with many half-edges
     head_.assign(vertices_.size(), none);
     next_.resize(count);
     paired_.assign(count, 0);
@@ -105,7 +105,7 @@ bool CellWinding::collect_edges() {
     });
     neighbours_.assign(faces_.size(), {});
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
-        std::vector<Use> edge; // half-edges of one edge, without pairs that are opposite in the same collapsed face
+        std::vector<Use> edge; // half-edges of one edge, without opposite pairs of a collapsed face
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end) {
             if (!edge.empty() && edge.back().face == uses_[end].face && edge.back().upward != uses_[end].upward)
@@ -122,7 +122,8 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-// Sets `turned` so that all faces of a lobe are wound like its first face. Returns the number of lobes.
+// Sets `turned` so that all faces of a lobe have the same winding as the first face of the lobe. Returns the number of
+// lobes.
 Index CellWinding::spread_winding() {
     lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
@@ -160,13 +161,13 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// Joins lobes that are not closed by themselves. Where lobes meet along an edge, each of them may be open at the edge,
-// while together they are closed: all lobes at such an edge are joined. Visits the edges one by one, because lobes that
-// were joined earlier may already be closed at a later edge.
+// Joins lobes that are not closed by themselves. Several lobes may meet at an edge so that each lobe is open at the
+// edge, but all of them together are closed. All lobes at such an edge are joined. The edges are visited one after
+// another, because lobes that were joined at an earlier edge may already be closed at a later edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});
-    std::vector<std::int64_t> balance(count, 0); // by lobe, of one edge: half-edges low -> high minus high -> low
+    std::vector<std::int64_t> balance(count, 0); // by lobe, at one edge: half-edges low -> high minus high -> low
     for (std::size_t begin = 0, end; begin < uses_.size(); begin = end) {
         for (end = begin;
              end < uses_.size() && uses_[end].low == uses_[begin].low && uses_[end].high == uses_[begin].high; ++end)

@@ -1,5 +1,6 @@
-// Winding of one polyhedron: checks that the cell is closed, and finds the faces to reverse so that all normals point
-// outwards. As in the paper (appendix A), half-edges find their mates through the lists of their end vertices.
+// CellWinding: checks that a polyhedron is closed, and finds the faces that must be reversed so that all normals point
+// outwards. As in the paper (appendix A), the mate of a half-edge is found in the list of half-edges that leave its
+// target vertex.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -8,8 +9,9 @@
 
 namespace ciel {
 
-// Use one object per thread for many cells; it keeps its buffers. Borrows the input, whose array sizes must have been
-// checked. Does not throw for a bad cell, but reports it in the Verdict.
+// Handles many cells with the same buffers; each thread needs its own object. Does not own the input, which must
+// outlive the object. The sizes of the input's arrays must have been checked. For a bad cell, `judge` does not throw;
+// the Verdict has the reason.
 class CellWinding {
 public:
     explicit CellWinding(const PolyhedraView& input);
@@ -22,9 +24,9 @@ public:
     // Sets `turn[f]` to 1 for each input face of the cell that must be reversed to point outwards, else to 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
-    // Divides the faces of a closed cell into lobes. A lobe is closed by itself, so it can be reversed alone. A cell
-    // has several lobes where it touches itself along an edge or surrounds a cavity. Returns one lobe number per face
-    // of the cell, each below the number of faces.
+    // Divides the faces of a closed cell into lobes. A lobe is a closed set of faces, so it can be reversed alone. A
+    // cell has several lobes if it touches itself along an edge or surrounds a cavity. Returns the number of the lobe
+    // for each face of the cell. All lobe numbers are less than the number of faces.
     [[nodiscard]] std::vector<Index> lobes(Index cell);
 
 private:
@@ -51,14 +53,14 @@ private:
     const PolyhedraView& input_;
     std::vector<Index> local_of_; // input vertex -> local vertex; none if not in this cell
     std::vector<Index> vertices_; // local vertex -> input vertex
-    std::vector<Face> faces_;     // faces of at least three vertices
+    std::vector<Face> faces_;     // the cell's faces that have at least three vertices
     std::vector<Index> from_;     // half-edge -> local vertex that it leaves
     std::vector<Index> face_of_;  // half-edge -> index in faces_
     std::vector<Index> loop_;     // scratch: input vertices of one face
-    std::vector<Index> head_;     // local vertex -> first half-edge in the list of those that leave it
+    std::vector<Index> head_;     // local vertex -> first half-edge in the list of half-edges that leave it
     std::vector<Index> next_;     // half-edge -> next half-edge in the same list
     std::vector<std::uint8_t> paired_;
-    std::vector<Index> lobe_;      // face -> lobe: faces connected through edges of exactly two faces
+    std::vector<Index> lobe_;      // face -> lobe; faces that share an edge with no third face are in the same lobe
     std::vector<Index> joined_to_; // lobe -> its parent in the union-find tree; a root is its own parent
     struct Use {
         Index low, high, face;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t faces_per_task = 16384;
 
 struct Claim {
-    Index smallest = none; // smallest vertex of the face; none if the face cannot match
+    Index smallest = none; // smallest vertex of the face; none if the face must not be matched
     std::uint32_t fingerprint = 0;
     Index face = none;
 };
@@ -26,8 +26,8 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Returns one claim per face: the key by which equal faces are found. Faces that collapsed to a line or a point
-// separate no cells, so they get an empty claim and stay on the boundary.
+// Returns one claim per face. Equal faces have the same smallest vertex and the same fingerprint. Faces that collapsed
+// to a line or a point do not separate cells, so they get an empty claim and stay on the boundary.
 std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
     std::vector<Claim> claims(cell_of_face.size());
     parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
@@ -81,7 +81,7 @@ private:
     void settle_equal(std::span<const Claim> claims);
     void settle_group(std::span<const Index> group);
     Relation compare(Index a, Index b);
-    bool wound_alike(Index a, Index b); // whether both loops, after `turn`, run in the same direction
+    bool wound_alike(Index a, Index b); // true if both loops, reversed if `turn` is set, have the same direction
     void match(Index a, Index b);
     void agree_across_faces();
     void divide_into_units(const std::vector<Index>& conflicts);
@@ -94,7 +94,8 @@ private:
     std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
     std::vector<Index> loop_a_, loop_b_;
     // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
-    // is cell c, or its first lobe when the cell is divided; units of further lobes are numbered after all cells.
+    // is cell c, or the first lobe of cell c if the cell is divided. The units of further lobes have numbers after all
+    // cells.
     std::vector<Index> unit_of_face_;
     std::vector<Index> cell_of_unit_;
     std::vector<std::uint8_t> divided_; // by cell: 1 if it is divided into several units
@@ -138,8 +139,8 @@ void Matcher::settle_group(std::span<const Index> group) {
     }
 }
 
-// Settles faces with the same smallest vertex and fingerprint. They are nearly always equal; comparing the whole loops
-// separates the exceptions.
+// Matches faces that have the same smallest vertex and fingerprint. Such faces are nearly always equal. A comparison of
+// the whole loops finds the faces that are not equal.
 void Matcher::settle_equal(std::span<const Claim> claims) {
     if (claims.size() < 2) return;
     std::vector<Index> left, group, rest;
@@ -154,9 +155,10 @@ void Matcher::settle_equal(std::span<const Claim> claims) {
     }
 }
 
-// Winds matched faces in opposite directions. Each cell was wound outwards by itself, so two adjacent cells may
-// disagree when one is folded, has no volume or touches itself. The topology needs agreement more than positive
-// volumes. So of two sets of units that disagree, the one with less volume is reversed.
+// Ensures that matched faces are wound in opposite directions. Each cell was wound outwards without regard to its
+// neighbors. Therefore two adjacent cells may disagree if a cell is folded, has no volume or touches itself. For the
+// topology, agreement is more important than positive volumes. If two sets of units disagree, the set with less volume
+// is reversed.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -235,9 +237,9 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// Matches the faces of a group of more than two equal faces. A cell that collapsed to this face has it twice, once per
-// side. Such collapsed cells are chained between the one or two cells that have the face once. Faces of any other group
-// stay unmatched.
+// Matches the faces of a group of more than two equal faces. A cell that collapsed to this face has the face twice,
+// once per side. Such collapsed cells are put in a chain between the one or two cells that have the face once. In all
+// other cases, the faces of the group stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;

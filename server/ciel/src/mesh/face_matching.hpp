@@ -15,13 +15,14 @@ struct CellOfFace {
 
 struct MatchedFaces {
     std::vector<Index> partner;        // input face -> equal face of the adjacent cell; none on the boundary
-    std::vector<Index> repeated_cells; // ascending; left out, because an earlier cell has the same faces
-    std::vector<Index> inverted_cells; // ascending; reversed to point inwards, to agree with adjacent cells
+    std::vector<Index> repeated_cells; // ascending; left out because an earlier cell has the same faces
+    std::vector<Index> inverted_cells; // ascending; wound inwards, so that they agree with adjacent cells
     std::uint64_t internal_boundaries = 0;
 };
 
-// Takes linear time, because a face is compared only with the faces of the same smallest vertex. When the faces marked
-// in `turn` are reversed, the loops of two matched faces run in opposite directions.
+// Matches the faces of all cells. Takes linear time, because a face is compared only with faces that have the same
+// smallest vertex. Sets `turn` so that the loops of two matched faces have opposite directions after the marked faces
+// are reversed.
 [[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// The kernel's only throw. Builds without exceptions (WebAssembly) print the message and abort.
+// All Errors of the kernel are thrown here. Builds without exceptions (WebAssembly) print the message and abort.
 #include "ciel/checked_array.hpp"
 
 #if !defined(__cpp_exceptions)

@@ -1,5 +1,5 @@
-// Position on the three-dimensional Hilbert curve. Cells sorted by it are close in memory when they are close in space.
-// Not in the paper.
+// Position on the three-dimensional Hilbert curve. If cells are sorted by this position, cells that are close in space
+// are also close in memory. Not in the paper.
 // The method is from J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707 (2004).
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace ciel {
 
-// Returns the position of a point on the curve, with 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN counts as 0.
+// Returns the position of a point on the curve, with 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN is treated as
+// 0.
 [[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
 
 } // namespace ciel

@@ -1,5 +1,5 @@
-// The caller's points as a mesh keeps them: floats where these are equal to the caller's numbers, else doubles. Not in
-// the paper.
+// The caller's points as a mesh stores them: as floats if all floats are equal to the caller's numbers, else as
+// doubles. Not in the paper.
 #pragma once
 
 #include "ciel/array_view.hpp"

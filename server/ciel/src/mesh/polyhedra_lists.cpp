@@ -40,8 +40,8 @@ void close_cell(PolyhedraLists& lists, std::size_t source) {
         static_cast<std::uint8_t>(type_of_cell(std::span(lists.face_offset).last(faces + 1), lists.face_vertex)));
 }
 
-// How to read a VTK cell type. Only its first `corners` points are used: VTK lists the corners of a cell before its
-// other points (VTK User's Guide, "Cell types").
+// A VTK cell type and the cell that is made from it. Only the first `corners` points are used, because VTK lists the
+// corners of a cell before its other points (VTK User's Guide, "Cell types").
 struct VtkShape {
     int vtk_type;
     CellType type; // polyhedron means a prism over a polygon of corners / 2 points
@@ -112,7 +112,7 @@ void add_listed_faces(const VtkCells& cells, std::size_t cell, PolyhedraLists& l
     for (std::size_t i = begin; i < end; ++i) {
         const std::int64_t face = cells.cell_faces.integer(i);
         if (face < 0 || static_cast<std::uint64_t>(face) + 1 >= cells.face_offsets.rows())
-            fail("polyhedron " + std::to_string(cell) + " names face " + std::to_string(face) +
+            fail("polyhedron " + std::to_string(cell) + " has the face " + std::to_string(face) +
                  ", which does not exist");
         const auto f = static_cast<std::size_t>(face);
         const std::size_t last = offset(cells.face_offsets, f + 1, size, "face_offsets");
@@ -126,7 +126,8 @@ void add_listed_faces(const VtkCells& cells, std::size_t cell, PolyhedraLists& l
 void add_polyhedron(const VtkCells& cells, std::size_t cell, PolyhedraLists& lists) {
     if (!cells.cell_face_offsets.empty()) return add_listed_faces(cells, cell, lists);
     if (cells.face_locations.rows() <= cell)
-        fail("cell " + std::to_string(cell) + " is a polyhedron, but its faces are not given");
+        fail("cell " + std::to_string(cell) +
+             " is a polyhedron, but its faces are not given; pass them in faces and face_locations");
     add_face_stream(cells, cell, lists);
 }
 
@@ -170,8 +171,9 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     check_ids(neighbour, "neighbour");
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
-    // Lists the faces of each cell by a counting sort. Each cell has a side of some face, so a valid cell id is less
-    // than twice the number of faces. Larger ids are rejected before they determine the size of an allocation.
+    // Lists the faces of each cell by a counting sort. Each cell has at least one side of a face, so a valid cell id is
+    // less than twice the number of faces. Larger ids are rejected, because the greatest id determines the size of an
+    // allocation.
     const auto sides_at_most = static_cast<std::int64_t>(2 * owner.rows());
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {

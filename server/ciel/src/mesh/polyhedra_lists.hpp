@@ -22,13 +22,13 @@ struct PolyhedraLists {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-// Sets the points from `points` (V x 3). Throws Error for another number of columns, or when there are too many points
-// for 32-bit ids.
+// Sets the points from `points` (V x 3). Throws Error if there are not three columns, or too many points for 32-bit
+// ids.
 void put_points(const ArrayView& points, PolyhedraLists& lists);
 
-// These three functions append cells; call put_points before. Throw Error when array sizes or offsets do not fit, or a
-// face or cell id is out of range. A vertex id that does not fit 32 bits becomes `none`, which assemble() reports. VTK
-// cells without volume are left out and counted in `skipped`.
+// The following three functions append cells; call put_points before them. They throw Error when the sizes of arrays or
+// the offsets are not valid, or when a face or cell id is out of range. A vertex id that does not fit 32 bits becomes
+// `none`, which assemble() reports. VTK cells without volume are left out and counted in `skipped`.
 void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,
                    PolyhedraLists& lists);
 void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex, const ArrayView& owner,

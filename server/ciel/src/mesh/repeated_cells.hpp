@@ -1,4 +1,4 @@
-// Finds cells that a mesh lists more than once. Otherwise the faces of such cells would be matched with each other, or
+// Finds cells that a mesh lists more than once. If they were kept, their faces would be matched with each other, or
 // three cells would share a face. Algorithm 5 (paper, appendix A) does not handle repeated cells.
 #pragma once
 
@@ -8,8 +8,8 @@ namespace ciel {
 
 // Returns the cells of `suspects` that have the same faces as an earlier suspect, in any winding and with any first
 // corner. `suspects` and the result are ascending. Ignores faces that collapsed to a line or a point. Never returns a
-// cell that has a face twice: it collapsed to that face, as cells at the pole of a curvilinear grid do. Takes O(n log
-// n) in the number of corners.
+// cell that has a face twice. Such a cell has collapsed to this face, as cells at the pole of a curvilinear grid do.
+// Takes O(n log n) in the number of corners.
 [[nodiscard]] std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const Index> suspects);
 
 } // namespace ciel

@@ -24,9 +24,9 @@ namespace ciel {
 
 namespace {
 
-thread_local unsigned limit_of_call = 0; // of the loops that this thread starts; 0: that of the process
+thread_local unsigned limit_of_call = 0; // for loops that this thread starts; 0: the limit of the process
 
-// Sets the limit of this thread during the object's lifetime.
+// While the object exists, loops that this thread starts use at most `threads` threads.
 class CallLimit {
 public:
     explicit CallLimit(unsigned threads) : before_(std::exchange(limit_of_call, threads)) {}
@@ -58,7 +58,8 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count <= grain) return body(0, count);
     if (limit_of_call == 0) return run_on_threads(count, grain, body);
     if (limit_of_call == 1) return run_in_turn(count, grain, body);
-    // Several bodies may start loops at the same time, and together must not exceed the limit.
+    // Inner loops get one thread: several bodies may start loops at the same time, and all together must not exceed the
+    // limit.
     run_on_threads(count, grain, [&](std::size_t begin, std::size_t end) {
         const CallLimit alone(1);
         body(begin, end);
@@ -71,12 +72,13 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
 
 namespace {
 std::unique_ptr<tbb::global_control> limit;
-std::unique_ptr<tbb::task_arena> wide_arena; // the default arena has only one slot per processor
+// For more threads than processors: the default arena has only one slot for each processor.
+std::unique_ptr<tbb::task_arena> wide_arena;
 } // namespace
 
 void set_thread_count(unsigned threads) {
     wide_arena.reset();
-    limit.reset(); // the smallest live limit applies, so destroy the old one first
+    limit.reset(); // the smallest existing limit applies, so remove the old limit first
     if (threads > 0)
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
     if (threads > static_cast<unsigned>(tbb::info::default_concurrency()))
@@ -106,7 +108,7 @@ void run_on_threads(std::size_t count, std::size_t grain, LoopBody body) {
             [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); },
             tbb::simple_partitioner());
     };
-    wide_arena&& limit_of_call == 0 ? wide_arena->execute(loop) : loop(); // a limited call has its own arena
+    wide_arena&& limit_of_call == 0 ? wide_arena->execute(loop) : loop(); // a limited call has an arena already
 }
 
 } // namespace
@@ -141,7 +143,7 @@ void run_on_threads(std::size_t count, std::size_t grain, LoopBody body) {
             try {
                 body(i * grain, std::min(count, (i + 1) * grain));
             } catch (...) {
-                next = ranges; // the other threads only finish what they have begun, as with TBB
+                next = ranges; // ranges that have not begun are skipped, as with TBB
                 const std::lock_guard lock(error_mutex);
                 if (!first_error) first_error = std::current_exception();
             }

@@ -1,5 +1,5 @@
-// Thresholds block by block. Does not read the values of a block if its range decides the flags of all its cells, nor
-// the faces of a block that cannot have a face between a kept cell and another.
+// Threshold, block by block. Does not read the values of a block whose range decides the flags of all its cells. Does
+// not read the faces of a block that cannot have a face between a kept cell and another cell.
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
 #include "blocks/inner_faces.hpp"
@@ -16,7 +16,7 @@ namespace ciel {
 
 namespace {
 
-// Sets the flag of each cell of a block: 1 if all, or any, of the cell's vertices lie in the range.
+// Sets the flag of each cell of a block: 1 if all vertices (or any vertex) of the cell lie in the range.
 class KeepCells {
 public:
     KeepCells(const Block& block, ValuesView values, std::array<double, 2> range, InRange vertices,
@@ -35,12 +35,14 @@ public:
     }
 
 private:
-    struct Seen { // whether every vertex, or some vertex, of a cell lies in the range
+    // Whether every vertex of a cell, and whether some vertex, lies in the range.
+    struct Seen {
         bool every = true, some = false;
     };
     template <class Local>
     void run(const PolyhedralSection<Local>& polyhedra) {
-        std::size_t corners = 0; // of all cells so far; a changed record may name too many
+        // Number of corners of all cells so far. It is checked below, because a changed record may name too many.
+        std::size_t corners = 0;
         for (Index i = 0; i < polyhedra.count(); ++i) {
             Seen seen;
             for (const Local& entry : polyhedra.faces_of(i)) {
@@ -94,7 +96,9 @@ std::vector<std::uint8_t> cells_in_range(const Field& field, std::array<double, 
 std::size_t count_cells_without_value(const Field& field, ValuesView values, bool (*counts)(double value)) {
     const Field::Data& data = field.data();
     const Topology::Blocks& blocks = data.topology->blocks();
-    if (values.size() != data.topology->counts().vertices) fail("cells are counted with one value per vertex");
+    if (values.size() != data.topology->counts().vertices)
+        fail("counting cells without a value needs one value for each vertex; pass the values from which the field was "
+             "made");
     std::atomic<std::size_t> count{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;
@@ -111,7 +115,8 @@ std::size_t count_cells_without_value(const Field& field, ValuesView values, boo
 Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                           std::span<const std::uint8_t> kept) {
     if (boundary.cell_count() != topology.counts().cells || boundary.vertex_count() != topology.counts().vertices)
-        fail("a threshold's boundary is of another mesh than the topology");
+        fail("the boundary of a threshold belongs to another mesh than the topology; pass the boundary of the "
+             "topology's mesh");
     const InnerFaces inner(topology, boxes, kept);
     FacePolygons polygons(boundary);
     std::vector<Index> loop;

@@ -53,8 +53,8 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // Returns the new vertex where a polygon side crosses the plane. Interpolates from the kept end, so that both
-    // polygons of the side get the same bits.
+    // Returns the new vertex where a polygon side crosses the plane. Always interpolates from the kept end, so that
+    // both polygons of the side get the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =
@@ -88,9 +88,9 @@ private:
 ClippedSurface clip_surface(const Surface& surface, ValuesView values, std::span<const HalfSpace> planes, double slack,
                             std::span<const Vec3d> places) {
     if (!values.empty() && values.size() != surface.positions.size())
-        fail("a surface to clip needs one value per vertex, or none");
+        fail("clipping a surface needs one value for each vertex of the surface, or no values");
     if (!places.empty() && places.size() != surface.positions.size())
-        fail("a surface to clip needs one place per vertex, or none");
+        fail("clipping a surface needs one place for each vertex of the surface, or no places");
     ClippedSurface out{surface, {values.begin(), values.end()}, {places.begin(), places.end()}};
     out.surface.chunks.clear();
     for (const HalfSpace& plane : planes) out = PlaneClip(std::move(out), plane, slack).run();

@@ -16,8 +16,8 @@ class PolygonContours {
 public:
     PolygonContours(const Surface& surface, std::span<const T> values) : surface_(surface), values_(values) {}
 
-    // Appends one segment per run of high corners: from the side on which the loop enters the run to the side on which
-    // it leaves the run.
+    // Appends one segment for each run of high corners. The segment begins on the side where the loop enters the run,
+    // and ends on the side where the loop leaves the run.
     void append(std::span<const Index> loop, double nu, std::vector<Vec3f>& out) const {
         const auto high = [&](std::size_t i) { return values_[loop[i % loop.size()]] >= nu; };
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -40,8 +40,8 @@ public:
     }
 
 private:
-    // Returns the point at nu on a polygon side. Always interpolates from the lower index to the upper, so that both
-    // polygons of the side get the same bits.
+    // Returns the point at nu on a polygon side. Always interpolates from the lower point index to the higher, so that
+    // both polygons of the side get the same bits.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
         const double t = share_at(nu, values_[a], values_[b]);
@@ -80,7 +80,9 @@ std::vector<Vec3f> lines_of(const Surface& surface, std::span<const T> values, s
 } // namespace
 
 std::vector<Vec3f> contour_lines(const Surface& surface, ValuesView values, std::span<const double> at) {
-    if (values.size() != surface.positions.size()) fail("contour lines need one value per point of their surface");
+    if (values.size() != surface.positions.size())
+        fail("contour lines need one value for each point of the surface; pass as many values as the surface has "
+             "points");
     if (at.empty()) return {};
     return values.with([&](auto all) { return lines_of(surface, all, at); });
 }

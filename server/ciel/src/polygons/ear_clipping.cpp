@@ -13,7 +13,7 @@ double twice_area(const Point& a, const Point& b, const Point& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Finds polygon corners by position in a regular grid, with about one corner per grid cell.
+// Finds polygon corners by their position, in a regular grid with about one corner in each grid cell.
 class Grid {
 public:
     Grid(std::span<const Point> corners, std::span<const Index> members) {
@@ -32,8 +32,9 @@ public:
         for (const Index i : members) member_[cursor[place(corners[i])]++] = i;
     }
 
-    // Returns whether `wanted` holds for a corner in a grid cell that the rectangle from `low` to `high` touches.
-    // Subtracts the visited grid cells and corners from `steps`. Returns false when `steps` becomes negative.
+    // Returns whether wanted(corner) is true for a corner in a grid cell that touches the rectangle from `low` to
+    // `high`. Subtracts the number of visited grid cells and corners from `steps`. Returns false when `steps` becomes
+    // negative.
     template <class Wanted>
     [[nodiscard]] bool any(const Point& low, const Point& high, std::int64_t& steps, Wanted&& wanted) const {
         for (std::size_t row = index(low, 1); row <= index(high, 1); ++row)
@@ -50,7 +51,8 @@ public:
 private:
     [[nodiscard]] std::size_t index(const Point& p, std::size_t axis) const {
         const double share = (p[axis] - low_[axis]) / (high_[axis] - low_[axis]);
-        if (!(share > 0)) return 0; // also NaN: the polygon has no extent along the axis
+        // Also 0 for NaN, which means that the polygon has no extent along the axis.
+        if (!(share > 0)) return 0;
         return std::min(side_ - 1, static_cast<std::size_t>(std::min(share, 1.0) * static_cast<double>(side_)));
     }
     [[nodiscard]] std::size_t place(const Point& p) const { return index(p, 1) * side_ + index(p, 0); }
@@ -75,13 +77,13 @@ public:
         for (Index i = 0; i < n; ++i) convex_[i] = area_at(i) > 0 ? 1 : 0;
     }
 
-    // Cuts off ears in rounds, to keep the triangles compact. The two corners adjacent to a corner that was cut off are
-    // tested in the next round. Only such corners can have become ears.
+    // Cuts off ears in rounds, so that the triangles are compact. When a corner is cut off, the two adjacent corners
+    // are tested in the next round. No other corner can have become an ear.
     void run() {
         const Grid grid = grid_of_the_rest();
         for (Index i = 0; i < corners_.size(); ++i) next_.push_back(i);
         while (left_ > 3) {
-            if (next_.empty()) cut_off(some_left_); // no ear is left: the polygon crosses itself
+            if (next_.empty()) cut_off(some_left_); // no ear is left, so the polygon crosses itself
             ++round_;
             now_.swap(next_);
             next_.clear();
@@ -93,8 +95,9 @@ public:
     }
 
 private:
-    // Returns a grid of the corners that are not convex. These suffice to test for an ear: if any corner lies in its
-    // triangle, one of these does.
+    // Returns a grid of the corners that are not convex. A corner is an ear if its triangle contains no other corner.
+    // It is enough to test the corners that are not convex: if the triangle contains any corner, it contains one of
+    // them.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)
@@ -123,7 +126,7 @@ private:
         after_[a] = c;
         before_[c] = a;
         is_left_[i] = 0;
-        convex_[i] = 1; // a corner that is cut off blocks no ears
+        convex_[i] = 1; // so that is_ear ignores the corner from now on
         --left_;
         some_left_ = a;
         for (const Index k : {a, c}) {
@@ -135,13 +138,13 @@ private:
 
     std::span<const Point> corners_;
     std::vector<Index>& out_;
-    std::int64_t steps_; // remaining steps (clip_ears)
+    std::int64_t steps_; // number of steps left (clip_ears)
     std::vector<Index> before_, after_;
     std::vector<std::uint8_t> convex_, is_left_;
     std::size_t left_;
     Index some_left_ = 0;
-    std::vector<Index> now_, next_; // corners to test in this round, in the next
-    std::vector<Index> waits_;      // corner -> round in which it is skipped
+    std::vector<Index> now_, next_; // corners to test in this round and in the next round
+    std::vector<Index> waits_;      // by corner: the round in which the corner is skipped
     Index round_ = 0;
 };
 

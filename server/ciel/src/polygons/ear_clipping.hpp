@@ -1,5 +1,5 @@
-// Triangulates polygons that no fan covers: cuts off ears, corners whose triangle contains no other corner.
-// Not in the paper, which leaves polygons to OpenGL.
+// Triangulates polygons that no triangle fan covers, by ear clipping: an ear is a corner whose triangle contains no
+// other corner. Not in the paper, which leaves polygons to OpenGL.
 // Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975).
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace ciel {
 
-// `corners`: counter-clockwise, at least three. Appends corners.size() - 2 triangles with the polygon's winding, as
-// indices into `corners`. If the polygon does not cross itself, the triangles cover it exactly once. If it does, some
-// triangles are reversed or have no area. Finds the corners inside an ear in a grid, to save steps. When
-// 512 * corners.size() steps are used up, the remaining corners are cut off without a test.
+// Triangulates a polygon. `corners`: at least three, counter-clockwise. Appends corners.size() - 2 triangles to `out`,
+// as indices in `corners`, with the winding of the polygon. If the polygon does not cross itself, the triangles cover
+// it exactly once. If it crosses itself, some triangles are reversed or have no area. A step is a visit of a grid cell
+// or of a corner. After 512 * corners.size() steps, the remaining corners are cut off without a test.
 void clip_ears(std::span<const std::array<double, 2>> corners, std::vector<Index>& out);
 
 } // namespace ciel

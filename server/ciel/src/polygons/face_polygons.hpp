@@ -1,4 +1,4 @@
-// Makes a surface of faces of the mesh, which the caller adds one by one. Not in the paper.
+// Makes a surface from faces of the mesh, which the caller adds one by one. Not in the paper.
 #pragma once
 
 #include "ciel/cell_geometry.hpp"
@@ -14,8 +14,8 @@ class FacePolygons {
 public:
     explicit FacePolygons(const FaceMeshView& points) : points_(points), used_(points.vertex_count()) {}
 
-    // Adds a polygon, unless the loop has fewer than three distinct vertices. `loop`: wound outwards from `cell`.
-    // `face`: the entry of the polygon in Surface::polygon_face.
+    // Adds a polygon. Ignores a loop of fewer than three distinct vertices. `loop`: wound outwards from `cell`. `face`:
+    // the entry of the polygon in Surface::polygon_face.
     void add(std::span<const Index> loop, Index cell, Index face) {
         if (!is_polygon(loop)) return;
         points_.load(loop);
@@ -24,11 +24,11 @@ public:
         surface_.polygon_cell.push_back(cell);
         surface_.polygon_face.push_back(face);
     }
-    [[nodiscard]] Surface take() &&; // returns the surface with its chunks
+    [[nodiscard]] Surface take() &&; // returns the surface and sets its chunks
 
 private:
     [[nodiscard]] static bool is_polygon(std::span<const Index> loop) {
-        Index other = none; // a second distinct vertex
+        Index other = none; // the second distinct vertex, once found
         for (const Index vertex : loop) {
             if (vertex == loop[0] || vertex == other) continue;
             if (other != none) return true;
@@ -47,11 +47,11 @@ private:
     }
 
     const FaceMeshView& points_;
-    SparseArray<Index> used_; // by mesh vertex: its index in the points plus 1; 0 if it has none
+    SparseArray<Index> used_; // by mesh vertex: index in surface_.points plus 1; 0 if not added
     Surface surface_;
 };
 
-// Sets the chunks of a surface that has been made polygon by polygon.
+// Divides the polygons of a surface into chunks. For a surface that was made polygon by polygon.
 void add_chunks(Surface& surface);
 
 } // namespace ciel

@@ -8,7 +8,8 @@ namespace ciel {
 
 namespace {
 
-struct Side { // side of a polygon, listed by its lower point
+// A side of a polygon, in the list of its lower point.
+struct Side {
     Index upper, polygon;
     friend bool operator<(const Side& a, const Side& b) {
         return a.upper != b.upper ? a.upper < b.upper : a.polygon < b.polygon;
@@ -20,7 +21,7 @@ bool bends(const Vec3f& a, const Vec3f& b, double cosine) { return a != Vec3f{} 
 } // namespace
 
 std::vector<Index> feature_edges(const Surface& surface, double degrees) {
-    // Tolerance: rounding bends flat surfaces by fractions of a degree.
+    // The tolerance of 1e-6 is needed because rounding bends flat surfaces by a small fraction of a degree.
     const double cosine = std::cos(degrees * std::numbers::pi / 180) - 1e-6;
     std::vector<Vec3f> normals;
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i)

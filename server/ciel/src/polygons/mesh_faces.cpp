@@ -16,7 +16,7 @@ namespace ciel {
 
 namespace {
 
-// Returns the faces of a cell, each from its lowest vertex on, in ascending order.
+// Returns the faces of a cell in ascending order. Each loop begins at the lowest vertex of the face.
 std::vector<std::vector<Index>> sorted_faces(const CellLoops& cell) {
     std::vector<std::vector<Index>> faces;
     for (std::size_t i = 0; i < cell.count(); ++i) {
@@ -74,12 +74,13 @@ Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points, 
     const Topology::Blocks& blocks = topology.blocks();
     if (points.vertex_count() != topology.counts().vertices ||
         (!kept.empty() && kept.size() != topology.counts().cells))
-        fail("the positions or the flags are of another mesh than the topology");
+        fail("the positions or the cell flags belong to another mesh than the topology; pass those of the same mesh");
     SparseArray<std::uint8_t> used(points.vertex_count());
     const auto mark = [&used](Index vertex) {
         std::atomic_ref(used.get()[vertex]).store(1, std::memory_order_relaxed);
     };
-    if (kept.empty() && blocks.count() > 0) // all but the last vertices, which no cell has
+    // Marks all vertices except the last vertices of the mesh, which belong to no cell.
+    if (kept.empty() && blocks.count() > 0)
         std::ranges::fill(used.all().first(blocks.numbers.vertex.back()), std::uint8_t{1});
     parallel_for(kept.empty() ? 0 : blocks.count(), 1, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;

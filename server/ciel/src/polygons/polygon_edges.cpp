@@ -7,7 +7,7 @@ namespace ciel {
 std::vector<Index> polygon_edges(const Surface& surface) {
     auto sides = polygon_sides(surface, [](Index upper, Index) { return upper; });
     std::vector<Index> edges;
-    // Estimates the size of the result: most edges are a side of two polygons, and each edge appends two ids.
+    // Estimate of the result's size: most edges are a side of two polygons, and each edge appends two indices.
     edges.reserve(sides.side.size() + sides.side.size() / 8);
     for (Index lower = 0; lower < surface.positions.size(); ++lower) {
         const std::span<Index> upper = sides.of(lower);

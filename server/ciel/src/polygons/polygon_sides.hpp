@@ -1,6 +1,5 @@
-// Lists the sides of the polygons of a surface by the lower of their two points. Each list is sorted. Needs no hash and
-// no global sort.
-// Not in the paper.
+// Lists the sides of a surface's polygons, grouped by the lower point of each side. Each group is sorted. This needs no
+// hash table and no global sort. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -12,7 +11,7 @@ namespace ciel {
 
 template <class Side>
 struct PolygonSides {
-    std::vector<Index> begin; // by lower point: first index in `side`; one more at the end
+    std::vector<Index> begin; // by lower point: first index in `side`; then the size of `side`
     std::vector<Side> side;
 
     [[nodiscard]] std::span<Side> of(Index lower) {
@@ -20,8 +19,8 @@ struct PolygonSides {
     }
 };
 
-// Calls f(lower, upper, polygon) for each side. An edge of two polygons is visited twice. Sides from a point to itself
-// (collapsed cells) are skipped.
+// Calls f(lower point, upper point, polygon) for each side of each polygon. A side of two polygons is visited twice. A
+// side from a point to itself (in collapsed cells) is skipped.
 template <class F>
 void for_sides(const Surface& surface, F&& f) {
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
@@ -34,7 +33,7 @@ void for_sides(const Surface& surface, F&& f) {
     }
 }
 
-// Returns `make(upper, polygon)` of each side, grouped by lower point. Each group is sorted.
+// Returns make(upper point, polygon) for each side, grouped by lower point. Each group is sorted.
 template <class Make>
 [[nodiscard]] auto polygon_sides(const Surface& surface, Make make) {
     PolygonSides<std::decay_t<decltype(make(Index{}, Index{}))>> out;

@@ -27,7 +27,8 @@ Surface FacePolygons::take() && {
 
 std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values, std::array<double, 2> range,
                                          InRange vertices) {
-    if (values.size() != mesh.vertex_count()) fail("a threshold needs one value per vertex of its mesh");
+    if (values.size() != mesh.vertex_count())
+        fail("a threshold needs one value for each vertex of the mesh; pass as many values as the mesh has vertices");
     std::vector<std::uint8_t> of_face(mesh.face_count());
     parallel_for(of_face.size(), 65536, [&](std::size_t begin, std::size_t end) {
         const auto inside = [&](Index v) { return values[v] >= range[0] && values[v] <= range[1]; };
@@ -81,9 +82,10 @@ Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> 
     if (surface.points.size() != surface.positions.size())
         fail("a clipped surface cannot be filtered by cell: clipping made " +
              std::to_string(surface.positions.size() - surface.points.size()) +
-             " of its vertices, which lie on no edge of the mesh; filter the surface before it is clipped");
+             " of the surface's vertices, and these lie on no edge of the mesh; filter the surface before it is "
+             "clipped");
     if (std::ranges::any_of(surface.polygon_cell, [&](Index cell) { return cell >= kept.size(); }))
-        fail("a polygon belongs to a cell without a flag, beyond the " + std::to_string(kept.size()) +
+        fail("a polygon belongs to a cell that has no flag, because there are only " + std::to_string(kept.size()) +
              " flags; pass one flag for each cell of the mesh");
     Surface out;
     std::vector<Index> place(surface.positions.size(), none);

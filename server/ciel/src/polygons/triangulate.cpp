@@ -1,5 +1,5 @@
-// Triangulates polygons as fans from the first corner that is good enough: polygons of cells are mostly convex and
-// nearly flat. Where every fan folds over, ears are clipped.
+// Triangulates polygons as fans. The fan starts at the first corner that is good enough, because polygons of cells are
+// mostly convex and nearly flat. If every fan folds over, the polygon is triangulated by ear clipping.
 #include "ciel/parallel.hpp"
 #include "extraction/polygon.hpp"
 #include "polygons/ear_clipping.hpp"
@@ -12,8 +12,8 @@ namespace ciel {
 
 namespace {
 
-// Writes the triangles of one chunk of polygons into a buffer without gaps. The buffer has room for corners - 2
-// triangles of each polygon.
+// Writes the triangles of a chunk of polygons into a buffer, one after another. The buffer has room for corners - 2
+// triangles of each polygon; `fill` marks the unused rest.
 class Triangles {
 public:
     explicit Triangles(Index* to) : to_(to) {}
@@ -34,7 +34,7 @@ Vec3d triangle_area(const Surface& surface, Index a, Index b, Index c) {
     return cross(arm(surface.positions[a], surface.positions[b]), arm(surface.positions[a], surface.positions[c]));
 }
 
-// The smallest dot product of `normal` with a triangle's area vector, over the fan from `corner`.
+// Returns the smallest dot product of `normal` with the area vector of a triangle, for the fan that starts at `corner`.
 double worst_area(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, std::size_t corner) {
     const std::size_t n = loop.size();
     double worst = std::numeric_limits<double>::infinity();
@@ -46,10 +46,11 @@ double worst_area(const Surface& surface, std::span<const Index> loop, const Vec
 
 struct Fan {
     std::size_t corner = 0;
-    bool folds = false; // a triangle of the fan is clearly reversed, not only by rounding
+    bool folds = false; // whether a triangle is reversed by more than rounding
 };
 
-// Of a larger polygon, 64 to 127 evenly spaced corners are tried, so that the time is linear in the corners.
+// If a polygon has more corners than this, only 64 to 127 evenly spaced corners are tried, so that the time is linear
+// in the number of corners.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
@@ -74,7 +75,7 @@ void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
     out.add(a, b, c);
 }
 
-// Clips ears in the projection along the coordinate axis nearest to the normal.
+// Clips ears in the projection along the coordinate axis that is nearest to the normal.
 void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, Triangles& out) {
     std::size_t axis = 0;
     for (const std::size_t other : {1U, 2U})
@@ -100,8 +101,8 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
-// Returns the offset of the first triangle of a polygon in the buffer. Each polygon before it has room for (corners -
-// 2) triangles.
+// Returns the index in the buffer of the first triangle of a polygon. Each earlier polygon has room for corners - 2
+// triangles.
 std::size_t place_of(const Surface& surface, std::size_t polygon) {
     return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
 }
@@ -120,7 +121,7 @@ void triangulate(const Surface& surface, std::vector<Index>& out) {
             to.fill(out.data() + place_of(surface, last));
         }
     });
-    std::erase(out, none); // entries of triangles that were left out
+    std::erase(out, none); // removes the entries of triangles that were left out
 }
 
 std::vector<Index> triangulate(const Surface& surface) {

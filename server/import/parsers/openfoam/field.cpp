@@ -40,7 +40,6 @@ public:
     }
 
 private:
-    // Returns nullopt if the entry is neither uniform nor nonuniform.
     std::optional<FoamValues> read_values() {
         const char next = reader_.peek();
         if (next != 'u' && next != 'n') return std::nullopt;
@@ -58,8 +57,8 @@ private:
         else
             numbers.push_back(reader_.number());
         if (numbers.size() != static_cast<std::size_t>(field_.components))
-            reader_.fail("has a uniform value of " + std::to_string(numbers.size()) + " numbers where " +
-                         std::to_string(field_.components) + " are needed");
+            reader_.fail("has a uniform value with " + std::to_string(numbers.size()) + " numbers instead of " +
+                         std::to_string(field_.components) + ", the number of components of the field,");
         return numbers;
     }
 
@@ -94,7 +93,8 @@ private:
     FoamField field_;
 };
 
-// Limits the depth of the stack: std::regex_match recurses once per character.
+// Largest length of a pattern or a patch name, in bytes. std::regex_match recurses once per character, so that longer
+// names could overflow the stack.
 constexpr std::size_t longest_name = 256;
 
 bool matches(const std::string& pattern, const std::string& name) {

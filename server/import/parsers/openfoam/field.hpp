@@ -11,10 +11,10 @@ namespace ciel::importer {
 
 struct FoamValues {
     bool is_uniform = false;
-    std::vector<double> numbers; // one tuple if uniform, else one per cell or face
+    std::vector<double> numbers; // one tuple if is_uniform, else one tuple per cell or face
 };
 
-struct FoamCondition { // of one patch, of a group of patches, or of all patches whose names match
+struct FoamCondition { // boundary condition of one patch, of a group, or of all patches that match a pattern
     std::string name;
     bool is_pattern = false; // `name` is a regular expression
     std::string type;        // such as "fixedValue"; empty if the file gives none
@@ -27,17 +27,19 @@ struct FoamField {
     FoamValues cells;
     std::vector<FoamCondition> conditions;
 
-    // Returns the condition with the patch's name, else that of one of its groups, else the last one whose pattern
-    // matches the patch's name; null if there is none.
+    // Returns the condition of a patch; null if there is none. A condition with the name of the patch comes first.
+    // Second comes the last condition with the name of one of the patch's groups. Third comes the last condition whose
+    // pattern matches the name of the patch.
     [[nodiscard]] const FoamCondition* condition(const std::string& patch,
                                                  const std::vector<std::string>& groups) const;
 };
 
-// Returns the number of components of a class such as volVectorField or volScalarField::Internal; 0 for other classes.
+// Returns the number of components of a field class such as volVectorField or volScalarField::Internal; 0 for other
+// classes.
 [[nodiscard]] int foam_field_components(std::string_view class_name);
 
-// `most`: the number of cells; longer lists are refused. The value of a condition is nullopt unless the file lists it.
-// Throws Error naming `file`.
+// Parses a field file. `most`: number of cells; a longer list is refused. FoamCondition::value is nullopt if the file
+// does not list values for the patch. Error texts start with `file`.
 [[nodiscard]] FoamField parse_foam_field(std::string_view bytes, const std::string& file, std::size_t most);
 
 } // namespace ciel::importer

@@ -12,7 +12,7 @@ namespace ciel::importer {
 namespace {
 
 constexpr int deepest = 16;
-constexpr std::size_t longest_value = 4096;      // bytes; macros for longer entries expand to nothing
+constexpr std::size_t longest_value = 4096;      // bytes; a macro with a longer value expands to nothing
 constexpr std::size_t longest_text = 256U << 20; // bytes of the expanded text
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -53,7 +53,8 @@ private:
         }
     }
 
-    // Appends c to the output. When c ends a top-level entry "NAME value;", remembers the entry for macros.
+    // Appends c to the output. If c ends a top-level entry "NAME value;", stores the entry so that $NAME can be
+    // expanded.
     void put(char c) {
         out_ += c;
         if (c == '{') ++braces_;
@@ -67,7 +68,7 @@ private:
     void remember(std::string_view entry) {
         const auto begin = std::find_if(entry.begin(), entry.end(), is_name);
         if (begin == entry.end()) return;
-        const auto end = std::find_if_not(begin, entry.end(), is_name); // not entry.end(): the entry ends with ';'
+        const auto end = std::find_if_not(begin, entry.end(), is_name); // never entry.end(): the entry ends with ';'
         std::string name(begin, end), value(end, entry.end() - 1);      // without the semicolon
         values_[std::move(name)] = value.size() <= longest_value ? std::move(value) : std::string();
     }

@@ -43,7 +43,7 @@ void read_patch_entry(FoamReader& reader, std::string_view key, FoamPatch& patch
     } else if (key == "neighbProcNo") {
         patch.neighbour = reader.label();
     } else if (key == "inGroups") {
-        if (reader.peek() == 'L') static_cast<void>(reader.word()); // List<word>
+        if (reader.peek() == 'L') static_cast<void>(reader.word()); // skips "List<word>"
         if (reader.peek() != '(') static_cast<void>(reader.label());
         reader.expect('(');
         while (!reader.accept(')')) patch.groups.emplace_back(reader.name(is_quoted));

@@ -1,6 +1,6 @@
 // Parses the files of an OpenFOAM mesh, constant/polyMesh (OpenFOAM User Guide, "Mesh description"). Each function
-// takes the bytes of one file and throws Error naming `file` if they violate the format. The caller must check that
-// labels are within range.
+// takes the bytes of one file. It throws Error, with a text that starts with `file`, if the bytes violate the format.
+// The caller must check that labels are within range.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace ciel::importer {
 
 // The content of the file `faces`, a faceList or a faceCompactList.
 struct FoamFaces {
-    std::vector<std::size_t> offset{0}; // face -> index of its first entry in `points`; one extra at the end
+    std::vector<std::size_t> offset{0}; // face -> index of its first point in `points`; the last entry is points.size()
     std::vector<std::int64_t> points;
 };
 [[nodiscard]] FoamFaces parse_foam_faces(std::string_view bytes, const std::string& file);
@@ -25,7 +25,8 @@ struct FoamFaces {
 [[nodiscard]] std::vector<std::int64_t> parse_foam_labels(std::string_view bytes, const std::string& file,
                                                           std::size_t most);
 
-// One patch of the file `boundary`. `neighbour`: number of the other processor of a processor patch, else -1.
+// One patch of the file `boundary`. `neighbour`: for a processor patch, the number of the processor on the other side;
+// -1 for other patches.
 struct FoamPatch {
     std::string name, type;
     std::vector<std::string> groups;

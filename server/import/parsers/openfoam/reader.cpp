@@ -98,7 +98,7 @@ bool FoamReader::accept(char c) {
 
 void FoamReader::expect(char c) {
     if (accept(c)) return;
-    fail(at_ == bytes_.size() ? "ends too early" : std::string("has no '") + c + "' where one is needed");
+    fail(at_ == bytes_.size() ? "ends too early" : std::string("has no '") + c + "' where this character is needed");
 }
 
 std::string_view FoamReader::word() {
@@ -163,7 +163,8 @@ std::int64_t FoamReader::label() {
 std::size_t FoamReader::items(std::size_t most) {
     const std::int64_t items = label();
     if (items < 0 || static_cast<std::uint64_t>(items) > most)
-        fail("has a list of " + std::to_string(items) + " items, where at most " + std::to_string(most) + " fit,");
+        fail("has a list of " + std::to_string(items) + " items; the number must be between 0 and " +
+             std::to_string(most) + ",");
     return static_cast<std::size_t>(items);
 }
 
@@ -245,7 +246,7 @@ std::vector<std::int64_t> FoamReader::labels(std::size_t most) {
     return values;
 }
 
-// Skips a binary list after "List<TYPE>", because its raw bytes may look like brackets and semicolons. `type`: TYPE.
+// Skips a binary list after "List<TYPE>", because its raw bytes can look like brackets or semicolons. `type`: TYPE.
 void FoamReader::skip_list(std::string_view type) {
     if (!format_.is_binary) return;
     std::size_t item = static_cast<std::size_t>(foam_components(type)) * static_cast<std::size_t>(format_.scalar_bytes);

@@ -14,25 +14,27 @@ struct FoamFormat {
     bool is_binary = false;
     int label_bytes = 4;
     int scalar_bytes = 8;
-    std::string class_name; // such as "volScalarField"; empty without a header
+    std::string class_name; // such as "volScalarField"; empty if the file has no header
 };
 
-// Reads forward through the bytes of one file, which must outlive the reader. Functions that do not find the expected
-// token throw Error with the file's name and the byte offset.
+// Reads the bytes of one file from start to end. The bytes must outlive the reader. If a function does not find the
+// expected token, it throws Error with the name of the file and the byte offset.
 class FoamReader {
 public:
-    // Reads the header (FoamFile), if there is one. Throws Error if the header says big-endian.
+    // Reads the header (FoamFile) if the file has one. Throws Error if the header declares big-endian numbers.
     FoamReader(std::string_view bytes, std::string name);
 
     [[nodiscard]] const FoamFormat& format() const { return format_; }
+    // Throws Error with the text "FILE: WHAT at byte OFFSET".
     [[noreturn]] void fail(const std::string& what) const;
 
     // The following functions first skip white space and comments.
     [[nodiscard]] bool at_end();
-    [[nodiscard]] char peek(); // 0 at the end
+    [[nodiscard]] char peek(); // '\0' at the end of the file
     [[nodiscard]] bool accept(char c);
     void expect(char c);
-    [[nodiscard]] std::string_view word(); // ends at white space or ;{}()[]", but may contain (): div(phi,U)
+    // Reads up to white space or one of ;{}()[]". A word may contain balanced parentheses: div(phi,U).
+    [[nodiscard]] std::string_view word();
     [[nodiscard]] std::string_view name(bool& is_quoted);
     [[nodiscard]] double number(); // also accepts "nan" and "inf"
     [[nodiscard]] std::int64_t label();
@@ -41,10 +43,10 @@ public:
     void skip_entry();
 
     // labels() and numbers() read a list: an optional "List<TYPE>", then "N(...)", "N{value}", or "(...)" without a
-    // count. They throw Error if N exceeds `most`.
+    // count. Both throw Error if N is larger than `most`.
     [[nodiscard]] std::vector<std::int64_t> labels(std::size_t most);
-    [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // `components` per item
-    // Reads the item count of a list. Throws Error if it exceeds `most`.
+    [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // each item has `components` numbers
+    // Reads the number of items of a list. Throws Error if the number is larger than `most`.
     [[nodiscard]] std::size_t items(std::size_t most);
     // Reads '(', then `bytes` raw bytes, then ')'. Returns the raw bytes.
     [[nodiscard]] std::string_view raw(std::size_t bytes);
@@ -65,7 +67,8 @@ private:
     FoamFormat format_;
 };
 
-// Returns the components of a type: 3 for "vector", 6 for "symmTensor"; 0 for types that do not consist of scalars.
+// Returns the number of components of a type: 3 for "vector", 6 for "symmTensor"; 0 for types that do not consist of
+// scalars.
 [[nodiscard]] int foam_components(std::string_view type);
 
 } // namespace ciel::importer

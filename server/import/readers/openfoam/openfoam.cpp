@@ -1,5 +1,5 @@
-// OpenFOAM cases, named by their directory, controlDict or .foam file. Cells are polyhedra with points in double
-// precision. Patches have their own values. The parts of a decomposed case are joined.
+// OpenFOAM cases. The input is the case's directory, its controlDict, or a .foam file. Cells are polyhedra with points
+// in double precision. Patches have their own values. The parts of a decomposed case are joined.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/openfoam/openfoam_fields.hpp"
@@ -68,7 +68,7 @@ public:
     void add_known(DataSets& data_sets, const RunningCounts& first) const override {
         for (DataSet& surface : data_sets.surfaces)
             if (const auto known = facts_.find(surface.data); known != facts_.end()) surface.facts = known->second;
-        Index first_point = first.points, first_cell = first.cells; // each region continues the ids
+        Index first_point = first.points, first_cell = first.cells; // ids continue from region to region
         for (const std::string& region : foam_.regions) {
             const FoamMesh& mesh = meshes_.at(region).mesh;
             for (const auto& [a, b] : mesh.same_points)
@@ -84,7 +84,8 @@ public:
         }
     }
 
-    // Returns "0.5/p"; "processor*/0.5/p" for a decomposed case; "0.5/*/p" for several regions.
+    // Returns a path such as "0.5/p". It is "processor*/0.5/p" for a decomposed case, and "0.5/*/p" for several
+    // regions.
     [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
         const FoamPart& part = foam_.parts.front();
         const auto at = part.times.find(foam_.times[step]);
@@ -123,7 +124,7 @@ private:
         std::vector<std::filesystem::path> files = foam_mesh_files(foam_, region, time);
         Known& known = meshes_[region];
         if (known.files != files) {
-            known = {}; // frees the old mesh before the new one is read
+            known = {}; // frees the old mesh before the new mesh is read
             known.mesh = read_foam_mesh(foam_, region, time);
             known.files = std::move(files);
         }
@@ -140,7 +141,7 @@ private:
     }
     static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
 
-    // Returns the blocks internalMesh, boundary/PATCH and faceZones/ZONE, whose names source/data_sets.cpp knows.
+    // Returns the blocks internalMesh, boundary/PATCH and faceZones/ZONE. source/data_sets.cpp recognizes these names.
     vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
         const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
         vtkNew<vtkUnstructuredGrid> cells;
@@ -171,7 +172,8 @@ private:
     FoamFieldInfos infos_;
     std::map<std::string, Known> meshes_; // by region
     std::vector<std::string> lost_;
-    std::map<vtkDataSet*, store::PatchFacts> facts_; // by surface of the step read last, which the caller keeps alive
+    // Facts of each surface of the step that was read last. The caller keeps the surfaces alive.
+    std::map<vtkDataSet*, store::PatchFacts> facts_;
 };
 
 } // namespace

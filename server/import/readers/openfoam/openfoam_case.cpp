@@ -16,7 +16,7 @@ namespace ciel::importer {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int most_missing_told = 100; // missing processors reported per gap in the numbering
+constexpr int most_missing_told = 100; // largest number of missing processors to report for one gap in the numbering
 
 std::optional<double> as_time(const std::string& name) {
     double time = 0;
@@ -47,8 +47,8 @@ fs::path case_directory(const fs::path& input, bool is_directory) {
     return fs::absolute(input).parent_path();
 }
 
-// Returns the name of a collated directory such as "processors4", with the pieces of all processors in one file; empty
-// if there is none.
+// A collated directory such as "processors4" has the pieces of all processors in one file. Returns the name of the
+// collated directory; empty if there is none.
 std::string collated_directory(const fs::path& directory) {
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(directory, missing)) {

@@ -1,4 +1,4 @@
-// The directories of an OpenFOAM case: times, regions, and processors if it is decomposed.
+// The directories of an OpenFOAM case: times, regions, and processors if the case is decomposed.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,16 @@ struct FoamPart {
     std::filesystem::path directory;
     std::map<double, std::filesystem::path> times;
 
-    // Returns the mesh file in effect at `time`: the latest one at or before it, else the one in constant. Empty if
-    // there is none.
+    // Returns the path of the mesh file that is valid at `time`. This is the file in the latest time directory that is
+    // not after `time` and has the file. If there is no such directory, it is the file in `constant`. Returns an empty
+    // path if the file does not exist at all.
     [[nodiscard]] std::filesystem::path mesh_file(const std::string& region, const std::string& file,
                                                   double time) const;
 };
 
 struct FoamCase {
-    // `input`: the case's directory, its controlDict, or a file in that directory. Throws Error if the only mesh is in
-    // collated files (processorsN).
+    // `input`: the directory of the case, its controlDict, or a file in this directory. Throws Error if the only mesh
+    // is in collated files (processorsN).
     explicit FoamCase(const std::filesystem::path& input);
 
     std::filesystem::path directory;
@@ -45,11 +46,11 @@ void require_regular_files_of(const FoamCase& foam);
 
 [[nodiscard]] bool is_foam_case(const std::filesystem::path& input, bool is_directory, const std::string& extension);
 
-// Returns `file` if it exists, else the path with .gz appended if that exists, else an empty path.
+// Returns `file` if it exists. Otherwise returns `file` with .gz appended if that file exists, or else an empty path.
 [[nodiscard]] std::filesystem::path plain_or_compressed(const std::filesystem::path& file);
 
-// Returns at most the first `most` bytes, decompressed if the name ends in .gz. Throws Error naming the file if it
-// cannot be read, or is a pipe, a socket or a device.
+// Returns the first `most` bytes of the file, or all bytes if the file is shorter. Decompresses the file if its name
+// ends in .gz. Throws Error that names the file if the file cannot be read, or is a pipe, a socket or a device.
 [[nodiscard]] std::string read_foam_file(const std::filesystem::path& file, std::size_t most = ~std::size_t{0});
 
 } // namespace ciel::importer

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t head_bytes = 4096;
-constexpr double no_value{store::no_value}; // converts back to the bits of store::no_value
+constexpr double no_value{store::no_value}; // conversion to float gives the bits of store::no_value again
 
 struct FieldHead {
     std::string class_name, units;
 };
 
-// Returns class and units of a field file; empty if it has no readable header.
+// Returns the class and the units of a field file. Both are empty if the file has no readable header.
 FieldHead read_head(const fs::path& file) {
     try {
         const std::string head = read_foam_file(file, head_bytes);
@@ -35,7 +35,7 @@ FieldHead read_head(const fs::path& file) {
     }
 }
 
-// Returns the files of a directory by field name: the file name without .gz.
+// Returns the files of a directory by field name. The field name is the file name without .gz.
 std::map<std::string, fs::path> files_in(const fs::path& directory) {
     std::map<std::string, fs::path> files;
     std::error_code missing;
@@ -75,7 +75,7 @@ public:
                                  [](const PieceField& field) { return !field || field->is_single_precision; });
     }
 
-    // Throws Error naming the file if the number of a patch's values is not its number of faces.
+    // Throws Error that names the file if the file does not have one value for each face of a patch.
     FoamArrays run(const std::string& name) {
         FoamArrays arrays;
         std::size_t cells = 0;
@@ -135,8 +135,8 @@ private:
         return has_values ? make_array(name, values) : nullptr;
     }
 
-    // Appends the patch's values on piece i to `values`, or no_value. Returns whether the patch has values there. Sets
-    // `type` to the type of the patch's boundary condition.
+    // Appends one value for each face of the patch on piece i to `values`: the value of the field, or no_value. Returns
+    // whether the patch has values on this piece. Sets `type` to the type of the patch's boundary condition.
     bool append_patch(std::size_t i, const FoamPatch& patch, std::vector<double>& values, std::string& type) const {
         const auto faces = static_cast<std::size_t>(patch.face_count);
         const std::size_t begin = values.size();
@@ -145,7 +145,7 @@ private:
         const FoamField& field = *fields_[i];
         const FoamCondition* condition = field.condition(patch.name, patch.groups);
         if (condition != nullptr) type = condition->type;
-        if (patch.type == "empty" || patch.type == "wedge") return false; // 2D: no values
+        if (patch.type == "empty" || patch.type == "wedge") return false; // patches of 2D cases have no values
         if (condition != nullptr && condition->value) {
             const FoamValues& own = *condition->value;
             if (!own.is_uniform && own.numbers.size() != faces * width_)
@@ -160,8 +160,8 @@ private:
         return true;
     }
 
-    // Copies the values of the cells behind the patch, as OpenFOAM does for conditions without values in the file
-    // (zeroGradient, slip, symmetry).
+    // Copies the values of the cells behind the patch to its faces. Used for boundary conditions without values in the
+    // file (zeroGradient, slip, symmetry).
     void copy_from_cells(std::size_t i, const FoamPatch& patch, double* to) const {
         const FoamPiece& piece = mesh_.pieces[i];
         const FoamValues& cells = fields_[i]->cells;
@@ -199,7 +199,8 @@ public:
         }
     }
 
-    // Returns the names of the fields of all pieces. A file without a readable header counts if `infos` has its name.
+    // Returns the names of the fields of all pieces. A file without a readable header is a field if `infos` has its
+    // name.
     [[nodiscard]] std::set<std::string> names(const FoamFieldInfos& infos) const {
         std::set<std::string> names;
         for (const fs::path& directory : directories_)
@@ -208,7 +209,8 @@ public:
         return names;
     }
 
-    // Returns nullopt if no piece has values. `expected`: number of components; 0: that of the first piece with values.
+    // Returns nullopt if no piece has values. `expected`: number of components; 0: use the number in the first piece
+    // with values.
     std::optional<FoamArrays> read(const std::string& name, int expected) {
         fields_.assign(mesh_.pieces.size(), std::nullopt);
         files_.assign(mesh_.pieces.size(), {});
@@ -247,7 +249,7 @@ private:
     double time_;
     const FoamMesh& mesh_;
     std::vector<std::string>& lost_;
-    std::vector<fs::path> directories_; // piece -> directory of its fields; empty if it has none at this time
+    std::vector<fs::path> directories_; // piece -> directory of the fields; empty if there is none at this time
     std::vector<PieceField> fields_;
     std::vector<fs::path> files_;
 };

@@ -9,22 +9,22 @@ namespace ciel::importer {
 
 struct FoamFieldInfo {
     std::string units;
-    int components = 0; // in most of the field's files
+    int components = 0; // number of components in most files of the field
 };
 using FoamFieldInfos = std::map<std::string, FoamFieldInfo>; // by name
 
-// Lists the fields of all times and regions, of the first processor of a decomposed case. Reads only the first 4 KiB of
-// each file.
+// Lists the fields of all times and regions. For a decomposed case, lists only the fields of the first processor. Reads
+// only the first 4 KiB of each file.
 [[nodiscard]] FoamFieldInfos list_foam_fields(const FoamCase& foam);
 
-struct FoamArrays { // of one field
+struct FoamArrays { // the arrays of one field
     vtkSmartPointer<vtkDataArray> cells;
     std::vector<vtkSmartPointer<vtkDataArray>> patches; // in the order of FoamMesh::patches; null: no values
-    std::vector<std::string> conditions;                // types, in the same order; empty: not in the file
+    std::vector<std::string> conditions; // types of boundary conditions, in the same order; empty: not in the file
 };
 
-// Returns arrays by field name. A part whose file is missing, damaged, or has other components than `infos` gets
-// store::no_value, and a sentence is added to `lost`. Fields without any value are left out.
+// Returns the arrays by field name. If the file of a part is missing, is damaged, or has other components than `infos`,
+// the part gets store::no_value, and `lost` gets a sentence. Leaves out fields without any value.
 [[nodiscard]] std::map<std::string, FoamArrays> read_foam_fields(const FoamCase& foam, const std::string& region,
                                                                  double time, const FoamMesh& mesh,
                                                                  const FoamFieldInfos& infos,

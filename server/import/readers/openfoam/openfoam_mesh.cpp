@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Excludes "processorCyclic" patches: the two sides of a cyclic patch do not coincide.
+// Excludes "processorCyclic" patches, because the two sides of a cyclic patch do not coincide.
 bool joins_processors(const FoamPatch& patch) { return patch.type == "processor"; }
 bool is_between_processors(const FoamPatch& patch) { return patch.type.starts_with("processor"); }
 
-// Reads all parts, numbers their points and cells consecutively, and joins them along processor patches.
+// Reads all parts. Numbers the points and cells of all parts consecutively. Joins the parts along processor patches.
 class MeshBuilder {
 public:
     MeshBuilder(const FoamCase& foam, const std::string& region, double time)
@@ -50,7 +50,7 @@ public:
 private:
     void read(std::size_t part) {
         const FoamPart& from = foam_.parts[part];
-        // In a case of several regions, a processor need not have cells of each region.
+        // In a case with several regions, a processor need not have cells of each region.
         if (foam_.regions.size() > 1 && from.mesh_file(region_, "points", time_).empty()) return;
         try {
             files_.push_back(read_foam_piece(from, region_, time_));
@@ -79,8 +79,8 @@ private:
         cell_count_ = cells;
     }
 
-    // Both sides of a processor patch list its faces in the same order. A face begins with the same point on both
-    // sides, with opposite winding (processorPolyPatch).
+    // Both sides of a processor patch list the faces of the patch in the same order. A face has the same first point on
+    // both sides. The other points have opposite orders on the two sides (processorPolyPatch).
     void join_processors() {
         for (std::size_t a = 0; a < files_.size(); ++a)
             for (const FoamPatch& patch : files_[a].patches) {
@@ -163,8 +163,8 @@ private:
         mesh_.points->SetData(coordinates);
     }
 
-    // Makes VTK's face stream of each cell: the number of faces, then for each its number of points and their ids,
-    // wound outwards.
+    // Makes the VTK face stream of each cell. It begins with the number of faces. For each face follow the number of
+    // points and the point ids, wound outwards.
     void make_cells() {
         vtkNew<vtkIdTypeArray> streams, locations, offsets, corner_ids;
         vtkNew<vtkUnsignedCharArray> types;
@@ -183,7 +183,8 @@ private:
         name_cells();
     }
 
-    // Sets global ids: the cell ids before decomposition (cellProcAddressing), or -1 on processors without that file.
+    // Sets the global ids of the cells to the cell ids before decomposition (cellProcAddressing). Cells of processors
+    // without this file get -1.
     void name_cells() {
         const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
         if (std::none_of(files_.begin(), files_.end(), says)) return;
@@ -209,7 +210,7 @@ private:
         };
         for_each_side([&](std::size_t cell, std::size_t, bool) { ++begin[cell + 1]; });
         for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-        std::vector<std::size_t> side(begin.back()); // 2 * face, + 1 if its winding is reversed
+        std::vector<std::size_t> side(begin.back()); // 2 * face, plus 1 if the winding of the face is reversed
         std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
         for_each_side([&](std::size_t cell, std::size_t face, bool is_turned) {
             side[next[cell]++] = 2 * face + (is_turned ? 1 : 0);

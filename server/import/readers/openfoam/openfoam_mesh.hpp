@@ -1,5 +1,4 @@
-// The mesh of one region of an OpenFOAM case at one time, with the points and cells of all parts numbered
-// consecutively.
+// The mesh of one region of an OpenFOAM case at one time. The points and cells of all parts are numbered consecutively.
 #pragma once
 
 #include "import/mesh/pieces.hpp"
@@ -17,8 +16,8 @@ struct FoamPiece { // the cells and boundary faces of one part
     std::size_t part = 0;
     std::size_t first_cell = 0, cell_count = 0;
     std::vector<FoamPatch> patches;          // with face ids of the part
-    std::size_t first_boundary_face = 0;     // face id in the part
-    std::vector<std::size_t> boundary_owner; // boundary face -> cell of the part
+    std::size_t first_boundary_face = 0;     // face id in the part of the first boundary face
+    std::vector<std::size_t> boundary_owner; // index among the boundary faces -> cell of the part
 };
 
 struct FoamSurface { // a patch, or a zone of faces, over all parts
@@ -29,8 +28,8 @@ struct FoamSurface { // a patch, or a zone of faces, over all parts
 
 struct FoamMesh {
     vtkSmartPointer<vtkPoints> points;         // 64-bit floats
-    vtkSmartPointer<vtkUnstructuredGrid> grid; // polyhedra on `points`; global ids: cellProcAddressing, if known
-    std::vector<FoamSurface> patches;          // without processor patches
+    vtkSmartPointer<vtkUnstructuredGrid> grid; // polyhedra on `points`; its global ids are cellProcAddressing, if known
+    std::vector<FoamSurface> patches;          // all patches except processor patches
     std::vector<FoamSurface> face_zones;
     std::map<std::string, std::vector<Index>> cell_zones;
     std::vector<FoamPiece> pieces;
@@ -39,10 +38,10 @@ struct FoamMesh {
     std::vector<std::string> lost; // sentences on parts that cannot be read
 };
 
-// Leaves out parts that cannot be read. Throws the first part's Error if all are left out.
+// Leaves out parts that cannot be read. If all parts are left out, throws the Error of the first part.
 [[nodiscard]] FoamMesh read_foam_mesh(const FoamCase& foam, const std::string& region, double time);
 
-// Returns the paths of the mesh files in effect at `time`. Two times with equal lists have the same mesh.
+// Returns the paths of the mesh files that are valid at `time`. Two times with equal lists have the same mesh.
 [[nodiscard]] std::vector<std::filesystem::path> foam_mesh_files(const FoamCase& foam, const std::string& region,
                                                                  double time);
 

@@ -22,7 +22,8 @@ public:
         const std::size_t point_count = piece_.points.size() / 3;
         piece_.faces = parse_foam_faces(read("faces"), name_);
         const std::size_t faces = piece_.faces.offset.size() - 1;
-        if (faces > most_labels || point_count > most_labels) fail("has more than 4,294,967,294 faces or points");
+        if (faces > most_labels || point_count > most_labels)
+            fail("has more than 4,294,967,294 faces or points, the most that a dataset can hold");
         for (const std::int64_t point : piece_.faces.points)
             if (!is_below(point, point_count))
                 fail("has a face with point " + std::to_string(point) + ", but there are only " +
@@ -43,7 +44,7 @@ private:
         return label >= 0 && static_cast<std::uint64_t>(label) < count;
     }
 
-    // Reads a mesh file, and sets name_ for error messages.
+    // Reads a mesh file. Sets name_ to the path of the file, for error texts.
     std::string read(const std::string& name) {
         const fs::path file = part_.mesh_file(region_, name, time_);
         name_ = (part_.directory / "constant" / region_ / "polyMesh" / name).string();
@@ -55,14 +56,16 @@ private:
     void count_cells(const std::vector<std::int64_t>& cells) {
         for (const std::int64_t cell : cells) {
             if (!is_below(cell, most_labels))
-                fail("names cell " + std::to_string(cell) + ", which is negative or too large");
+                fail("contains cell " + std::to_string(cell) + ", which is negative or too large");
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
-        // A closed cell has at least four faces, and two cells share a face: a mesh has more faces than cells.
-        if (piece_.cell_count > piece_.owner.size()) fail("names more cells than its faces can close");
+        // A closed cell has at least four faces, and at most two cells share a face. Therefore a mesh has more faces
+        // than cells.
+        if (piece_.cell_count > piece_.owner.size())
+            fail("contains more cells than the mesh has faces; the file is damaged");
     }
 
-    // In old files `neighbour` also has entries for boundary faces: -1. These are dropped.
+    // In old files, `neighbour` also has an entry for each boundary face: -1. These entries are dropped.
     void read_neighbours(std::size_t faces) {
         piece_.neighbour = parse_foam_labels(read("neighbour"), name_, faces);
         while (!piece_.neighbour.empty() && piece_.neighbour.back() == -1) piece_.neighbour.pop_back();
@@ -88,8 +91,8 @@ private:
             for (const FoamZone& zone : *zones)
                 for (const std::int64_t label : zone.labels)
                     if (!is_below(label, most))
-                        fail("zone " + zone.name + " names " + std::to_string(label) +
-                             ", which is not an id of the mesh");
+                        fail("zone " + zone.name + " contains " + std::to_string(label) +
+                             ", but the mesh has no such id");
         }
         if (part_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
         try {

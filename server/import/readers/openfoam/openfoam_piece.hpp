@@ -9,10 +9,10 @@ namespace ciel::importer {
 struct FoamPieceFiles {
     std::vector<double> points;                 // x, y, z of each point
     FoamFaces faces;                            // with valid point ids
-    std::vector<std::int64_t> owner, neighbour; // valid cell ids per face; `neighbour` only of the inner faces
-    std::vector<FoamPatch> patches;             // of boundary faces only
+    std::vector<std::int64_t> owner, neighbour; // valid cell ids, one per face; `neighbour` has only the inner faces
+    std::vector<FoamPatch> patches;             // each patch has only boundary faces
     std::vector<FoamZone> cell_zones, face_zones;
-    std::vector<std::int64_t> cell_addressing; // cell -> cell of the whole case; empty without a readable file
+    std::vector<std::int64_t> cell_addressing; // cell -> cell before decomposition; empty if the file is not readable
     std::size_t cell_count = 0;
     std::vector<std::string> lost; // sentences on optional files that could not be read
 

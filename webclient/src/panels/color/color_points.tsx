@@ -31,11 +31,12 @@ interface Props {
 const rounded = (at: number): number => Number(at.toFixed(4));
 
 /**
- * Converts a point's position to its place on the bar, or the place to the position. A reversed scale mirrors the bar.
+ * Converts a point's position on the scale to its position on the bar, or back. The two positions differ only if the
+ * scale is reversed, because the bar is then mirrored.
  */
 const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
 
-/** Range of values within which a point can be moved. Its neighbors limit it. */
+/** Returns the range of values to which a color point can be moved. The two neighboring points limit the range. */
 function valuesBetween(scale: ColorScale, index: number): Range {
   const places = [scale.points[index - 1]?.at ?? 0, scale.points[index + 1]?.at ?? 1];
   const [a = 0, b = 0] = places.map((at) => Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6)));

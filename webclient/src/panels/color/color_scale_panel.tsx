@@ -207,7 +207,7 @@ export function ColorScalePanel({ of, coloring, data }: Props): JSX.Element {
           )}
           {scale.log && coloring.symmetric !== true && data[0] < 0 && data[1] > 0 && (
             <p class="hint" role="status">
-              {`${coloring.array} goes down to ${formatNumber(data[0])}: what is not above zero has the color of `}
+              {`${coloring.array} goes down to ${formatNumber(data[0])}: values up to zero have the color of `}
               {coloring.below ? "values below the range." : "the lower end."}
             </p>
           )}

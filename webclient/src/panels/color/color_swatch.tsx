@@ -19,7 +19,7 @@ export function gradientOf(scale: ColorScale): string {
 const KIND_NAMES: Record<string, string> = { sequential: "Sequential", diverging: "Diverging", cyclic: "Cyclic" };
 
 interface GalleryProps {
-  /** Its direction and number of steps apply to all swatches. */
+  /** Color scale whose direction and number of steps apply to all swatches. */
   scale: ColorScale;
   onChoose: (map: string) => void;
 }

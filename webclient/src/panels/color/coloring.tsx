@@ -20,11 +20,11 @@ function Scale(props: { of: Colored; coloring: ScaledColoring }): JSX.Element {
 interface ColoringProps {
   of: Colored;
   coloring: Coloring;
-  /** Hides the choice of the array. Set for volumes and contour lines, which choose it in other fields. */
+  /** Hides the field for the array. Set for volumes and contour lines, which have another field for the array. */
   ofArray?: boolean;
-  /** Offers only arrays at points. Lines and points lie between cells, so they have no cell values. */
+  /** Offers only arrays at points. Lines and points lie between several cells, so that they have no cell value. */
   ofPoints?: boolean;
-  /** Offers arrays at boundary faces too. Only the boundary has their values. */
+  /** Also offers arrays at boundary faces. Only the boundary has values of these arrays. */
   ofPatches?: boolean;
   mapLabel?: string;
 }
@@ -82,7 +82,10 @@ export function ColoringFields({
   );
 }
 
-/** Reason why a layer shows nothing. Empty if its value or plane is outside the data: other fields show this. */
+/**
+ * Shows the reason why a layer shows nothing. Renders nothing if the value or plane of the layer is outside the data,
+ * because other fields report this.
+ */
 export function EmptyHint({ id }: { id: string }): JSX.Element | null {
   const empty = useModel((model) => model.empty.value);
   const found = empty.find(({ layer, why }) => layer === id && why !== "outside");

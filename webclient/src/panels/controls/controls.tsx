@@ -42,9 +42,7 @@ interface NumberFieldProps {
   label: string;
   /** Longer explanation than the label. */
   help?: string;
-  /**
-   * Width of the range that the value lies in. It determines the number of digits.
-   */
+  /** Width of the range of possible values. It determines the number of digits. */
   span?: number;
   /** Text shown while the field is not edited. Default: the number itself. */
   shown?: (value: number) => string;
@@ -57,9 +55,7 @@ interface NumberFieldProps {
   onChange: (value: number) => void;
 }
 
-/**
- * Field for a number. Enter and loss of focus commit the typed value. Escape or an empty field restores the old one.
- */
+/** Field for a number. Enter and loss of focus commit the text. Escape or an empty field restores the old value. */
 export function NumberField(props: NumberFieldProps): JSX.Element {
   const { value, label, span, placeholder, step, limits, onChange } = props;
   const shown = value === null ? "" : formatNumber(value, span === undefined ? undefined : span / 10);
@@ -77,7 +73,7 @@ export function NumberField(props: NumberFieldProps): JSX.Element {
     const kept = within(parsed);
     if (kept !== parsed && limits !== undefined) {
       const [low, high] = limits.map((end) => formatNumber(end));
-      commands.tell(`${label} goes from ${low} to ${high}; ${typed} became ${formatNumber(kept)}`);
+      commands.tell(`${label} must be from ${low} to ${high}; ${typed} was changed to ${formatNumber(kept)}`);
     }
     if (kept !== value) onChange(kept);
   };
@@ -131,7 +127,8 @@ interface SelectFieldProps {
 }
 
 /**
- * Selection from a list. After a choice by pointer it gives up the focus, so that the page's keyboard shortcuts work.
+ * Field for a choice from a list. After a choice by pointer, the field loses the focus, so that the page's keyboard
+ * shortcuts work.
  */
 export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
   const byPointer = useRef(false);

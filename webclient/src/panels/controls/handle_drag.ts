@@ -1,12 +1,12 @@
-// Moves handles on a track by pointer or keyboard. Used for iso-values, opacity points and color points. The data-index
-// attribute of a handle is its index.
+// Moves handles on a track by pointer or keyboard. Used for iso-values, opacity points and color points. Each handle
+// has the attribute data-index with its index.
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { clamp } from "../../model/numbers";
 
 interface Options {
   newGesture: () => string;
-  /** The pointer was pressed on the track outside all handles. Returns the index of the handle to drag, or null. */
+  /** The pointer was pressed outside all handles. Returns the index of the handle to drag; null for no drag. */
   pressed: (place: Place, gesture: string) => number | null;
   moved: (index: number, place: Place, gesture: string) => void;
 }

@@ -1,4 +1,4 @@
-// Makes a histogram into one SVG path, 100 units wide. Iso-values and opacity curves are drawn over it.
+// Converts a histogram to one SVG path that is 100 units wide. Iso-values and opacity curves are drawn over this path.
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";
 import { barHeights, fractionOf } from "../../model/numbers";

@@ -1,4 +1,4 @@
-// Slider for iso-values over the histogram of their array. Each value has a handle, moved by pointer or keyboard.
+// Slider for iso-values over the histogram of an array. Each value has a handle, which is moved by pointer or keyboard.
 import type { JSX } from "preact";
 import type { Histogram } from "../../model/state";
 import type { Range } from "../../generated/protocol";

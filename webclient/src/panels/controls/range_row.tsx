@@ -1,4 +1,4 @@
-// Row with the two ends of a range, and a button that resets the range to that of the data.
+// Row with the two ends of a range, and a button that resets the range to the range of the data.
 import type { ComponentChildren, JSX } from "preact";
 import type { Range } from "../../generated/protocol";
 import { NumberField } from "./controls";
@@ -14,15 +14,15 @@ interface RangeRowProps {
   to: string;
   range: Range;
   /**
-   * Width of the range, which determines the number of digits. undefined for a logarithmic scale, where it depends on
-   * the number.
+   * Width of the range. It determines the number of digits. undefined for a logarithmic scale, where the number of
+   * digits depends on the number itself.
    */
   span: number | undefined;
   /** Sets one end of the range; 0: the lower end. */
   setEnd: (end: 0 | 1, to: number) => void;
   /**
-   * Whether the range follows the data. `setData` makes it follow the data again; `dataTitle` is the tooltip of its
-   * button.
+   * Whether the range follows the data. A button calls `setData`, which makes the range follow the data again.
+   * `dataTitle` is the tooltip of this button.
    */
   ofData: boolean;
   dataTitle: string;

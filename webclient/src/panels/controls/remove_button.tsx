@@ -1,8 +1,9 @@
-// Button that removes an item of a list. Removing the focused item would lose the focus, so another button gets it.
+// Button that removes an item of a list. When the item is removed, its button loses the keyboard focus. Another button
+// of the list then gets the focus.
 import type { JSX } from "preact";
 import { Icon } from "./icons";
 
-/** Enabled buttons of the list that match a selector, without those of nested lists. */
+/** Returns the enabled buttons of the list that match a selector, without the buttons of nested lists. */
 function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
   return [...list.querySelectorAll<HTMLButtonElement>(which)].filter(
     (button) => !button.disabled && button.closest("[data-list]") === list,
@@ -12,8 +13,8 @@ function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
 const removesOf = (list: Element): HTMLButtonElement[] => buttonsOf(list, "[data-removes]");
 
 /**
- * Focuses the remove button of the next item, else of the previous item, else the list's add button. Does nothing if
- * another element has the focus already.
+ * Focuses the remove button of the next item, otherwise of the previous item, otherwise the list's add button. Does
+ * nothing if another element already has the focus.
  */
 function keepFocus(list: Element, index: number, button: Element): void {
   const { activeElement } = document;
@@ -45,7 +46,7 @@ export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
       data-removes=""
       disabled={disabled}
       onKeyDown={(event) => {
-        if (event.repeat) event.preventDefault(); // holding the key down would remove all items
+        if (event.repeat) event.preventDefault(); // a held key would remove all items
       }}
       onClick={(event) => remove(event.currentTarget)}
     >

@@ -15,7 +15,7 @@ interface ValueRowProps {
   values: readonly number[];
   range: Range;
   setValues: (values: number[]) => void;
-  /** Label of the only value. `numbered`: label of one of several values, followed by its number. */
+  /** Label if there is only one value. `numbered`: label of each of several values, followed by the value's number. */
   alone: string;
   numbered: string;
   children?: JSX.Element;

@@ -1,5 +1,4 @@
-// Settings of boundary layers. A layer shows the whole boundary or some of its patches. Several layers can have
-// different looks.
+// Settings of boundary layers. Each layer shows the whole boundary or some patches, and has looks of its own.
 import type { JSX } from "preact";
 import { DEFAULTS, type SurfaceLayer } from "../../generated/protocol";
 import { freshSolid } from "../../model/new_looks";

@@ -56,7 +56,7 @@ function ScaleButtons({
   );
 }
 
-/** Lists the iso-values outside the data's range, which have no surface. */
+/** Tells the user that iso-values are outside the range of the data and have no surface. */
 function OutsideHint({ values, range }: { values: readonly number[]; range: Range }): JSX.Element | null {
   const outside = values.filter((value) => value < range[0] || value > range[1]);
   if (outside.length === 0) return null;

@@ -13,12 +13,12 @@ interface RowProps {
   id: string;
   name: string;
   visible: boolean;
-  /** Reason why the layer shows nothing. Empty if it shows something. */
+  /** Reason why the layer shows nothing. Empty if the layer shows something. */
   reason: string;
   place: number;
   count: number;
   move: (step: Step) => void;
-  /** Where a dragged layer would be dropped: above this row, or below it (only in the last row). */
+  /** Where the dragged layer would be dropped: above this row or, only for the last row, below it. null: elsewhere. */
   mark: "above" | "below" | null;
   drag: { begin: () => void; over: (below: boolean) => void; end: (dropped: boolean) => void };
 }
@@ -80,8 +80,8 @@ export function LayersSection(): JSX.Element {
   const layers = layersInOrder(layered);
   const names = layerNames(layered);
   const order = JSON.stringify(layers.map(([id]) => id));
-  // Restores the focus, which a moved row loses. At an end of the list one of its two buttons is disabled, so the other
-  // one gets the focus.
+  // Restores the focus, because a moved row loses the focus. At an end of the list, the button for this direction is
+  // disabled. The button for the opposite direction then gets the focus.
   useEffect(() => {
     const { id, step } = moved.current ?? {};
     moved.current = null;

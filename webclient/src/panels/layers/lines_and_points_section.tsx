@@ -19,7 +19,7 @@ interface CardProps {
   children: ComponentChildren;
 }
 
-/** Settings of an edges or points layer. `children` are the controls specific to its type. */
+/** Settings of an edges or points layer. */
 function Card({ id, layer, children }: CardProps): JSX.Element {
   const commands = useCommands();
   const hasPatches = useModel((model) => (model.description.value?.groups ?? []).some(({ of }) => of === "faces"));

@@ -27,7 +27,7 @@ interface Props {
   onChange: (groups: string[] | null) => void;
 }
 
-/** Number of patches from which the list has a search field. Fewer are all visible at once. */
+/** A list with more patches than this has a search field. The patches of a shorter list are all visible at once. */
 const WORTH_A_SEARCH = 8;
 
 interface RowProps {

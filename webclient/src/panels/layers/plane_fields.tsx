@@ -1,4 +1,4 @@
-// Fields of a free plane: position along its normal, origin, normal.
+// Fields of a free plane: position along the plane's normal, origin, normal.
 import type { JSX } from "preact";
 import { boundsCentre, corners, frame } from "../../model/camera";
 import { add, dot, normalize, scale, subtract } from "../../model/vector";

@@ -1,4 +1,4 @@
-// Settings of a slice. Its plane is always visible; its colors and lines can be folded.
+// Settings of a slice. The fields of the plane are always visible. The fields of the colors and lines can be folded.
 import type { JSX } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { DEFAULTS, type SliceLayer } from "../../generated/protocol";
@@ -22,7 +22,7 @@ const PLANES = [
   { value: "free", text: "Free plane" },
 ];
 
-/** Hint that a slice's plane lies outside the data. null otherwise. */
+/** Tells the user that the slice's plane lies outside the data. */
 function OutsideHint({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element | null {
   const description = useModel((model) => model.description.value);
   const isFreeOutside = useModel((model) => model.empty.value.some((one) => one.layer === id && one.why === "outside"));
@@ -73,7 +73,7 @@ interface SliceCardProps {
   slices: Slices;
   isOpen: boolean;
   fold: () => void;
-  /** Returns true once for a new slice. Its slider then takes the focus, so that keys move the slice at once. */
+  /** Returns true once for a new slice. Its slider then gets the focus, so that keys move the slice at once. */
   takesFocus: () => boolean;
 }
 

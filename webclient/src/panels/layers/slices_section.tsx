@@ -21,7 +21,7 @@ export function SlicesSection(): JSX.Element {
   const added = useRef<string | null>(null);
   const slices = layersOf(layers, "slice");
   const names = layerNames(layers);
-  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept while it exists
+  if (!slices.some(([id]) => id === first.current)) first.current = slices[0]?.[0]; // kept while this slice exists
   const open = opened ?? slices.flatMap(([id]) => (id === first.current ? [id] : []));
   const add = (across: Across): void => {
     if (description === null) return;

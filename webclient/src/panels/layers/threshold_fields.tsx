@@ -16,7 +16,7 @@ interface ThresholdProps {
 interface EndProps {
   end: 0 | 1;
   range: Range;
-  /** Range of the array, from one end of the slider to the other. */
+  /** Range of the array. The slider covers this range. */
   whole: Range;
   set: (change: Partial<Threshold>, gesture?: string) => void;
 }
@@ -62,7 +62,7 @@ export function ThresholdFields({ id, threshold, color }: ThresholdProps): JSX.E
   };
   const set = (change: Partial<Threshold>, gesture?: string): void =>
     commands.layers.set(id, { threshold: change }, gesture);
-  // A new threshold has the upper half of the array's range. The full range would show no difference.
+  // A new threshold has the upper half of the array's range, because the full range would not change the picture.
   const begin = (array: string): void => {
     const [low, high] = wholeOf(array);
     set({ enabled: true, array, range: [(low + high) / 2, high] });

@@ -1,4 +1,4 @@
-// Number fields for the camera's position, and its field of view.
+// Settings of the camera: projection, field of view, view height, and number fields for position, target and up vector.
 import type { JSX } from "preact";
 import {
   distance,
@@ -50,7 +50,7 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
   );
 }
 
-/** Fields with all digits of the camera, so that a view can be reproduced later or with another dataset. */
+/** Number fields for position, target and up vector, so that a view can be reproduced later or with another dataset. */
 function Places({ camera }: { camera: FullCamera }): JSX.Element {
   const commands = useCommands();
   const span = distance(camera);
@@ -58,9 +58,9 @@ function Places({ camera }: { camera: FullCamera }): JSX.Element {
     const next = { ...camera, ...change };
     const sight = subtract(next.target, next.position);
     if (length(sight) === 0)
-      commands.tell("The eye cannot be where it looks; give another position or target", "error");
+      commands.tell("The camera's position equals its target; type another position or target", "error");
     else if (length(cross(sight, next.up)) === 0)
-      commands.tell("Up cannot be along the line of sight; give another direction", "error");
+      commands.tell("The up vector is parallel to the view direction; type another up vector", "error");
     else commands.camera.set(next);
   };
   return (

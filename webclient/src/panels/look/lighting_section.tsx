@@ -6,7 +6,7 @@ import { useCommands, useModel } from "../context";
 
 interface StrengthProps {
   label: string;
-  /** Strength of a light; 1 is shown as 100 %. */
+  /** Strength or radius; 1 is shown as 100 %. */
   value: number;
   most: number;
   least?: number;

@@ -1,4 +1,4 @@
-// Notices that explain why the page shows no picture, or an outdated one.
+// Notices that explain why the page shows no picture, or why the shown picture is out of date.
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { openingIn } from "../../model/model";
@@ -11,7 +11,10 @@ import { useLasting } from "../controls/lasting";
 import { TokenForm } from "./token_form";
 import { useCommands, useModel } from "../context";
 
-/** Whole seconds until time `at`. Counts down every second. */
+/**
+ * Returns the whole seconds until `at`, a time in milliseconds as of Date.now(). The panel is rendered again while the
+ * seconds count down.
+ */
 function useCountdown(at: number | null): number {
   const [now, setNow] = useState(Date.now);
   useEffect(() => {
@@ -126,7 +129,10 @@ const EMPTY = "None of the layers that are switched on meets the data at this ti
 
 const MOST_REASONS = 3;
 
-/** Reasons why layers show nothing, one for each layer. Empty if any visible layer shows something. */
+/**
+ * Returns sentences that explain why no layer shows anything: a summary, then the reasons of at most MOST_REASONS
+ * layers. Returns [] if a visible layer shows something.
+ */
 function reasonsOf(scene: Scene | null, empty: readonly EmptyLayer[]): string[] {
   const shown = layersInOrder(scene).filter(
     ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",

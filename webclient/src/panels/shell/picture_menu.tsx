@@ -1,4 +1,4 @@
-// Menu that saves a picture in another size than the canvas, for example for a poster or a slide.
+// Menu that saves a picture in a size that the user chooses, for example for a poster or a slide.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Size } from "../../model/camera";

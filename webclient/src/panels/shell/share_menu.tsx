@@ -1,5 +1,5 @@
-// Menu that copies links. One link has a copy of the current scene; the other opens this session, in which all users
-// change the same scene.
+// Menu that copies links. One link contains a copy of the current scene. The second link opens this session, in which
+// all users change the same scene.
 import type { JSX } from "preact";
 import { Menu } from "../controls/controls";
 import { useCommands } from "../context";

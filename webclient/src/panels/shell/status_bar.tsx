@@ -8,7 +8,7 @@ import { useLasting } from "../controls/lasting";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
-/** Frame rate in words. Zero is "idle", because the server sends frames only when something changes. */
+/** Returns the frame rate in words. Zero is "idle", because the server sends frames only when the scene changes. */
 const rate = (perSecond: number): string =>
   perSecond === 0 ? "idle" : `${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`;
 
@@ -17,12 +17,12 @@ function kind({ stream, still }: Readout): string {
   return still ? "image, still" : "image, preview";
 }
 
-/** Milliseconds after which a pending still is reported to the user. */
+/** Milliseconds after which the page reports that a still picture is pending. */
 const PATIENCE_MS = 1000;
 
 /**
- * Notice that a still is being drawn. The element stays in the page while empty, because screen readers announce only
- * changes of existing elements.
+ * Notice that a still picture is being drawn. The element stays in the page while it is empty, because screen readers
+ * announce only changes of existing elements.
  */
 function StillNotice(): JSX.Element {
   const due = useModel(isStillDue);

@@ -1,5 +1,6 @@
-// Draws changes of the scene that the shown picture lacks over it, if the newer picture is late. Polygons lag behind
-// values only: the page turns them itself.
+// Draws changes of the scene over the shown picture, if the picture of the changed scene is late. In the geometry
+// stream, the camera is never late, because the page draws the polygons with the newest camera. Only other changes can
+// be late, such as iso-values.
 import type { JSX } from "preact";
 import type { Scene } from "../../generated/protocol";
 import { ahead } from "../../model/ahead";
@@ -7,10 +8,10 @@ import { cameraOf } from "../../model/model";
 import { useModel } from "../context";
 import { useLasting } from "../controls/lasting";
 
-/** Milliseconds of latency above which these changes are drawn. */
+/** Latency in milliseconds above which the changes are drawn. */
 const BEHIND_MS = 120;
 
-/** The drawing. Its own component, because it is rendered again at each move of the camera. */
+/** Lines and texts of the changes. A separate component, because it is rendered again at each camera move. */
 function Drawn({ known }: { known: Scene }): JSX.Element | null {
   const wanted = useModel((model) => model.scene.value);
   const stream = useModel((model) => model.readout.value.stream);

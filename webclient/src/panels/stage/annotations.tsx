@@ -1,5 +1,5 @@
-// Axes of the bounding box and the triad over the canvas. Frames contain no text (Annotations in protocol/openrpc.json).
-// The layout is that of saved pictures (../../model/layout.ts).
+// Axes of the bounding box and the triad over the canvas. The page draws these annotations, because frames contain no
+// text (Annotations in protocol/openrpc.json). Saved pictures have the same layout (../../model/layout.ts).
 import type { JSX } from "preact";
 import { DEFAULTS } from "../../generated/protocol";
 import { backgroundColors } from "../../model/background";

@@ -1,11 +1,11 @@
-// A drawing of the layout (../../model/layout.ts), as SVG.
+// Draws the overlay of a layout (../../model/layout.ts) as SVG.
 import type { JSX } from "preact";
 import type { Fill, Overlay } from "../../model/layout";
 
-/** CSS pixels of halo on each side of a letter or a stroke. */
+/** Width of the halo on each side of a letter's outline, in CSS pixels. */
 const HALO = 1.5;
 
-/** Ids of gradients are unique in the document, for each name. */
+/** Draws boxes with vertical gradients. `name` makes the ids of the gradients unique in the document. */
 function Fills({ fills, name }: { fills: readonly Fill[]; name: string }): JSX.Element {
   return (
     <>
@@ -34,7 +34,7 @@ function Fills({ fills, name }: { fills: readonly Fill[]; name: string }): JSX.E
   );
 }
 
-/** `name`: of the drawing, for the document. */
+/** `name`: name of this drawing, unique in the document. */
 export function Drawing({ overlay, name }: { overlay: Overlay; name: string }): JSX.Element {
   const { plates, fills, strokes, triangles, labels, halo } = overlay;
   return (

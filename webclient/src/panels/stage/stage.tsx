@@ -1,4 +1,4 @@
-// The canvases with their overlays and input events.
+// The canvases, the overlays over the canvases, and the input events of the canvases.
 import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { DEFAULTS } from "../../generated/protocol";
@@ -22,7 +22,7 @@ export function Stage(): JSX.Element {
   const background = useModel(({ scene, fatal }) =>
     scene.value === null || fatal.value !== null ? null : (scene.value.background ?? DEFAULTS.Scene.background),
   );
-  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // "": theme of the page
+  const under = background === null ? "" : isBright(background) ? "on-light" : "on-dark"; // "" is the page's theme
   useEffect(() => {
     const element = root.current;
     if (element === null || images.current === null || geometry.current === null) return;

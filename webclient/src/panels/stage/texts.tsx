@@ -1,5 +1,6 @@
-// Title, captions and legends over the canvas, with the fields and buttons of the legends. Frames contain no text
-// (Annotations in protocol/openrpc.json). The layout is that of saved pictures (../../model/layout.ts).
+// Title, captions and legends over the canvas, with the fields and buttons of the legends. The page draws these texts,
+// because frames contain no text (Annotations in protocol/openrpc.json). Saved pictures have the same layout
+// (../../model/layout.ts).
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
@@ -30,28 +31,34 @@ import { Drawing } from "./drawing";
 /** CSS pixels kept free between the bounding box and a legend. */
 const ROOM: Size = { width: 12, height: 20 };
 
-/** Sizes in CSS pixels of a legend's buttons and of the words beside them. */
+/** Side of a legend's button, and width of the words beside the buttons, in CSS pixels. */
 const BUTTON = 26;
 const WORDS = 62;
-/** Width of a stage, in CSS pixels, up to which controls take no room: they show beside the legend that is in use. */
+/**
+ * Largest width of a narrow stage in CSS pixels. A narrow stage has no space for the controls of legends. The controls
+ * appear beside the legend that has the pointer or the focus.
+ */
 const NARROW = 560;
 
 interface Entry extends LegendOf {
   range: Range;
   scale: ColorScale;
-  /** The whole title, and more about the array. */
+  /** Tooltip of the legend: the title, and facts about the values of the array. */
   about: string;
   lines: string[];
 }
 
 interface Entries {
-  /** The legends of the scene whose range is known. */
+  /** Legends of the scene whose range is known. */
   entries: Entry[];
-  /** Whether these are all legends of the scene. */
+  /** Whether `entries` has all legends of the scene. */
   complete: boolean;
 }
 
-/** A legend keeps the range of the step before until that of a new step arrives. */
+/**
+ * Returns the legends of the scene. After a change of the time step, a legend has the range of the previous step until
+ * the range of the new step has arrived.
+ */
 function useEntries(): Entries {
   const before = useRef(new Map<string, Histogram>());
   const commands = useCommands();
@@ -89,7 +96,7 @@ function useEntries(): Entries {
   return { entries, complete: entries.length === legends.length };
 }
 
-/** Where the range comes from: data of this step, data of all steps, or chosen by the user ("held"). */
+/** Returns the source of the range in words: the data of this step, the data of all steps, or the user ("held"). */
 function rangeWords({ coloring }: Entry, everywhere: Range | null): string {
   if (!coloring.range) return "this step";
   const ofAll = everywhere === null ? "" : withDataRange(coloring, everywhere);
@@ -98,7 +105,7 @@ function rangeWords({ coloring }: Entry, everywhere: Range | null): string {
 
 const isAskew = ([low, high]: Range): boolean => low < 0 && high > 0 && low !== -high;
 
-/** Size of the buttons of a legend and the words beside them, in CSS pixels. */
+/** Returns the size of a legend's buttons and of the words beside the buttons, in CSS pixels. */
 function controlsOf({ coloring, range }: Entry, hasSteps: boolean, zoom: number): Size {
   const tellsRange = hasSteps || coloring.range !== undefined;
   const buttons = (tellsRange ? 1 : 0) + (isAskew(range) ? 1 : 0);
@@ -152,7 +159,10 @@ function RangeButtons({ entry }: { entry: Entry }): JSX.Element {
 
 const ORIGIN: Box = { left: 0, top: 0, right: 0, bottom: 0 };
 
-/** Style that puts an element on a box, within the element on the box `around`. `more`: other members of the style. */
+/**
+ * Returns the style that places an element over a box. `around`: box of the parent element. `more`: other members of
+ * the style.
+ */
 const on = (
   box: Box,
   around = ORIGIN,
@@ -165,7 +175,10 @@ const on = (
   ...more,
 });
 
-/** The field on a number at an end of the bar. The number is drawn; the field shows its own text while it is used. */
+/**
+ * Field over the number at one end of the bar. The overlay draws the number. The text of the field is visible only
+ * while the field has the pointer or the focus.
+ */
 function EndField({
   entry,
   end,
@@ -198,11 +211,11 @@ function EndField({
 
 interface LegendProps {
   entry: Entry;
-  /** Returns the box of a handle of this legend; undefined if it has none. */
+  /** Returns the box of a handle of this legend; undefined if the legend has no such handle. */
   boxOf: (part: string) => Box | undefined;
   text: number;
   zoom: number;
-  /** Whether the controls show only while the legend is in use. */
+  /** Whether the controls are visible only while the legend has the pointer or the focus. */
   floats: boolean;
 }
 
@@ -233,7 +246,8 @@ function Legend({ entry, boxOf, text, zoom, floats }: LegendProps): JSX.Element 
 }
 
 /**
- * For each legend, the size of the rectangle from the stage's top right corner to the legend's far corner, plus ROOM.
+ * Returns for each legend the size of the rectangle from the stage's top right corner to the legend's lower left
+ * corner, plus ROOM.
  */
 const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
   handles

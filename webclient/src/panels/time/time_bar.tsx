@@ -16,8 +16,8 @@ export function TimeBar(): JSX.Element {
   const loop = useModel((model) => model.loop.value);
   const rate = useModel((model) => model.playRate.value);
   if (times.length < 2) {
-    // Reserves the space of the time bar. If it appeared later, the canvas would shrink and the first picture be drawn
-    // twice.
+    // Reserves the space of the time bar. If the bar appeared later, the canvas would shrink, and the first picture
+    // would be drawn twice.
     return (
       <section class="time-bar hint" aria-label="Time">
         {times.length === 1 && "This dataset has one time step."}

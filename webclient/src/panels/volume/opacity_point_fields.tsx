@@ -8,7 +8,7 @@ import { NumberField } from "../controls/controls";
 interface Props {
   index: number;
   point: OpacityPoint;
-  /** Positions of the two neighbors, which limit the point's position. */
+  /** Positions of the two neighboring points, which limit the point's position. */
   between: Range;
   range: Range;
   logarithmic: boolean;

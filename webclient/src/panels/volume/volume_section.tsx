@@ -25,7 +25,7 @@ function VolumeFields({ id, layer }: { id: string; layer: VolumeLayer }): JSX.El
   const units = useModel((model) => model.description.value?.length_units) ?? "";
   const setSlices = (typed: number): void => {
     const slices = Math.round(typed);
-    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0 and less: the server chooses the number
+    commands.layers.set(id, { slices: slices > 0 ? slices : null }); // 0: the server chooses the number
   };
   return (
     <div class="fields">

@@ -7,7 +7,7 @@ import numpy
 from ._kernel import Mesh
 
 POLYHEDRON = 42
-# VTK's number of each cell type of meshio. The nodes have VTK's order; corners come first.
+# VTK's cell type number for each cell type of meshio. meshio has the nodes of a cell in VTK's order: corners first.
 TYPES = {
     "vertex": 1,
     "line": 3,
@@ -42,7 +42,7 @@ def _type_of(name):
 
 
 def _face_stream(cells):
-    """Return VTK's stream of the faces of polyhedra, and where each cell begins in it."""
+    """Return the faces of polyhedra as a face stream of VTK, and the index in the stream at which each cell begins."""
     streams = [
         list(itertools.chain([len(faces)], *([len(face), *face] for face in faces)))
         for faces in cells
@@ -54,9 +54,9 @@ def _face_stream(cells):
 def from_meshio(mesh):
     """Return the Mesh of a meshio.Mesh.
 
-    Points are numbered as in `mesh`, so its point data can be given to contour(). Cells are numbered through all blocks
-    of `mesh.cells` in order. Cells without volume are left out, but keep their number. Raises ValueError if the mesh
-    has no cells, or cells of an unknown type.
+    Points have the same numbers as in `mesh`, so that point data of `mesh` can be passed to contour(). Cells are
+    numbered through all blocks of `mesh.cells`, in order. Cells without volume are left out, but count in this
+    numbering. Raises ValueError if `mesh` has no cells, or cells of an unknown type.
     """
     types, sizes, nodes, locations, streams = [], [], [], [], []
     stream_length = 0
@@ -77,7 +77,7 @@ def from_meshio(mesh):
             nodes.append(rows.ravel())
             locations.append(numpy.full(count, -1, numpy.int64))
     if not types:
-        raise ValueError("the mesh has no cells; read or make cells first")
+        raise ValueError("the mesh has no cells; pass a mesh that has cells")
     faces = {}
     if streams:
         faces = {"face_locations": numpy.concatenate(locations), "faces": numpy.concatenate(streams)}

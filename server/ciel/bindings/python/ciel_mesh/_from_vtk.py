@@ -14,7 +14,7 @@ def _numpy(array):
 def _polyhedra(grid):
     """Return the faces of polyhedra as keyword arguments of Mesh.from_cells.
 
-    VTK stores them as two cell arrays from version 9.4 on, before that as one stream.
+    From version 9.4 on, VTK stores the faces as two cell arrays. Older versions store the faces as one stream.
     """
     if hasattr(grid, "GetPolyhedronFaces"):
         faces, of_cells = grid.GetPolyhedronFaces(), grid.GetPolyhedronFaceLocations()
@@ -34,13 +34,13 @@ def _polyhedra(grid):
 def from_vtk(grid):
     """Return the Mesh of a vtkUnstructuredGrid or of a PyVista UnstructuredGrid.
 
-    The mesh numbers points and cells as the grid does, so point arrays of the grid can be given to contour(). Raises
-    ValueError if the grid has no cells or no points. Needs the vtk package.
+    Points and cells have the same numbers as in `grid`, so that point arrays of `grid` can be passed to contour().
+    Raises ValueError if `grid` has no cells or no points. Needs the vtk package.
     """
     cells = grid.GetCells()
     types = _numpy(grid.GetCellTypesArray())
     if types is None or grid.GetPoints() is None:
-        raise ValueError("the grid has no cells; read or make cells first")
+        raise ValueError("the grid has no points or no cells; pass a grid that has both")
     return Mesh.from_cells(
         _numpy(grid.GetPoints().GetData()),
         numpy.asarray(types),
