@@ -65,7 +65,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
         if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
         check();
     }
-    auto first = sessions::make_version(services_, document(), 1); // without the lock, because this may open a dataset
+    auto first = sessions::accept_scene(services_, document(), 1); // without the lock, because this may open a dataset
     const std::scoped_lock lock(mutex_);
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::shared_ptr<OpenSession> find(const std::string& id);
     // Returns the session with this id. If there is no such session, opens a session with this id, or with a random id
     // if `id` is empty. `document` returns the scene of a new session, and `steps` are its undo and redo steps. Throws
-    // LimitReached, and the exceptions of make_version().
+    // LimitReached, and the exceptions of accept_scene().
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
                                                     const sessions::Steps& steps = {});

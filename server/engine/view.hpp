@@ -3,7 +3,7 @@
 
 #include "engine/open_session.hpp"
 #include "frames/batches.hpp"
-#include "frames/frame_window.hpp"
+#include "frames/congestion_window.hpp"
 #include "frames/mailbox.hpp"
 #include "frames/picture_detail.hpp"
 #include "frames/preview_size.hpp"
@@ -96,7 +96,7 @@ private:
     geometry::ViewSize size_;
     frames::PreviewSize preview_;
     frames::PictureDetail detail_;
-    frames::FrameWindow window_;
+    frames::CongestionWindow window_;
     Stream stream_;
     wire::MovingCodec moving_;
     struct {

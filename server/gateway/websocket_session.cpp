@@ -1,6 +1,6 @@
 #include "gateway/websocket_session.hpp"
 
-#include "gateway/outbox.hpp"
+#include "gateway/send_queue.hpp"
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
@@ -30,8 +30,8 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
         : context_(context), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
-          outbox_changed_(socket_.get_executor()), part_ended_(socket_.get_executor()) {
-        for (auto* timer : {&inbox_changed_, &outbox_changed_, &part_ended_})
+          send_queue_changed_(socket_.get_executor()), part_ended_(socket_.get_executor()) {
+        for (auto* timer : {&inbox_changed_, &send_queue_changed_, &part_ended_})
             timer->expires_at(std::chrono::steady_clock::time_point::max());
     }
 
@@ -55,19 +55,19 @@ private:
     void request_close(close_code code, std::string_view reason) {
         const std::size_t bytes = std::min(reason.size(), close_reason_bytes);
         if (!close_) close_ = websocket::close_reason(code, boost::string_view(reason.data(), bytes));
-        outbox_changed_.cancel();
+        send_queue_changed_.cancel();
     }
     void drain();
     Answer answer();
     std::string take_binary(std::string_view bytes, const Answer& reply);
-    void outbox_pushed();
+    void send_queue_pushed();
     void end();
     void cut() { beast::get_lowest_layer(socket_).close(); }
 
     Context& context_;
     asio::thread_pool& workers_;
     websocket::stream<beast::tcp_stream> socket_;
-    std::shared_ptr<Outbox> outbox_;
+    std::shared_ptr<SendQueue> send_queue_;
     std::shared_ptr<Peer> peer_;
     std::string remote_;
     std::stop_source closed_;
@@ -77,7 +77,7 @@ private:
     };
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
-    asio::steady_timer inbox_changed_, outbox_changed_, part_ended_;
+    asio::steady_timer inbox_changed_, send_queue_changed_, part_ended_;
     std::optional<websocket::close_reason> close_; // requested close; write() sends it after the waiting messages
     bool ended_ = false, closes_now_ = false, writing_ = false;
     int parts_ = 0, unanswered_ = 0; // running coroutines; messages taken from the inbox but not answered
@@ -110,17 +110,18 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
 
 void WebSocketSession::open(Client client) {
     const std::weak_ptr<WebSocketSession> weak = weak_from_this();
-    outbox_ = std::make_shared<Outbox>(context_.service.limits().unsent_bytes, context_.service.memory(), [this, weak] {
-        asio::post(socket_.get_executor(), [weak] {
-            if (const auto self = weak.lock()) self->outbox_pushed();
+    send_queue_ =
+        std::make_shared<SendQueue>(context_.service.limits().unsent_bytes, context_.service.memory(), [this, weak] {
+            asio::post(socket_.get_executor(), [weak] {
+                if (const auto self = weak.lock()) self->send_queue_pushed();
+            });
         });
-    });
     remote_ = client.remote;
     client.id = context_.next_connection_id++;
     client.stop = closed_.get_token();
-    client.send_text = [outbox = outbox_](std::string text) { outbox->push_text(std::move(text)); };
-    client.send_binary = [outbox = outbox_](FrameBytes bytes) { outbox->push_frame(std::move(bytes)); };
-    client.has_room = [outbox = outbox_](std::size_t bytes) { return outbox->has_room(bytes); };
+    client.send_text = [send_queue = send_queue_](std::string text) { send_queue->push_text(std::move(text)); };
+    client.send_binary = [send_queue = send_queue_](FrameBytes bytes) { send_queue->push_frame(std::move(bytes)); };
+    client.has_room = [send_queue = send_queue_](std::size_t bytes) { return send_queue->has_room(bytes); };
     peer_ = context_.service.connect(std::move(client));
 }
 
@@ -137,8 +138,8 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, 
     end();
     while (parts_ > 0) co_await changed(part_ended_);
     *on_drain = nullptr;
-    outbox_->close();
-    context_.counters.frames_dropped += outbox_->dropped_frames();
+    send_queue_->close();
+    context_.counters.frames_dropped += send_queue_->dropped_frames();
     co_await on_worker(workers_, [this] {
         peer_->closed();
         return std::string();
@@ -206,13 +207,13 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
 // Returns the callback for the answer to one message. Slow methods call it later from other threads, possibly after the
 // socket has closed. Later texts do not wait for slow methods.
 Answer WebSocketSession::answer() {
-    return [weak = weak_from_this(), outbox = outbox_, executor = socket_.get_executor()](std::string text) {
-        if (!text.empty()) outbox->push_text(std::move(text));
+    return [weak = weak_from_this(), send_queue = send_queue_, executor = socket_.get_executor()](std::string text) {
+        if (!text.empty()) send_queue->push_text(std::move(text));
         asio::post(executor, [weak] {
             const auto self = weak.lock();
             if (!self) return;
             --self->unanswered_;
-            self->outbox_changed_.cancel();
+            self->send_queue_changed_.cancel();
         });
     };
 }
@@ -220,14 +221,14 @@ Answer WebSocketSession::answer() {
 asio::awaitable<void> WebSocketSession::write() {
     error_code error;
     while (!ended_ && !error) {
-        const auto message = outbox_->pop();
+        const auto message = send_queue_->pop();
         const bool idle = unanswered_ == 0 && inbox_.empty();
         if (!message && close_ && (idle || closes_now_ || close_->code != close_code::going_away)) {
             co_await socket_.async_close(*close_, asio::redirect_error(asio::use_awaitable, error));
             break;
         }
         if (!message) {
-            co_await changed(outbox_changed_);
+            co_await changed(send_queue_changed_);
             continue;
         }
         const bool is_text = message->frame == nullptr;
@@ -240,7 +241,7 @@ asio::awaitable<void> WebSocketSession::write() {
         writing_ = false;
         ++(is_text ? context_.counters.texts_sent : context_.counters.frames_sent);
         context_.counters.bytes_sent += asio::buffer_size(bytes);
-        if (outbox_->sent()) peer_->has_room();
+        if (send_queue_->sent()) peer_->has_room();
     }
     cut(); // also ends a pending read from a lost peer
 }
@@ -250,19 +251,19 @@ asio::awaitable<void> WebSocketSession::write() {
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
     const bool is_third = std::exchange(closes_now_, true);
-    outbox_->close();
+    send_queue_->close();
     if (writing_ || is_third)
         cut(); // the client does not read or answer, and would not see a close reason
     else
-        outbox_changed_.cancel();
+        send_queue_changed_.cancel();
 }
 
-void WebSocketSession::outbox_pushed() {
-    if (outbox_->overflowed()) {
+void WebSocketSession::send_queue_pushed() {
+    if (send_queue_->overflowed()) {
         spdlog::info("{} does not read its answers and was disconnected", remote_);
         cut();
     }
-    outbox_changed_.cancel();
+    send_queue_changed_.cancel();
 }
 
 void WebSocketSession::end() {
@@ -270,7 +271,7 @@ void WebSocketSession::end() {
     closed_.request_stop();
     cut();
     inbox_changed_.cancel();
-    outbox_changed_.cancel();
+    send_queue_changed_.cancel();
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // Session of one WebSocket. Incoming texts and upload pieces are handled in order on worker threads. Answers,
-// notifications and frames are sent from an Outbox.
+// notifications and frames are sent from an SendQueue.
 #pragma once
 
 #include "gateway/asio.hpp"

@@ -92,7 +92,7 @@ void Session::tell(const std::string& notification) const {
 
 SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    auto next = make_version(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
+    auto next = accept_scene(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
     if (*next->document == *version_->document) return current();
     History after = history_;
     after.record(version_->document, gesture);
@@ -101,7 +101,7 @@ SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::strin
 
 SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
     const std::scoped_lock lock(mutex_);
-    auto next = make_version(services_, std::move(document), version_->revision + 1);
+    auto next = accept_scene(services_, std::move(document), version_->revision + 1);
     if (*next->document == *version_->document) return current();
     History after = history_;
     after.record(version_->document, "");
@@ -118,7 +118,7 @@ SessionStatus Session::move_in_history(Document (History::*move)(Document), std:
     Document document = version_->document;
     while ((document = (after.*move)(document))) {
         try {
-            auto next = make_version(services_, *document, version_->revision + 1);
+            auto next = accept_scene(services_, *document, version_->revision + 1);
             return change(std::move(next), after, author);
         } catch (const std::exception&) { // the step's dataset was removed or has changed; tries the next step
             if (!refused) refused = std::current_exception();
@@ -172,7 +172,7 @@ void Session::close() {
 void Session::dataset_changed() {
     const std::scoped_lock lock(mutex_);
     try {
-        version_ = make_version(services_, *version_->document, version_->revision);
+        version_ = accept_scene(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
         // The scene does not fit the changed dataset. The session keeps its version, because the data of this version
         // is still mapped and can be shown. The next patch reports the error.

@@ -3,7 +3,7 @@
 
 #include "sessions/history.hpp"
 #include "sessions/services.hpp"
-#include "sessions/version.hpp"
+#include "sessions/accept_scene.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] SessionStatus status() const; // also marks the session as used
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
     // patch, replace, undo and redo change the scene. `author`: connection that made the change; it gets the answer
-    // instead of a notification. They throw LimitReached and the exceptions of make_version(); the session is then
+    // instead of a notification. They throw LimitReached and the exceptions of accept_scene(); the session is then
     // unchanged.
     SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
     SessionStatus replace(nlohmann::json document, std::uint64_t author);

@@ -88,7 +88,7 @@ def test_an_answer_overtakes_the_polygons_that_a_slow_line_has_not_taken(server)
     frames, asked = "ciel_frames_total{kind=\"interactive\"}", "ciel_rpc_requests_total{method=\"server.info\"}"
     made = server.metrics()[frames]
     reader.send("view.open", session=session, width=640, height=360, stream="geometry")
-    until(lambda: server.metrics()[frames] > made)  # a frame is in the outbox, and the client does not read
+    until(lambda: server.metrics()[frames] > made)  # a frame is in the send queue, and the client does not read
     before = server.metrics().get(asked, 0)
     number = reader.send("server.info")
     until(lambda: server.metrics().get(asked, 0) > before)

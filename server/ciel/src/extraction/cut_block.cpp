@@ -13,59 +13,12 @@ CutScratch& scratch_of_this_thread() {
     return scratch;
 }
 
-// Vectorized, because this loop visits every vertex of a block.
-CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
-    for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
-}
-
-CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const double* values, std::size_t count, double threshold,
-                                         std::uint8_t* high) {
-    for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
-}
-
 namespace {
 
 template <class T>
 void grow(std::vector<T>& room, std::size_t size) {
     if (room.size() < size) room.resize(size);
 }
-
-const std::uint8_t* mark(ValuesView values, double threshold, CutScratch& scratch) {
-    const std::size_t padded = (values.size() + 63) / 64 * 64;
-    grow(scratch.high, std::max(padded, local_ids));
-    std::uint8_t* high = scratch.high.data();
-    values.with([&](const auto& all) {
-        using Value = std::ranges::range_value_t<decltype(all)>;
-        mark_high(all.data(), all.size(), static_cast<Value>(threshold), high);
-    });
-    std::fill(high + values.size(), high + padded, std::uint8_t{0});
-    return high;
-}
-
-// Packs eight bytes, each 0 or 1, into eight bits: the multiplication moves byte i to bit i of the top byte.
-std::uint64_t bits_of(const std::uint8_t* bytes) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes, sizeof word);
-    return word * 0x0102040810204080U >> 56;
-}
-
-} // namespace
-
-bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut) {
-    const std::uint8_t* high = mark(values, threshold, scratch);
-    const std::size_t words = (values.size() + 63) / 64;
-    bool same = cut.known;
-    cut.signature.resize(words);
-    for (std::size_t w = 0; w < words; ++w) {
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < 8; ++i) bits |= bits_of(high + 64 * w + 8 * i) << 8 * i;
-        same = same && cut.signature[w] == bits;
-        cut.signature[w] = bits;
-    }
-    return same;
-}
-
-namespace {
 
 bool crosses(const CellRanges::Range& range, double threshold) { return range[0] < threshold && range[1] >= threshold; }
 

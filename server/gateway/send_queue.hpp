@@ -29,8 +29,8 @@ inline constexpr std::uint32_t piece_bytes = 64 << 10;
 inline constexpr std::uint32_t first_piece_bytes = 4 << 10, measuring_bytes = first_piece_bytes + (32 << 10);
 static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
 
-// An Outbox is thread-safe. It may outlive its socket, because pushing does nothing after close().
-class Outbox {
+// An SendQueue is thread-safe. It may outlive its socket, because pushing does nothing after close().
+class SendQueue {
 public:
     struct Message {
         std::string text;
@@ -39,9 +39,9 @@ public:
         std::span<const std::uint8_t> payload;
     };
 
-    // `on_push` is called after every push, on the pushing thread, while the outbox is locked. Therefore it must not
-    // call the outbox. `memory` counts the bytes and must outlive the outbox.
-    Outbox(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push);
+    // `on_push` is called after every push, on the pushing thread, while the send queue is locked. Therefore it must
+    // not call the send queue. `memory` counts the bytes and must outlive the send queue.
+    SendQueue(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push);
 
     // Appends a text. If the waiting texts already exceed their half of the limit, the client does not read. Then all
     // waiting messages are dropped, and overflowed() becomes true. A single text may exceed the limit.

@@ -1,4 +1,4 @@
-#include "sessions/version.hpp"
+#include "sessions/accept_scene.hpp"
 
 #include "limits/errors.hpp"
 #include "scene/document_size.hpp"
@@ -28,7 +28,7 @@ void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
 
 } // namespace
 
-std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+std::shared_ptr<const SceneVersion> accept_scene(const Services& services, nlohmann::json document,
                                                  std::uint64_t revision) {
     // Removes null members, because null and absent mean the same in a scene. Also, a merge patch (RFC 7396) cannot set
     // a member to null.

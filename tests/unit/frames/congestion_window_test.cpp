@@ -1,5 +1,5 @@
-// FrameWindow on a simulated line with latency and a limited rate, which may buffer any number of frames.
-#include "frames/frame_window.hpp"
+// CongestionWindow on a simulated line with latency and a limited rate, which may buffer any number of frames.
+#include "frames/congestion_window.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -32,10 +32,11 @@ constexpr double settled = 3;
 
 // Simulates a server that needs `making` seconds per frame of `bytes`, with a scene that changes all the time.
 Outcome run(const Line& line, double making, std::size_t bytes, double seconds = 9) {
-    FrameWindow window(2);
+    CongestionWindow window(2);
     Outcome result;
     const auto at = [](double time) {
-        return FrameWindow::Time(std::chrono::duration_cast<FrameWindow::Time::duration>(FrameWindow::Seconds(time)));
+        return CongestionWindow::Time(
+            std::chrono::duration_cast<CongestionWindow::Time::duration>(CongestionWindow::Seconds(time)));
     };
     std::map<double, std::uint32_t> acknowledgements;
     double now = 0, free = 0, shown = 0;
@@ -76,7 +77,7 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
 
 constexpr double mbit = 1e6 / 8;
 
-TEST(FrameWindow, ALongLineShowsAsManyFramesAsAShortOne) {
+TEST(CongestionWindow, ALongLineShowsAsManyFramesAsAShortOne) {
     for (const double round_trip : {0.0, 0.05, 0.2, 0.5}) {
         const Outcome far = run({round_trip, 10 * mbit}, 0.066, 40'000);
         EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066) << round_trip;
@@ -84,12 +85,12 @@ TEST(FrameWindow, ALongLineShowsAsManyFramesAsAShortOne) {
     }
 }
 
-TEST(FrameWindow, AShortLineHasFewOnTheWay) {
+TEST(CongestionWindow, AShortLineHasFewOnTheWay) {
     EXPECT_LE(run({0, 100 * mbit}, 0.05, 40'000).most_on_the_way, 2U);
     EXPECT_LE(run({0.2, 10 * mbit}, 0.066, 40'000).most_on_the_way, 6U);
 }
 
-TEST(FrameWindow, AFullLineDoesNotQueueAndIsMeasured) {
+TEST(CongestionWindow, AFullLineDoesNotQueueAndIsMeasured) {
     for (const double round_trip : {0.02, 0.05, 0.2})
         for (const std::size_t bytes : {40'000U, 200'000U}) {
             const Line line{round_trip, 10 * mbit};
@@ -100,7 +101,7 @@ TEST(FrameWindow, AFullLineDoesNotQueueAndIsMeasured) {
         }
 }
 
-TEST(FrameWindow, AcknowledgementsInBurstsDoNotMakeTheLineFaster) {
+TEST(CongestionWindow, AcknowledgementsInBurstsDoNotMakeTheLineFaster) {
     for (const double round_trip : {0.0, 0.02, 0.05, 0.2})
         for (const std::size_t bytes : {50'000U, 60'000U, 70'000U, 100'000U}) {
             Line line{round_trip, 10 * mbit, 0.01, 0, 0.02};
@@ -110,12 +111,12 @@ TEST(FrameWindow, AcknowledgementsInBurstsDoNotMakeTheLineFaster) {
         }
 }
 
-TEST(FrameWindow, ABrowserThatStumblesCostsFewFrames) {
+TEST(CongestionWindow, ABrowserThatStumblesCostsFewFrames) {
     const Outcome far = run({0.2, 10 * mbit, 0.01, 0.04}, 0.066, 40'000);
     EXPECT_GE(static_cast<double>(far.frames), 0.9 * 9 / 0.066);
 }
 
-TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
+TEST(CongestionWindow, ABusyBrowserIsNoFullLine) {
     const struct { double round_trip, busy; } cases[]{{0.05, 0.06}, {0.05, 0.12}, {0.2, 0.06}};
     for (const auto& [round_trip, busy] : cases) {
         const Outcome far = run({round_trip, 100 * mbit, 0.01, 0, busy}, 0.066, 30'000, 30);
@@ -126,7 +127,7 @@ TEST(FrameWindow, ABusyBrowserIsNoFullLine) {
     }
 }
 
-TEST(FrameWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
+TEST(CongestionWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
     for (const double round_trip : {0.05, 0.2})
         for (const double busy : {0.03, 0.06, 0.09}) {
             const Outcome far = run({round_trip, 10 * mbit, 0.01, 0, busy, 0, 4}, 0.05, 45'000, 60);
@@ -134,21 +135,21 @@ TEST(FrameWindow, FramesThatGrowForABusyBrowserAreNoFullLine) {
         }
 }
 
-TEST(FrameWindow, FramesThatNeedSecondsGoOneByOne) {
+TEST(CongestionWindow, FramesThatNeedSecondsGoOneByOne) {
     const Outcome polygons = run({0.2, 10 * mbit}, 0.1, 4'000'000, 60);
     EXPECT_LE(polygons.most_queued, 4'000'000U);
     EXPECT_GE(polygons.frames, 12U);
 }
 
-TEST(FrameWindow, WithoutAcknowledgementsTwoFramesAreMade) {
+TEST(CongestionWindow, WithoutAcknowledgementsTwoFramesAreMade) {
     Line dead{0.05};
     dead.acknowledges = false;
     EXPECT_EQ(run(dead, 0.05, 40'000).most_on_the_way, 2U);
 }
 
-TEST(FrameWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
-    FrameWindow window(2);
-    FrameWindow::Time now{};
+TEST(CongestionWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
+    CongestionWindow window(2);
+    CongestionWindow::Time now{};
     std::uint32_t frame = 0;
     for (int i = 0; i < 100; ++i) { // line with a round trip of 100 ms, so ten frames are in flight
         while (window.has_room() && window.frames_on_the_way() < 10) window.sent(++frame, 1000, false, now);
@@ -162,9 +163,9 @@ TEST(FrameWindow, AClientThatStopsReadingCostsNoMoreThanALineful) {
     EXPECT_FALSE(window.has_room());
 }
 
-TEST(FrameWindow, AStillDoesNotKeepTheHandWaiting) {
-    FrameWindow window(2);
-    FrameWindow::Time now{};
+TEST(CongestionWindow, AStillDoesNotKeepTheHandWaiting) {
+    CongestionWindow window(2);
+    CongestionWindow::Time now{};
     window.sent(1, 40'000, false, now);
     window.acknowledged(1, now += std::chrono::milliseconds(200));
     window.sent(2, 800'000, true, now);
@@ -177,9 +178,9 @@ TEST(FrameWindow, AStillDoesNotKeepTheHandWaiting) {
     EXPECT_EQ(window.bytes_on_the_way(), 0U);
 }
 
-TEST(FrameWindow, AcknowledgesAllBeforeAndIgnoresWhatWasNotSent) {
-    FrameWindow window(2);
-    const FrameWindow::Time start{};
+TEST(CongestionWindow, AcknowledgesAllBeforeAndIgnoresWhatWasNotSent) {
+    CongestionWindow window(2);
+    const CongestionWindow::Time start{};
     window.sent(1, 10, false, start);
     window.sent(2, 20, false, start);
     EXPECT_FALSE(window.has_room());

@@ -1,4 +1,4 @@
-#include "gateway/outbox.hpp"
+#include "gateway/send_queue.hpp"
 
 #include "ciel/types.hpp"
 
@@ -7,10 +7,10 @@
 
 namespace ciel::gateway {
 
-Outbox::Outbox(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push)
+SendQueue::SendQueue(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push)
     : on_push_(std::move(on_push)), share_(most_bytes / 2), held_(memory, limits::Held::unsent) {}
 
-void Outbox::push_text(std::string text) {
+void SendQueue::push_text(std::string text) {
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
     if (text_bytes_ > share_) {
@@ -24,9 +24,9 @@ void Outbox::push_text(std::string text) {
     on_push_();
 }
 
-void Outbox::push_frame(FrameBytes bytes) {
+void SendQueue::push_frame(FrameBytes bytes) {
     const wire::FrameHeader header = wire::read_frame_header(*bytes);
-    if (header.payload_bytes != header.whole_bytes) throw Error("a frame was given to the outbox in pieces");
+    if (header.payload_bytes != header.whole_bytes) throw Error("a frame was given to the send_queue in pieces");
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
     if (header.kind == wire::FrameKind::image || (header.flags & wire::first_of_frame) != 0)
@@ -41,22 +41,22 @@ void Outbox::push_frame(FrameBytes bytes) {
     on_push_();
 }
 
-void Outbox::close() {
+void SendQueue::close() {
     const std::lock_guard lock(mutex_);
     on_push_ = nullptr;
     forget();
     count();
 }
 
-void Outbox::forget() {
+void SendQueue::forget() {
     texts_.clear();
     frames_.clear();
     text_bytes_ = frame_bytes_ = 0;
 }
 
-void Outbox::count() { held_.note(text_bytes_ + text_taken_ + frame_bytes_ + frame_taken_); }
+void SendQueue::count() { held_.note(text_bytes_ + text_taken_ + frame_bytes_ + frame_taken_); }
 
-bool Outbox::has_room(std::size_t bytes) {
+bool SendQueue::has_room(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     const std::size_t frames = frame_bytes_ + frame_taken_;
     if (frames == 0 || frames + bytes <= share_) return true;
@@ -64,19 +64,19 @@ bool Outbox::has_room(std::size_t bytes) {
     return false;
 }
 
-bool Outbox::sent() {
+bool SendQueue::sent() {
     const std::lock_guard lock(mutex_);
     text_taken_ = frame_taken_ = 0;
     count();
     return frame_bytes_ <= share_ / 2 && std::exchange(had_no_room_, false);
 }
 
-std::uint32_t Outbox::Waiting::next_piece_bytes() const {
+std::uint32_t SendQueue::Waiting::next_piece_bytes() const {
     const bool measures = (header.flags & wire::first_of_frame) != 0 && header.whole_bytes >= measuring_bytes;
     return measures && sent == 0 ? first_piece_bytes : piece_bytes;
 }
 
-std::optional<Outbox::Message> Outbox::pop() {
+std::optional<SendQueue::Message> SendQueue::pop() {
     const std::lock_guard lock(mutex_);
     Message message{};
     if (!texts_.empty()) {
@@ -101,12 +101,12 @@ std::optional<Outbox::Message> Outbox::pop() {
     return message;
 }
 
-bool Outbox::overflowed() const {
+bool SendQueue::overflowed() const {
     const std::lock_guard lock(mutex_);
     return overflowed_;
 }
 
-std::uint64_t Outbox::dropped_frames() const {
+std::uint64_t SendQueue::dropped_frames() const {
     const std::lock_guard lock(mutex_);
     return dropped_;
 }

@@ -1,4 +1,4 @@
-#include "frames/frame_window.hpp"
+#include "frames/congestion_window.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -29,7 +29,7 @@ constexpr std::size_t most_frames = 64;
 
 } // namespace
 
-void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time now) {
+void CongestionWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time now) {
     if (still) {
         newest_still_ = frame;
         on_the_way_.push_back({frame, 0, false, now, now, 0});
@@ -44,13 +44,13 @@ void FrameWindow::sent(std::uint32_t frame, std::size_t bytes, bool still, Time 
     on_the_way_.push_back({frame, bytes, !is_behind_still, now, since, bytes_on_the_way()});
 }
 
-bool FrameWindow::has_room() const {
+bool CongestionWindow::has_room() const {
     if (on_the_way_.empty()) return true;
     if (!window_) return on_the_way_.size() < unknown_line_;
     return on_the_way_.size() < most_frames && static_cast<double>(bytes_on_the_way() + last_bytes_) <= *window_;
 }
 
-bool FrameWindow::acknowledged(std::uint32_t frame, Time now) {
+bool CongestionWindow::acknowledged(std::uint32_t frame, Time now) {
     std::optional<Frame> newest;
     while (!on_the_way_.empty() && on_the_way_.front().number <= frame) {
         newest = on_the_way_.front();
@@ -67,7 +67,7 @@ bool FrameWindow::acknowledged(std::uint32_t frame, Time now) {
     return true;
 }
 
-void FrameWindow::learn(const Frame& frame, Time now) {
+void CongestionWindow::learn(const Frame& frame, Time now) {
     const double took = Seconds(now - frame.sent).count();
     if (!soonest_ || took <= soonest_->value || now - soonest_->at > soonest_lasts) {
         soonest_ = {took, now};
@@ -90,12 +90,12 @@ void FrameWindow::learn(const Frame& frame, Time now) {
         grow(frame.bytes);
 }
 
-void FrameWindow::Highest::add(double rate, bool begins) {
+void CongestionWindow::Highest::add(double rate, bool begins) {
     if (begins) before = std::exchange(current, 0);
     current = std::max(current, rate);
 }
 
-void FrameWindow::shrink(const Frame& frame, double carried, double late, Time now) {
+void CongestionWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
     const auto bytes = static_cast<double>(frame.bytes);
@@ -109,7 +109,7 @@ void FrameWindow::shrink(const Frame& frame, double carried, double late, Time n
     if (carried >= full * carried_.value() && (!rate_ || carried >= rate_->value)) rate_ = {carried, now};
 }
 
-void FrameWindow::grow(std::size_t bytes) {
+void CongestionWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;

@@ -1,4 +1,4 @@
-// One state of a session's scene.
+// Accepts or refuses a document as the next scene of a session. An accepted scene is a SceneVersion.
 #pragma once
 
 #include "scene/checked_scene.hpp"
@@ -27,7 +27,7 @@ struct SceneVersion {
 
 // Returns a version made from a document. Parses the document, opens its dataset, and checks the names in the document
 // against the dataset. Throws scene::Invalid, NotFound, LimitReached.
-[[nodiscard]] std::shared_ptr<const SceneVersion> make_version(const Services& services, nlohmann::json document,
+[[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const Services& services, nlohmann::json document,
                                                                std::uint64_t revision);
 
 } // namespace ciel::sessions

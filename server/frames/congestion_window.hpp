@@ -11,14 +11,14 @@
 
 namespace ciel::frames {
 
-// FrameWindow is deterministic: it reads no clock. It is not thread-safe.
-class FrameWindow {
+// CongestionWindow is deterministic: it reads no clock. It is not thread-safe.
+class CongestionWindow {
 public:
     using Time = std::chrono::steady_clock::time_point;
     using Seconds = std::chrono::duration<double>;
 
     // `unknown_line`: number of frames that may be in flight before the first acknowledgement.
-    explicit FrameWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
+    explicit CongestionWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
     // Reports that a frame was sent. Frame numbers must ascend. A still picture takes no room in the window, because a
     // newer frame replaces the part of the still picture that is not sent yet. Frames after an unacknowledged still
