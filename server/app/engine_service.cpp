@@ -1,6 +1,6 @@
 #include "app/engine_service.hpp"
 
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 #include "engine/sessions.hpp"
 #include "methods/binary_message.hpp"
 #include "methods/dispatcher.hpp"

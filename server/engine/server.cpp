@@ -1,6 +1,6 @@
 #include "engine/server.hpp"
 
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 #include "engine/sessions.hpp"
 #include "engine/uploads.hpp"
 #include "limits/machine_memory.hpp"
@@ -43,7 +43,7 @@ struct Server::State {
     Services services;
     Sessions sessions;
     Uploads uploads;
-    SlowCalls slow_calls;
+    SlowCallQueue slow_calls;
     std::stop_source calls; // a stop request cancels the slow calls in progress
     std::mutex readiness_mutex;
     std::condition_variable readiness_known;
@@ -158,7 +158,7 @@ Sessions& Server::sessions() { return state_->sessions; }
 FrameWorkers& Server::frame_workers() { return state_->workers; }
 FrameWorkers& Server::picture_workers() { return state_->picture_workers; }
 Metrics& Server::counters() { return state_->metrics; }
-SlowCalls& Server::slow_calls() { return state_->slow_calls; }
+SlowCallQueue& Server::slow_calls() { return state_->slow_calls; }
 Uploads& Server::uploads() { return state_->uploads; }
 limits::Memory& Server::memory() { return state_->memory; }
 const Services& Server::services() const { return state_->services; }

@@ -31,12 +31,12 @@ struct ServerOptions {
     limits::Limits limits;
 };
 
-class Sessions;     // sessions.hpp
-class FrameWorkers; // schedule/frame_workers.hpp
-class Metrics;      // metrics.hpp
-struct Services;    // services.hpp
-class SlowCalls;    // schedule/slow_calls.hpp
-class Uploads;      // uploads.hpp
+class Sessions;      // sessions.hpp
+class FrameWorkers;  // schedule/frame_workers.hpp
+class Metrics;       // metrics.hpp
+struct Services;     // services.hpp
+class SlowCallQueue; // schedule/slow_call_queue.hpp
+class Uploads;       // uploads.hpp
 
 // A Server is thread-safe. The gateway's service opens and closes connections and drains the server. JSON-RPC methods
 // use the other members.
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
     [[nodiscard]] const Services& services() const;
-    [[nodiscard]] SlowCalls& slow_calls();
+    [[nodiscard]] SlowCallQueue& slow_calls();
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();
 

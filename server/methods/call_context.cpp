@@ -18,13 +18,6 @@ std::shared_ptr<store::LoadedDataset> CallContext::dataset(const std::string& na
     return sessions::open_dataset(server.catalog(), name);
 }
 
-void CallContext::check_wanted() const {
-    if (connection.stop.stop_requested())
-        throw Error("the connection ended before the answer; keep the connection open until the answer has arrived");
-    if (stop.stop_requested())
-        throw Error("the server is about to stop and has cancelled the call; try again after its restart");
-}
-
 void check_may_append(const engine::Server& server, const sessions::Connection& connection) {
     if (!server.options().allow_append)
         throw limits::NotAllowed(

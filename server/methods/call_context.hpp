@@ -5,6 +5,7 @@
 #include "engine/services.hpp"
 #include "engine/sessions.hpp"
 #include "limits/errors.hpp"
+#include "methods/cancellation.hpp"
 #include "protocol/methods.hpp"
 
 #include <chrono>
@@ -30,7 +31,8 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     [[nodiscard]] std::shared_ptr<engine::OpenSession> session(const std::string& id) const {
         return server.sessions().find(id);
     }
-    void check_wanted() const; // throws Error when `stop` was requested
+    // Throws Error if stop was requested on the token of the connection or on `stop`.
+    void check_wanted() const { methods::check_wanted(connection.stop, stop); }
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;

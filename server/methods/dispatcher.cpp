@@ -1,7 +1,7 @@
 #include "methods/dispatcher.hpp"
 
 #include "engine/metrics.hpp"
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 #include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/raw_ids.hpp"
@@ -17,7 +17,7 @@ namespace ciel::methods {
 namespace {
 
 using nlohmann::json;
-using Turn = engine::SlowCalls::Turn;
+using Outcome = engine::SlowCallQueue::Outcome;
 
 // Returns whether JSON text is nested deeper than `limit`. Checked before parsing, so that no parser or destructor
 // recurses deeper.
@@ -71,7 +71,8 @@ struct Read { // NOLINT(bugprone-exception-escape): moving a string does not thr
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
-        : connection_(std::move(connection)), context_{server, *connection_, stop_.get_token()},
+        : connection_(std::move(connection)),
+          cancellation_(connection_->stop, server.call_stop()), context_{server, *connection_, cancellation_.token()},
           is_batch_(read.requests.is_array()),
           requests_(is_batch_ ? std::move(read.requests) : json::array({std::move(read.requests)})),
           ids_(std::move(read.ids)), answer_(std::move(answer)), held_(server.memory(), limits::Held::answers),
@@ -90,23 +91,23 @@ private:
     void go_on() {
         for (; next_ < requests_.size(); ++next_) {
             if (!is_wanted())
-                add(given_up());
+                add(cancelled());
             else if (!is_slow(requests_[next_]))
                 add(handle(context_, requests_[next_]));
-            else if (waits_for_its_turn())
+            else if (enqueue_slow_request())
                 return;
         }
         finish();
     }
 
-    [[nodiscard]] bool is_wanted() const { return !given_up_ && !context_.stop.stop_requested(); }
+    [[nodiscard]] bool is_wanted() const { return !cancelled_ && !context_.stop.stop_requested(); }
 
-    bool waits_for_its_turn() {
+    bool enqueue_slow_request() {
         context_.begin();
         auto& slow_calls = context_.server.slow_calls();
-        auto job = [self = shared_from_this()](Turn turn) { self->take(turn); };
+        auto job = [self = shared_from_this()](Outcome outcome) { self->take(outcome); };
         try {
-            if (has_had_a_turn_)
+            if (was_queued_)
                 slow_calls.post_next(connection_->id, std::move(job));
             else
                 slow_calls.post(connection_->id, std::move(job));
@@ -117,16 +118,16 @@ private:
         }
     }
 
-    void take(Turn turn) {
-        has_had_a_turn_ = true;
-        given_up_ = turn == Turn::given_up;
+    void take(Outcome outcome) {
+        was_queued_ = true;
+        cancelled_ = outcome == Outcome::cancelled;
         const std::chrono::duration<double> waited = engine::Clock::now() - context_.begun;
-        add(is_wanted() ? handle(context_, requests_[next_], waited.count()) : given_up());
+        add(is_wanted() ? handle(context_, requests_[next_], waited.count()) : cancelled());
         ++next_;
         go_on();
     }
 
-    std::optional<json> given_up() {
+    std::optional<json> cancelled() {
         context_.begin();
         try {
             throw Error("the call was cancelled: the connection has ended, or the server is about to stop");
@@ -189,25 +190,18 @@ private:
         json id;
         std::string as_it_came; // literal text of the id; empty if the parser has not changed it
     };
-    struct Stop {
-        std::stop_source& source;
-        void operator()() const { source.request_stop(); }
-    };
-
     const std::shared_ptr<sessions::Connection> connection_;
-    std::stop_source stop_;
+    Cancellation cancellation_;
     CallContext context_;
     const bool is_batch_;
     const json requests_;
     const std::vector<std::string> ids_;
     const Answer answer_;
-    const std::stop_callback<Stop> on_hang_up_{connection_->stop, Stop{stop_}};
-    const std::stop_callback<Stop> on_server_end_{context_.server.call_stop(), Stop{stop_}};
     std::vector<Answered> answered_; // ids of the answers in text_
     std::string text_;
     limits::Memory::Charge held_, asked_; // count text_ and requests_
     std::size_t next_ = 0;
-    bool has_had_a_turn_ = false, given_up_ = false;
+    bool was_queued_ = false, cancelled_ = false;
 };
 
 void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std::string>& large) {

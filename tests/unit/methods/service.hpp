@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/metrics.hpp"
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 #include "engine/server.hpp"
 #include "engine/sessions.hpp"
 #include "methods/binary_message.hpp"

@@ -13,26 +13,26 @@
 
 namespace ciel::engine {
 
-// SlowCalls is thread-safe. Connections take turns, so that a connection with many calls does not delay other
+// SlowCallQueue is thread-safe. Connections take turns, so that a connection with many calls does not delay other
 // connections.
-class SlowCalls {
+class SlowCallQueue {
 public:
-    // come: the job runs now. given_up: the job must not run, because its connection has ended or the server is about
+    // run: the job runs now. cancelled: the job must not run, because its connection has ended or the server is about
     // to stop.
-    enum class Turn { come, given_up };
-    using Job = std::function<void(Turn)>; // called exactly once; must not throw
+    enum class Outcome { run, cancelled };
+    using Job = std::function<void(Outcome)>; // called exactly once; must not throw
 
-    explicit SlowCalls(const limits::Limits& limits);
-    ~SlowCalls(); // calls drain()
+    explicit SlowCallQueue(const limits::Limits& limits);
+    ~SlowCallQueue(); // calls drain()
 
     // Queues a job of a connection. Throws LimitReached if too many jobs wait already, and Error after drain().
     void post(std::uint64_t connection, Job job);
     // Queues the next job of a request; the previous job of the request calls this function. The limits on waiting jobs
     // do not apply. Throws Error after drain().
     void post_next(std::uint64_t connection, Job job);
-    // Calls the waiting jobs of a connection with Turn::given_up on the calling thread.
+    // Calls the waiting jobs of a connection with Outcome::cancelled on the calling thread.
     void drop(std::uint64_t connection);
-    // Calls all waiting jobs with Turn::given_up, and refuses new jobs. Returns when no job runs.
+    // Calls all waiting jobs with Outcome::cancelled, and refuses new jobs. Returns when no job runs.
     void drain();
 
     [[nodiscard]] std::size_t running() const;

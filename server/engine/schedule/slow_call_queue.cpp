@@ -1,4 +1,4 @@
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 
 #include "limits/errors.hpp"
 
@@ -7,17 +7,17 @@
 
 namespace ciel::engine {
 
-SlowCalls::SlowCalls(const limits::Limits& limits) : limits_(limits) {
+SlowCallQueue::SlowCallQueue(const limits::Limits& limits) : limits_(limits) {
     for (std::uint64_t i = 0; i < limits.slow_calls; ++i)
         threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
 
-SlowCalls::~SlowCalls() {
+SlowCallQueue::~SlowCallQueue() {
     drain();
     for (auto& thread : threads_) thread.request_stop();
 }
 
-void SlowCalls::post(std::uint64_t connection, Job job) {
+void SlowCallQueue::post(std::uint64_t connection, Job job) {
     const std::scoped_lock lock(mutex_);
     check_open();
     if (count_waiting() >= limits_.slow_calls_waiting)
@@ -32,26 +32,26 @@ void SlowCalls::post(std::uint64_t connection, Job job) {
     add(connection, std::move(job));
 }
 
-void SlowCalls::post_next(std::uint64_t connection, Job job) {
+void SlowCallQueue::post_next(std::uint64_t connection, Job job) {
     const std::scoped_lock lock(mutex_);
     check_open();
     add(connection, std::move(job));
 }
 
-void SlowCalls::check_open() const {
+void SlowCallQueue::check_open() const {
     if (draining_)
         throw Error(
             "the server is about to stop and makes no further pictures and exports; try again after its restart");
 }
 
-void SlowCalls::add(std::uint64_t connection, Job job) {
+void SlowCallQueue::add(std::uint64_t connection, Job job) {
     auto& jobs = waiting_[connection];
     if (jobs.empty()) turns_.push_back(connection);
     jobs.push_back(std::move(job));
     changed_.notify_all();
 }
 
-SlowCalls::Job SlowCalls::take() {
+SlowCallQueue::Job SlowCallQueue::take() {
     const std::uint64_t connection = turns_.front();
     turns_.pop_front();
     const auto of = waiting_.find(connection);
@@ -64,7 +64,7 @@ SlowCalls::Job SlowCalls::take() {
     return job;
 }
 
-void SlowCalls::drop(std::uint64_t connection) {
+void SlowCallQueue::drop(std::uint64_t connection) {
     std::deque<Job> dropped;
     {
         const std::scoped_lock lock(mutex_);
@@ -74,10 +74,10 @@ void SlowCalls::drop(std::uint64_t connection) {
         waiting_.erase(of);
         std::erase(turns_, connection);
     }
-    for (const Job& job : dropped) job(Turn::given_up);
+    for (const Job& job : dropped) job(Outcome::cancelled);
 }
 
-void SlowCalls::drain() {
+void SlowCallQueue::drain() {
     std::map<std::uint64_t, std::deque<Job>> dropped;
     {
         const std::scoped_lock lock(mutex_);
@@ -86,18 +86,18 @@ void SlowCalls::drain() {
         turns_.clear();
     }
     for (const auto& [connection, jobs] : dropped)
-        for (const Job& job : jobs) job(Turn::given_up);
+        for (const Job& job : jobs) job(Outcome::cancelled);
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return running_ == 0; });
 }
 
-void SlowCalls::work(const std::stop_token& stop) {
+void SlowCallQueue::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, stop, [&] { return !turns_.empty(); })) {
         Job job = take();
         ++running_;
         lock.unlock();
-        job(Turn::come);
+        job(Outcome::run);
         job = nullptr; // destroys the objects of the job before the lock is taken
         lock.lock();
         --running_;
@@ -105,18 +105,18 @@ void SlowCalls::work(const std::stop_token& stop) {
     }
 }
 
-std::size_t SlowCalls::count_waiting() const {
+std::size_t SlowCallQueue::count_waiting() const {
     std::size_t count = 0;
     for (const auto& [connection, jobs] : waiting_) count += jobs.size();
     return count;
 }
 
-std::size_t SlowCalls::waiting() const {
+std::size_t SlowCallQueue::waiting() const {
     const std::scoped_lock lock(mutex_);
     return count_waiting();
 }
 
-std::size_t SlowCalls::running() const {
+std::size_t SlowCallQueue::running() const {
     const std::scoped_lock lock(mutex_);
     return running_;
 }

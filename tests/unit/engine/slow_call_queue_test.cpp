@@ -1,4 +1,4 @@
-#include "engine/schedule/slow_calls.hpp"
+#include "engine/schedule/slow_call_queue.hpp"
 
 #include "limits/errors.hpp"
 
@@ -16,7 +16,7 @@ class BusyCalls {
     std::latch started_{1}, go_{1};
     std::mutex mutex_;
     limits::Limits limits_;
-    std::optional<engine::SlowCalls> calls_; // declared last, because its threads use the other members
+    std::optional<engine::SlowCallQueue> calls_; // declared last, because its threads use the other members
 
 public:
     std::string order; // letters of the calls in the order they ended; a star precedes a cancelled one
@@ -24,7 +24,7 @@ public:
     explicit BusyCalls(limits::Limits limits = {}) : limits_(limits) {
         limits_.slow_calls = 1;
         calls_.emplace(limits_);
-        calls_->post(0, [this](SlowCalls::Turn) {
+        calls_->post(0, [this](SlowCallQueue::Outcome) {
             started_.count_down();
             go_.wait();
         });
@@ -34,13 +34,13 @@ public:
         let_go();
         calls_.reset();
     }
-    SlowCalls& operator*() { return *calls_; }
-    SlowCalls* operator->() { return &*calls_; }
+    SlowCallQueue& operator*() { return *calls_; }
+    SlowCallQueue* operator->() { return &*calls_; }
     void post(std::uint64_t connection, char letter) { calls_->post(connection, note(letter)); }
-    SlowCalls::Job note(char letter) {
-        return [this, letter](SlowCalls::Turn turn) {
+    SlowCallQueue::Job note(char letter) {
+        return [this, letter](SlowCallQueue::Outcome outcome) {
             const std::scoped_lock lock(mutex_);
-            if (turn == SlowCalls::Turn::given_up) order += '*';
+            if (turn == SlowCallQueue::Outcome::cancelled) order += '*';
             order += letter;
         };
     }
