@@ -57,7 +57,7 @@ float horizon(ivec2 at, vec3 place, vec3 n, vec3 viewer, vec2 along, float lengt
         vec3 there = place_of(at + offset, window) - place;
         float squared = dot(there, there) * shrink * shrink;
         vec3 direction = there * inversesqrt(max(dot(there, there), 1e-20));
-        // A sample that barely rises above the plane is the next facet of the same surface: it does not count.
+        // A sample that is only slightly above the plane is on the next facet of the same surface, and is ignored.
         float counts = max(1.0 - squared, 0.0) * smoothstep(0.02, 0.2, dot(n, direction));
         highest = max(highest, mix(low, dot(direction, viewer), counts));
     }
@@ -152,9 +152,9 @@ float light_from_everywhere(float depth) {
             vec2 far = vec2(middle + ivec2(x, y)) - at;
             vec2 near = max(1.5 - abs(far), 0.0);
             vec2 found = texelFetch(occlusion, texel, 0).rg;
-            // `off` is large for texels of another surface, which pixels on an edge have beside them. The term with
-            // 1e-3 counts texels of similar depth where no texel fits: on the steep rim of a ball, the slope differs
-            // from pixel to pixel.
+            // `off` is large for texels of another surface. The term with 1e-3 gives a small weight to texels of similar
+            // depth. It is needed where no texel fits, as on the steep rim of a ball: there the slope differs from
+            // pixel to pixel.
             float off = abs(found.g - depth - dot(slope, far));
             float weight = near.x * near.y * (max(1.0 - off * 10.0, 0.0) + 1e-3 * max(1.0 - off, 0.0));
             sum += weight * found.r;

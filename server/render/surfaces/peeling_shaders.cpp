@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D middles; // window depths at the middles of picture pixels
-const float least_step = 1e-2; // smallest step of an outline; least_bend in per_sample.cpp
+const float least_step = 1e-2; // smallest depth step of an outline; the same as least_bend in per_sample.cpp
 float middle_at(ivec2 pixel) { return texelFetch(middles, clamp(pixel, ivec2(0), textureSize(middles, 0) - 1), 0).r; }
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy) / 2;
@@ -28,7 +28,7 @@ void main() {
 
 constexpr const char* depth_copy_fragment = R"(
 uniform sampler2D opaque;
-uniform sampler2D sum; // nearer layers; A: their transmittance
+uniform sampler2D sum; // A: transmittance of the nearer layers
 uniform vec2 viewport;
 void main() {
     float through = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).a;

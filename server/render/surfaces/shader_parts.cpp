@@ -6,7 +6,7 @@
 namespace ciel::render {
 
 const char* const surface_block = R"( Surface {
-    // In eye space, in units of the bounds' diagonal: derivatives of small scenes must not underflow.
+    // In eye space, in units of the bounds' diagonal, so that derivatives of small scenes do not underflow.
     vec3 place;
     vec3 normal;
     float value;
@@ -57,7 +57,7 @@ uniform vec2 viewport;
 uniform float on_opaque; // 1: lies on an opaque surface; sheet_slopes is not used
 // Window depths of opaque surfaces, at the picture's resolution.
 uniform sampler2D opaque_depth;
-// Of transparent surfaces ("sheets"). R: largest slope, in depth per pixel; G: largest slope limited by its triangle's
+// Slopes of transparent surfaces ("sheets"). R: largest slope, in depth per pixel; G: largest slope limited by its triangle's
 // extent in depth.
 uniform sampler2D sheet_slopes;
 float opaque_at(ivec2 pixel) {
@@ -70,10 +70,10 @@ float rise_along(ivec2 pixel, ivec2 axis) {
     float behind = smaller(own - last, last - opaque_at(pixel - 2 * axis));
     return abs(ahead) > abs(behind) ? ahead : behind;
 }
-// Returns the slope of transparent surfaces in 3 x 3 pixels: a surface that ends within a pixel may have missed its
-// middle. A face seen edge-on at an outline fills single pixels, or rows of them, with its very large slope. So the
-// result is the fourth largest of the nine slopes, or the largest slope limited by its triangle's extent if that is
-// larger.
+// Returns the slope of transparent surfaces from 3 x 3 pixels, because a surface that ends within a pixel may not cover
+// the middle of the pixel. At an outline, a face that is seen edge-on has a very large slope in single pixels or rows of
+// pixels. Therefore the result is the larger of two numbers: the fourth largest of the nine slopes, and the largest
+// slope that is limited by the extent of its triangle.
 float slope_around(ivec2 pixel) {
     vec4 steepest = vec4(0.0);
     float most = 0.0;
@@ -91,9 +91,9 @@ float slope_around(ivec2 pixel) {
 }
 // Returns the depth of a fragment at the offset `beside` from the middle of its line or point.
 // `reach`: largest length of `beside`. `slack`: uncertainty of `beside`. All lengths are in pixels.
-// `most`: limit of both; with more, the fragment would be moved in front of nearer objects.
+// `most`: upper limit of reach + slack. With more, the fragment would be moved in front of nearer objects.
 // `back`: the depth may also grow, so that all lines on one surface get the same depth.
-// `give`: by how much the depths of two lines on one surface may still differ.
+// `give`: largest difference that may remain between the depths of two lines on one surface.
 float depth_on_surface(vec2 beside, float reach, float slack, float most, bool back, out float give) {
     vec2 size = vec2(textureSize(opaque_depth, 0));
     beside *= min(1.0, most / (reach + slack));

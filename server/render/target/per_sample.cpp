@@ -14,10 +14,10 @@ namespace {
 // behind the outline: at 80 % of the distance, or at 99.99 % if only the background is behind.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
-// 1: draws samples behind the surface of an outline, and all samples where there is no outline; 0: the other samples
+// 1: draws samples behind outlines, and all samples without an outline; 0: draws samples in front of outlines
 uniform float behind;
 const float least_bend = 1e-2;
-const float least_turn = 0.5; // of an outline: second difference, as a share of the first
+const float least_turn = 0.5; // smallest second difference at an outline, divided by the larger first difference
 const ivec2 around[8] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1),
                                 ivec2(-1, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1));
 vec2 seen_from() {

@@ -85,15 +85,15 @@ void main() {
 )";
 
 constexpr const char* ray = R"(
-// Eye-space xy along a ray per depth. xy: at the picture's corner, zw: change per pixel.
+// Change of a ray's eye-space xy per unit of depth. xy: at the picture's corner, zw: change per pixel.
 flat in vec4 ray_row;
-// Distance across the slabs along a ray per depth. x: at the picture's corner, yz: change per pixel.
+// Advance of a ray across the slabs per unit of depth. x: at the picture's corner, yz: change per pixel.
 flat in vec4 across_row;
-// Place of a ray across the slabs at depth 0. x: at the picture's corner, yz: change per pixel (parallel rays).
+// Position of a ray across the slabs at depth 0. x: at the picture's corner, yz: change per pixel (parallel rays).
 flat in vec4 start_row;
 const float never = 1e30;
 
-vec3 ray_along() { return vec3(ray_row.xy + ray_row.zw * gl_FragCoord.xy, -1.0); } // in eye space, per depth
+vec3 ray_along() { return vec3(ray_row.xy + ray_row.zw * gl_FragCoord.xy, -1.0); } // in eye space, per unit of depth
 float ray_across() { return across_row.x + dot(across_row.yz, gl_FragCoord.xy); }
 float ray_start() { return start_row.x + dot(start_row.yz, gl_FragCoord.xy); }
 
@@ -112,8 +112,8 @@ vec3 limits_of(vec2 place) {
 
 constexpr const char* light = R"(
 uniform sampler2D table;
-in vec4 property;   // xyz: gradient per scaled length, w: place in the table
-// Of the mesh's cell: smallest and largest place in the table; then the density per scaled length, and `scale`.
+in vec4 property;   // xyz: gradient per scaled length, w: position in the table
+// x, y: smallest and largest position in the table within the mesh's cell. z: density per scaled length. w: `scale`.
 flat in vec4 cell;
 out vec4 picture;
 
@@ -125,14 +125,14 @@ vec4 light(vec3 way, float rise, float first, float last, float length) {
     float b = clamp(last, cell.x, cell.y);
     vec4 mean = texture(table, vec2(0.5 * (a + b), (abs(b - a) * (ROWS - 1.0) + 0.5) / ROWS));
     float loss = mean.a * length * cell.z;
-    // A series for small losses: 1 - exp(-loss) has too few digits where many thin slabs add up.
+    // Small losses use a series, because 1 - exp(-loss) has too few digits if many thin slabs are added.
     float opacity = loss < 0.25 ? loss * (1.0 - loss * (0.5 - loss * (1.0 / 6.0 - loss * (1.0 / 24.0))))
                                 : 1.0 - exp(-loss);
     vec3 color = mean.rgb;
 #ifdef CLIPPED
-    // A clip plane shows dense pieces that are cut open. Only the front of such a piece is visible.
-    // So the color is the mean over the front `share` of the piece. The middle of that share is the mean depth
-    // from which the visible light comes.
+    // At a clip plane, dense pieces are cut open, and only the front of such a piece is visible. Therefore the
+    // color is the mean over the front of the piece. `share` is the length of this front, as a share of the piece. The
+    // middle of the front is the mean depth from which the visible light comes.
     float share = loss < 0.01 ? 1.0 - loss / 6.0 : 2.0 / loss - 2.0 / (exp(min(loss, 80.0)) - 1.0);
     float end = mix(a, b, share);
     color = texture(table, vec2(0.5 * (a + end), (abs(end - a) * (ROWS - 1.0) + 0.5) / ROWS)).rgb;

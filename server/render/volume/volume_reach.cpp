@@ -37,7 +37,7 @@ uniform sampler2D depths;
 uniform vec2 viewport;
 uniform vec2 depth_row; // projection[2][2] and projection[3][2]
 uniform float parallel;
-uniform vec3 slabs; // number of slabs along a ray per depth: at the picture's corner, and change per pixel
+uniform vec3 slabs; // number of slabs that a ray crosses per unit of depth: at the picture's corner, and change per pixel
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(pixels, 0) - 1;
     float wanted = 0.0;

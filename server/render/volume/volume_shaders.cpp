@@ -55,7 +55,7 @@ void main() {
 )";
 
 constexpr const char* ray_uniforms = R"(
-uniform vec2 ray_corner; // eye-space xy along a ray per depth, at the picture's corner
+uniform vec2 ray_corner; // change of a ray's eye-space xy per unit of depth, at the picture's corner
 uniform vec2 ray_step;   // change of ray_corner per pixel
 uniform vec2 side_corner; // eye-space xy of a ray at depth 0, at the picture's corner; 0 in a perspective
 uniform vec2 side_step;
