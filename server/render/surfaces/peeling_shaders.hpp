@@ -5,8 +5,9 @@
 
 namespace ciel::render {
 
-// The program writes opaque depth for layers with 2 x 2 layer pixels per picture pixel. If an outline separates a layer
-// pixel from the middle of its picture pixel, the layer pixel gets approximately the depth of this middle.
+// The program copies the depths of the opaque surfaces to layers that have 2 x 2 pixels for each picture pixel.
+// Afterwards, all 4 layer pixels of a picture pixel lie on the same side of an outline: if the depth of a layer pixel
+// differs strongly from the depth at the center of the picture pixel, the program writes about the depth at the center.
 [[nodiscard]] ShaderProgram make_kept_to_outlines_program(const Gl& gl);
 // The program writes opaque depth at the resolution of the layers, or 0 (nearest) where the nearer layers hide
 // everything.

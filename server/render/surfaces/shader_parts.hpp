@@ -12,7 +12,9 @@ extern const char* const surface_block;
 extern const std::string surface_vertex;
 // GLSL of depth_on_surface(), for lines and points.
 extern const std::string on_surface_glsl;
-// GLSL of is_seen(), for peeling programs. recorded_glsl also declares the layer's record of lines.
+// GLSL of is_seen(), which tells whether a fragment is behind the layer that was drawn before. Use recorded_glsl if the
+// layers have transparent lines: it also declares an output that stores the last transparent line at each pixel.
+// Otherwise use peeled_glsl.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;
 

@@ -26,13 +26,9 @@ void check_status(const std::filesystem::path& file, const struct stat& status, 
     refuse_errno(file, "cannot be opened");
 }
 
-[[noreturn]] void refuse_shrunken(const std::filesystem::path& file) {
-    refuse(file, "has shrunk while it was open; restore it, and replace files of a dataset instead of truncating them");
-}
+[[noreturn]] void refuse_shrunken(const std::filesystem::path& file) { refuse_open_file(file, "shrunk"); }
 
-[[noreturn]] void refuse_changed(const std::filesystem::path& file) {
-    refuse(file, "has changed while it was open; restore it, and replace files of a dataset instead of rewriting them");
-}
+[[noreturn]] void refuse_changed(const std::filesystem::path& file) { refuse_open_file(file, "changed"); }
 
 FileVersion version_of(const struct stat& status) {
     return {status.st_dev,

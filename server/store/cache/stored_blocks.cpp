@@ -175,8 +175,7 @@ void StoredBlocks::check_intact() const {
 void StoredBlocks::lose(File& file) const {
     file.is_lost = true;
     *any_lost_ = true;
-    refuse(file.in.path(), "has changed while it was open; restore it, and replace files of a dataset instead of "
-                           "rewriting them");
+    refuse_open_file(file.in.path(), "changed");
 }
 
 } // namespace ciel::store

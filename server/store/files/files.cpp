@@ -78,6 +78,13 @@ void refuse_damage(const std::filesystem::path& file, const std::string& sentenc
     refuse(file, sentence + "; the dataset is damaged: restore the file or import the data again");
 }
 
+void refuse_open_file(const std::filesystem::path& file, const char* has) {
+    refuse(file,
+           std::string("has ") + has +
+               " while it was open; restore it or import the data again. To change a file of a dataset, write a new "
+               "file and rename it to the old name");
+}
+
 void refuse_errno(const std::filesystem::path& file, const std::string& what_failed) {
     const int number = errno;
     refuse(file, what_failed + " (" + std::strerror(number) + ")");
@@ -127,9 +134,7 @@ std::size_t InputFile::read_some(std::uint64_t offset, std::span<std::byte> to) 
 }
 
 void InputFile::read(std::uint64_t offset, std::span<std::byte> to) const {
-    if (read_some(offset, to) < to.size())
-        refuse(path_, "has shrunk while it was open; restore it, and replace files of a dataset instead of truncating "
-                      "them");
+    if (read_some(offset, to) < to.size()) refuse_open_file(path_, "shrunk");
 }
 
 std::string read_text(const std::filesystem::path& file, std::size_t limit) {

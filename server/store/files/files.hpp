@@ -38,6 +38,9 @@ private:
 // Throws FileError. Appends to `sentence` that the dataset is damaged, and that the user must restore the file or
 // import the data again.
 [[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& sentence);
+// Throws FileError for a file that `has` ("changed", "shrunk") while it was open. Says how to change files of a
+// dataset.
+[[noreturn]] void refuse_open_file(const std::filesystem::path& file, const char* has);
 // Throws FileError. Appends the system's message for errno to `what_failed`.
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 

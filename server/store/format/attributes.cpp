@@ -29,7 +29,7 @@ Association parse_association(const JsonReader& value) {
     const std::string text = value.text();
     for (const auto& [association, name] : association_names)
         if (text == name) return association;
-    value.refuse("must be \"point\", \"cell\" or \"boundary_face\"");
+    value.refuse_damage("must be \"point\", \"cell\" or \"boundary_face\"");
 }
 
 struct OriginName {
@@ -44,26 +44,26 @@ Origin parse_origin(const JsonReader& value) {
     const std::string text = value.text();
     for (const auto& [origin, name] : origin_names)
         if (text == name) return origin;
-    value.refuse("must be \"original\", \"interpolated\" or \"derived\"");
+    value.refuse_damage("must be \"unknown\", \"original\", \"interpolated\" or \"derived\"");
 }
 
 std::vector<std::string> parse_component_names(const JsonReader& value, std::uint64_t components) {
     std::vector<std::string> names;
     for (const JsonReader& name : value.items()) names.push_back(name.text());
-    if (names.size() != components) value.refuse("must have one name per component");
+    if (names.size() != components) value.refuse_damage("must have one name per component");
     return names;
 }
 
 std::string parse_checksum(const JsonReader& value) {
     std::string sum = value.text();
-    if (!is_checksum(sum)) value.refuse("must be \"xxh3:\" and 16 hexadecimal digits");
+    if (!is_checksum(sum)) value.refuse_damage("must be \"xxh3:\" and 16 hexadecimal digits");
     return sum;
 }
 
 template <std::size_t N>
 std::array<double, N> parse_numbers(const JsonReader& value) {
     const auto items = value.items();
-    if (items.size() != N) value.refuse("must hold " + std::to_string(N) + " numbers");
+    if (items.size() != N) value.refuse_damage("must hold " + std::to_string(N) + " numbers");
     std::array<double, N> numbers{};
     for (std::size_t i = 0; i < N; ++i) numbers[i] = items[i].number();
     return numbers;
@@ -71,7 +71,7 @@ std::array<double, N> parse_numbers(const JsonReader& value) {
 
 GroupName parse_group(const JsonReader& value) {
     const std::string of = value.at("of").text();
-    if (of != "faces" && of != "cells") value.at("of").refuse("must be \"faces\" or \"cells\"");
+    if (of != "faces" && of != "cells") value.at("of").refuse_damage("must be \"faces\" or \"cells\"");
     GroupName group{of == "faces" ? Group::Of::faces : Group::Of::cells, value.at("name").text()};
     if (const auto type = value.find("type")) group.facts.type = type->text();
     if (const auto conditions = value.find("conditions"))
@@ -124,7 +124,7 @@ DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::
         refuse(file, "was written by a newer CIEL (format " + std::to_string(version) +
                          ", but the installed CIEL reads format " + std::to_string(layout::format_version) +
                          "); update CIEL");
-    if (version == 0) ciel.at("format_version").refuse("must not be 0");
+    if (version == 0) ciel.at("format_version").refuse_damage("must not be 0");
     info.format_version = static_cast<int>(version);
     info.id = ciel.at("id").text();
     info.source = text_or_empty(ciel, "source");
@@ -189,7 +189,7 @@ ArrayInfo parse_array_attributes(std::string_view text, const std::filesystem::p
     array.name = ciel.at("name").text();
     array.association = parse_association(ciel.at("association"));
     const std::uint64_t components = ciel.at("components").count();
-    if (components == 0 || components > most_components) ciel.at("components").refuse("must be 1 to 64");
+    if (components == 0 || components > most_components) ciel.at("components").refuse_damage("must be 1 to 64");
     array.components = static_cast<int>(components);
     array.units = text_or_empty(ciel, "units");
     array.description = text_or_empty(ciel, "description");

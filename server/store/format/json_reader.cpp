@@ -24,24 +24,24 @@ std::string to_text(const nlohmann::json& json) {
     return json.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void JsonReader::refuse(const std::string& what) const {
-    store::refuse(*file_, (place_.empty() ? std::string("the document") : "'" + place_ + "'") + " " + what);
-}
+std::string JsonReader::place() const { return place_.empty() ? "the document" : "'" + place_ + "'"; }
+void JsonReader::refuse(const std::string& what) const { store::refuse(*file_, place() + " " + what); }
+void JsonReader::refuse_damage(const std::string& what) const { store::refuse_damage(*file_, place() + " " + what); }
 
 JsonReader JsonReader::at(const char* key) const {
     if (auto member = find(key)) return *member;
-    refuse(std::string("lacks '") + key + "'");
+    refuse_damage(std::string("lacks '") + key + "'");
 }
 
 std::optional<JsonReader> JsonReader::find(const char* key) const {
-    if (!value_->is_object()) refuse("must be an object");
+    if (!value_->is_object()) refuse_damage("must be an object");
     const auto member = value_->find(key);
     if (member == value_->end() || member->is_null()) return std::nullopt;
     return JsonReader(*member, *file_, place_.empty() ? key : place_ + "." + key);
 }
 
 std::vector<JsonReader> JsonReader::items() const {
-    if (!value_->is_array()) refuse("must be a list");
+    if (!value_->is_array()) refuse_damage("must be a list");
     std::vector<JsonReader> result;
     result.reserve(value_->size());
     for (const auto& item : *value_)
@@ -50,7 +50,7 @@ std::vector<JsonReader> JsonReader::items() const {
 }
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
-    if (!value_->is_object()) refuse("must be an object");
+    if (!value_->is_object()) refuse_damage("must be an object");
     std::vector<std::pair<std::string, JsonReader>> result;
     for (const auto& [key, member] : value_->items())
         result.emplace_back(key, JsonReader(member, *file_, place_.empty() ? key : place_ + "." + key));
@@ -58,24 +58,24 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
 }
 
 double JsonReader::number() const {
-    if (!value_->is_number()) refuse("must be a number");
+    if (!value_->is_number()) refuse_damage("must be a number");
     const double number = value_->get<double>();
-    if (!std::isfinite(number)) refuse("must be a finite number");
+    if (!std::isfinite(number)) refuse_damage("must be a finite number");
     return number;
 }
 
 std::uint64_t JsonReader::count() const {
-    if (!value_->is_number_unsigned()) refuse("must be a whole number, not negative");
+    if (!value_->is_number_unsigned()) refuse_damage("must be a whole number, not negative");
     return value_->get<std::uint64_t>();
 }
 
 std::string JsonReader::text() const {
-    if (!value_->is_string()) refuse("must be a string");
+    if (!value_->is_string()) refuse_damage("must be a string");
     return value_->get<std::string>();
 }
 
 bool JsonReader::flag() const {
-    if (!value_->is_boolean()) refuse("must be true or false");
+    if (!value_->is_boolean()) refuse_damage("must be true or false");
     return value_->get<bool>();
 }
 

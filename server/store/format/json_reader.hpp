@@ -38,12 +38,17 @@ public:
     [[nodiscard]] bool flag() const;
     [[nodiscard]] bool is_object() const { return value_->is_object(); }
 
+    // Throws FileError: the path in the document and `what`. refuse_damage() adds that the dataset is damaged, and what
+    // to do.
     [[noreturn]] void refuse(const std::string& what) const;
+    [[noreturn]] void refuse_damage(const std::string& what) const;
 
 private:
+    [[nodiscard]] std::string place() const;
+
     const nlohmann::json* value_;
     const std::filesystem::path* file_;
-    std::string place_;
+    std::string place_; // path of the value in the document, such as "arrays[2].name"
 };
 
 } // namespace ciel::store

@@ -14,17 +14,17 @@ constexpr std::uint64_t plain_version = 1, table_version = 2;
 
 std::array<double, 2> parse_range(const JsonReader& value) {
     const auto items = value.items();
-    if (items.size() != 2) value.refuse("must be [lowest, highest]");
+    if (items.size() != 2) value.refuse_damage("must be [lowest, highest]");
     return {items[0].number(), items[1].number()};
 }
 
 CellExtreme parse_extreme(const JsonReader& value) {
     CellExtreme extreme;
     const std::uint64_t cell = value.at("cell").count();
-    if (cell >= none) value.at("cell").refuse("is larger than any cell's id");
+    if (cell >= none) value.at("cell").refuse_damage("is larger than any cell's id");
     extreme.cell = static_cast<Index>(cell);
     const auto place = value.at("place").items();
-    if (place.size() != 3) value.at("place").refuse("must be [x, y, z]");
+    if (place.size() != 3) value.at("place").refuse_damage("must be [x, y, z]");
     for (std::size_t axis = 0; axis < 3; ++axis) extreme.place[axis] = place[axis].number();
     return extreme;
 }
@@ -49,7 +49,7 @@ MarkedArray parse_array(const JsonReader& value, std::uint64_t default_chunk) {
     array.chunk = chunk ? chunk->count() : default_chunk;
     if (const auto sum = value.find("checksum")) {
         array.checksum = sum->text();
-        if (!is_checksum(array.checksum)) sum->refuse("must be \"xxh3:\" and 16 hexadecimal digits");
+        if (!is_checksum(array.checksum)) sum->refuse_damage("must be \"xxh3:\" and 16 hexadecimal digits");
     }
     if (const auto lazy = value.find("lazy")) array.lazy = lazy->flag();
     array.statistics = parse_statistics(value);
@@ -61,8 +61,8 @@ MarkedStep parse_step(const JsonReader& value, std::vector<std::uint64_t>& next_
     step.time = value.at("time").number();
     if (const auto mesh = value.find("mesh")) step.mesh = mesh->count();
     if (step.mesh >= next_chunk.size())
-        value.refuse("is on mesh " + std::to_string(step.mesh) + ", but the number of meshes is " +
-                     std::to_string(next_chunk.size()));
+        value.refuse_damage("is on mesh " + std::to_string(step.mesh) + ", but the number of meshes is " +
+                            std::to_string(next_chunk.size()));
     if (const auto coordinates = value.find("coordinates")) step.coordinates = coordinates->count();
     const std::uint64_t default_chunk = next_chunk[step.mesh]++;
     if (const auto arrays = value.find("arrays"))
@@ -93,17 +93,17 @@ TableFacts parse_table(const JsonReader& value, std::uint64_t meshes) {
     table.steps = value.at("steps").count();
     const JsonReader sum = value.at("checksum");
     table.checksum = sum.text();
-    if (!is_checksum(table.checksum)) sum.refuse("must be \"xxh3:\" and 16 hexadecimal digits");
+    if (!is_checksum(table.checksum)) sum.refuse_damage("must be \"xxh3:\" and 16 hexadecimal digits");
     for (const JsonReader& item : value.at("arrays").items()) {
         TableArray& array = table.arrays.emplace_back(TableArray{item.at("name").text(), {}});
         for (const JsonReader& mesh : item.at("meshes").items()) {
             array.meshes.push_back(mesh.count());
-            if (array.meshes.back() >= meshes) mesh.refuse("is not the number of a mesh of the dataset");
+            if (array.meshes.back() >= meshes) mesh.refuse_damage("is not the number of a mesh of the dataset");
         }
     }
     for (const JsonReader& chunks : value.at("chunks").items()) table.chunks.push_back(chunks.count());
-    if (table.steps == 0 || table.steps > most_table_steps) value.at("steps").refuse("must be 1 to 100000000");
-    if (table.chunks.size() > meshes) value.at("chunks").refuse("has more entries than there are meshes");
+    if (table.steps == 0 || table.steps > most_table_steps) value.at("steps").refuse_damage("must be 1 to 100000000");
+    if (table.chunks.size() > meshes) value.at("chunks").refuse_damage("has more entries than there are meshes");
     return table;
 }
 
@@ -125,9 +125,9 @@ Marker parse_marker(std::string_view text, const std::filesystem::path& file) {
                        std::to_string(plain_version) + " and " + std::to_string(table_version) + "; update CIEL");
     Marker marker;
     marker.meshes = document.at("meshes").count();
-    if (marker.meshes == 0 || marker.meshes > most_meshes) document.at("meshes").refuse("must be 1 to 1000000");
+    if (marker.meshes == 0 || marker.meshes > most_meshes) document.at("meshes").refuse_damage("must be 1 to 1000000");
     if (const auto table = document.find("table")) {
-        if (version.count() < table_version) version.refuse("must be 2, because there is a table of steps");
+        if (version.count() < table_version) version.refuse_damage("must be 2, because there is a table of steps");
         marker.table = parse_table(*table, marker.meshes);
     }
     std::vector<std::uint64_t> next_chunk = marker.table.chunks;
@@ -135,7 +135,7 @@ Marker parse_marker(std::string_view text, const std::filesystem::path& file) {
     for (const JsonReader& item : document.at("steps").items()) {
         marker.steps.push_back(parse_step(item, next_chunk));
         if (marker.steps.size() > 1 && !(marker.steps.back().time > marker.steps[marker.steps.size() - 2].time))
-            item.refuse("is not later than the step before it");
+            item.refuse_damage("is not later than the step before it");
     }
     return marker;
 }

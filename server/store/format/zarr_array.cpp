@@ -33,7 +33,7 @@ ElementType parse_type(const JsonReader& value) {
 std::vector<std::uint64_t> parse_extents(const JsonReader& value) {
     std::vector<std::uint64_t> extents;
     for (const JsonReader& item : value.items()) extents.push_back(item.count());
-    if (extents.empty() || extents.size() > 3) value.refuse("must have one to three entries");
+    if (extents.empty() || extents.size() > 3) value.refuse_damage("must have one to three entries");
     return extents;
 }
 
@@ -88,9 +88,10 @@ ZarrArray parse_zarr_array(std::string_view text, const std::filesystem::path& f
         separator->refuse("must be \".\"");
     ZarrArray array{parse_type(document.at("dtype")), parse_extents(document.at("shape")),
                     parse_extents(document.at("chunks"))};
-    if (array.shape.size() != array.chunks.size()) document.at("chunks").refuse("must have as many entries as 'shape'");
+    if (array.shape.size() != array.chunks.size())
+        document.at("chunks").refuse_damage("must have as many entries as 'shape'");
     if (std::find(array.chunks.begin(), array.chunks.end(), 0U) != array.chunks.end())
-        document.at("chunks").refuse("must not contain zero");
+        document.at("chunks").refuse_damage("must not contain zero");
     return array;
 }
 
