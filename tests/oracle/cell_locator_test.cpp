@@ -1,7 +1,7 @@
 #include "ciel/cell_locator.hpp"
 
 #include "ciel/assemble.hpp"
-#include "ciel/cell_faces.hpp"
+#include "mesh/cell_faces.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"

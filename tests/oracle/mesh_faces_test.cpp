@@ -1,8 +1,8 @@
 #include "ciel/mesh_faces.hpp"
 
 #include "ciel/assemble.hpp"
-#include "ciel/cell_faces.hpp"
 #include "ciel/numbered_faces.hpp"
+#include "mesh/cell_faces.hpp"
 #include "support/boundary.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"

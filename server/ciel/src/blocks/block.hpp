@@ -22,8 +22,8 @@
 #pragma once
 
 #include "blocks/record.hpp"
-#include "ciel/standard_shapes.hpp"
 #include "ciel/topology.hpp"
+#include "mesh/standard_shapes.hpp"
 
 #include <algorithm>
 #include <array>

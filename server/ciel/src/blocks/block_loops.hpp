@@ -3,7 +3,7 @@
 #pragma once
 
 #include "blocks/local_numbers.hpp"
-#include "ciel/cell_faces.hpp"
+#include "mesh/cell_faces.hpp"
 
 #include <unordered_map>
 

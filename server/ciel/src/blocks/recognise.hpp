@@ -4,7 +4,7 @@
 #pragma once
 
 #include "blocks/block_loops.hpp"
-#include "ciel/standard_shapes.hpp"
+#include "mesh/standard_shapes.hpp"
 
 namespace ciel {
 

@@ -5,7 +5,7 @@
 #include "blocks/blocks.hpp"
 #include "blocks/check_records.hpp"
 #include "ciel/parallel.hpp"
-#include "ciel/standard_shapes.hpp"
+#include "mesh/standard_shapes.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // Results of Algorithm 4 for every combination of high and low corners of a standard cell.
 #pragma once
 
-#include "ciel/standard_shapes.hpp"
+#include "mesh/standard_shapes.hpp"
 
 #include <vector>
 

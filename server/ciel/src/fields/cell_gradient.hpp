@@ -5,8 +5,8 @@
 // to a call takes longer than the arithmetic.
 #pragma once
 
-#include "ciel/standard_shapes.hpp"
 #include "ciel/vectors.hpp"
+#include "mesh/standard_shapes.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ciel/cell_faces.hpp"
+#include "mesh/cell_faces.hpp"
 
 #include <algorithm>
 

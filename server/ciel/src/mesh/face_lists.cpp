@@ -1,6 +1,6 @@
 #include "ciel/face_lists.hpp"
 
-#include "ciel/standard_shapes.hpp"
+#include "mesh/standard_shapes.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Faces of tetrahedra, hexahedra, wedges and pyramids for assemble, with corners in the order of VTK and CGNS.
 #include "ciel/assemble.hpp"
-#include "ciel/standard_shapes.hpp"
+#include "mesh/standard_shapes.hpp"
 
 namespace ciel {
 
