@@ -218,6 +218,23 @@ def test_other_threads_work_while_the_kernel_does(python):
     )
 
 
+def test_vtk_takes_a_surface_without_a_copy(python):
+    check(
+        python,
+        """
+        import vtk
+        from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+        surface = cm.contour(cm.Mesh.from_cells(*box(10)), np.linalg.norm(box(10)[0] - 5, axis=1), 3)
+        address = surface.polygon_vertex.ctypes.data
+        assert surface.polygon_vertex.ctypes.data == address and not surface.normals.flags.writeable
+        polygons = vtk.vtkCellArray()
+        assert polygons.SetData(numpy_to_vtk(surface.polygon_offset), numpy_to_vtk(surface.polygon_vertex))
+        assert polygons.GetNumberOfCells() == len(surface)
+        assert vtk_to_numpy(polygons.GetConnectivityArray()).ctypes.data == address
+        """,
+    )
+
+
 def test_vtk_grids_of_every_cell_give_vtks_surface(python):
     check(
         python,

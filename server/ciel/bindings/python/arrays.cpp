@@ -1,5 +1,8 @@
 #include "arrays.hpp"
 
+#include <limits>
+#include <stdexcept>
+
 namespace ciel::python {
 
 namespace {
@@ -38,6 +41,14 @@ ArrayView view_of(const py::array& array, const char* name) {
 
 ArrayView view_of(const std::optional<py::array>& array, const char* name) {
     return array ? view_of(*array, name) : ArrayView();
+}
+
+py::array_t<std::int32_t> indices_in(const py::object& owner, const std::vector<Index>& indices, std::size_t most,
+                                     std::size_t columns) {
+    if (most > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+        throw std::overflow_error(
+            "the surface has more than 2^31 - 1 points or corners; cut some blocks at a time (blocks=)");
+    return view_in<std::int32_t>(owner, indices, columns);
 }
 
 } // namespace ciel::python

@@ -32,4 +32,24 @@ py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
                                begin, owner);
 }
 
+// Returns a read-only NumPy array of the numbers in `values`, without a copy. `owner`: the Python object that contains
+// the vector; the array keeps it alive. The object must not change the vector.
+template <class Number, class Owned>
+py::array_t<Number> view_in(const py::object& owner, const std::vector<Owned>& values, std::size_t columns) {
+    static_assert(sizeof(Owned) % sizeof(Number) == 0);
+    const auto rows = static_cast<py::ssize_t>(values.size() * sizeof(Owned) / sizeof(Number) / columns);
+    const auto* begin = reinterpret_cast<const Number*>(values.data());
+    py::array_t<Number> view = columns == 1
+                                   ? py::array_t<Number>({rows}, {sizeof(Number)}, begin, owner)
+                                   : py::array_t<Number>({rows, static_cast<py::ssize_t>(columns)},
+                                                         {columns * sizeof(Number), sizeof(Number)}, begin, owner);
+    view.attr("setflags")(py::arg("write") = false);
+    return view;
+}
+
+// Returns indices as int32, because VTK takes no unsigned ones. `owner`: see view_in. Throws OverflowError for an index
+// of 2^31 or more. `most`: upper bound of the indices.
+[[nodiscard]] py::array_t<std::int32_t> indices_in(const py::object& owner, const std::vector<Index>& indices,
+                                                   std::size_t most, std::size_t columns = 1);
+
 } // namespace ciel::python

@@ -104,7 +104,7 @@ void add_of_surfaces(py::module_& module) {
                "Returns the line segments on the surface where values equal the levels, (L,): (S, 2, 3) float64.\n"
                "values: (N,), for the points of the surface.");
     module.def("triangulate", &PySurface::triangles, py::arg("surface"),
-               "Returns the triangles of the polygons: (T, 3) uint32, indices in surface.points. The property\n"
+               "Returns the triangles of the polygons: (T, 3) int32, indices in surface.points. The property\n"
                "surface.triangles has the same array.");
 }
 

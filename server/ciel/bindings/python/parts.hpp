@@ -6,7 +6,7 @@
 
 namespace ciel::python {
 
-// A surface for Python. Each access to an array property makes a new NumPy array. `origin` is added to positions.
+// A surface for Python. It does not change, because NumPy arrays refer to its vectors. `origin` is added to positions.
 struct PySurface {
     Surface surface;
     Vec3d origin{};
@@ -15,7 +15,7 @@ struct PySurface {
     [[nodiscard]] py::array_t<std::uint32_t> edges() const;
     [[nodiscard]] py::array_t<double> weights() const;
     [[nodiscard]] py::array_t<std::uint32_t> chunks() const;
-    [[nodiscard]] py::array_t<std::uint32_t> triangles() const;
+    [[nodiscard]] py::array_t<std::int32_t> triangles() const;
 };
 
 [[nodiscard]] inline PySurface surface_of(Surface&& surface, const Mesh& mesh) {

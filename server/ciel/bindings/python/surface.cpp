@@ -1,5 +1,7 @@
 #include "parts.hpp"
 
+#include <memory>
+
 namespace ciel::python {
 
 py::array_t<double> PySurface::points() const {
@@ -37,36 +39,53 @@ py::array_t<std::uint32_t> PySurface::chunks() const {
     return out;
 }
 
-py::array_t<std::uint32_t> PySurface::triangles() const {
-    std::vector<Index> corners;
+py::array_t<std::int32_t> PySurface::triangles() const {
+    auto corners = std::make_unique<std::vector<Index>>();
     {
         const py::gil_scoped_release free;
-        corners = triangulate(surface);
+        *corners = triangulate(surface);
     }
-    return array_of<std::uint32_t>(std::move(corners), 3);
+    const auto* begin = corners.get();
+    const py::capsule owner(corners.release(), [](void* kept) { delete static_cast<std::vector<Index>*>(kept); });
+    return indices_in(owner, *begin, surface.positions.size(), 3);
 }
+
+namespace {
+
+const Surface& surface_in(const py::object& self) { return self.cast<const PySurface&>().surface; }
+
+} // namespace
 
 void add_surface(py::module_& module) {
     py::class_<PySurface>(module, "Surface",
-                          "Polygons with shared points. Each access to a property makes a new array.")
+                          "Polygons with shared points. A surface does not change. normals, polygon_offset,\n"
+                          "polygon_vertex and polygon_cell are read-only views; the others are made at each access.")
         .def_property_readonly(
             "points", &PySurface::points,
             "(N, 3) float64. The kernel rounds positions to float32, as offsets from the middle of the mesh. For more\n"
             "digits, call interpolate(surface, mesh, points) with the points of the mesh.")
         .def_property_readonly(
-            "normals", [](const PySurface& self) { return array_of<float>(std::vector(self.surface.normals), 3); },
+            "normals", [](const py::object& self) { return view_in<float>(self, surface_in(self).normals, 3); },
             "(N, 3) float32: unit vectors towards higher values; (0, 3) if no normals were requested")
         .def_property_readonly(
             "polygon_offset",
-            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_offset), 1); },
-            "(P + 1,) uint32: index in polygon_vertex of the first point of each polygon")
+            [](const py::object& self) {
+                const Surface& surface = surface_in(self);
+                return indices_in(self, surface.polygon_offset, surface.polygon_vertex.size());
+            },
+            "(P + 1,) int32: index in polygon_vertex of the first point of each polygon. With polygon_vertex, these "
+            "are\n"
+            "the arrays of vtkCellArray.SetData().")
         .def_property_readonly(
             "polygon_vertex",
-            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_vertex), 1); },
-            "uint32: indices in points, polygon by polygon")
+            [](const py::object& self) {
+                const Surface& surface = surface_in(self);
+                return indices_in(self, surface.polygon_vertex, surface.positions.size());
+            },
+            "int32: indices in points, polygon by polygon")
         .def_property_readonly(
             "polygon_cell",
-            [](const PySurface& self) { return array_of<std::uint32_t>(std::vector(self.surface.polygon_cell), 1); },
+            [](const py::object& self) { return view_in<std::uint32_t>(self, surface_in(self).polygon_cell, 1); },
             "(P,) uint32: the mesh cell that contains each polygon")
         .def_property_readonly("edges", &PySurface::edges,
                                "(N, 2) uint32: the two mesh points between which each surface point lies. In a\n"
@@ -75,7 +94,7 @@ void add_surface(py::module_& module) {
                                "(N,) float64: 0 at the first mesh point, 1 at the second")
         .def_property_readonly("chunks", &PySurface::chunks,
                                "(K, 3) uint32, for each run of polygons in one block: block, first polygon, last + 1")
-        .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) uint32: indices in points")
+        .def_property_readonly("triangles", &PySurface::triangles, "(T, 3) int32: indices in points")
         .def("__len__", [](const PySurface& self) { return self.surface.polygon_cell.size(); });
 }
 
