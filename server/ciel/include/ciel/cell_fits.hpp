@@ -16,8 +16,7 @@ namespace ciel {
 // Several fields may share one object (Field::set_cell_fits). Thread-safe.
 class CellFits {
 public:
-    // `most_bytes`: when the matrices take this much memory, matrices of further blocks are not kept. The topology must
-    // outlive this object.
+    // `most_bytes`: when the matrices take this much memory, matrices of further blocks are not kept.
     explicit CellFits(const Topology& topology, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
     ~CellFits();
     CellFits(const CellFits&) = delete;

@@ -80,8 +80,8 @@ struct Extraction {
 };
 
 // Extracts surfaces of one field, and keeps the signatures or the active edges from call to call. Not thread-safe: one
-// call at a time. Several Queries may share a Topology and Fields. The topology and the arrays of the mesh must outlive
-// the Query. The constructor throws Error when the mesh and the topology have different numbers of vertices or cells.
+// call at a time. Several Queries may share a Topology and Fields. The arrays of the mesh must outlive the Query. The
+// constructor throws Error when the mesh and the topology have different numbers of vertices or cells.
 class Query {
 public:
     Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction = {});
@@ -89,8 +89,8 @@ public:
     Query(Query&&) noexcept;
     Query& operator=(Query&&) noexcept;
 
-    // Sets the field to extract from, for example another array or time step. The field must live until the next call
-    // of set_field. Throws Error when the field belongs to another topology.
+    // Sets the field to extract from, for example another array or time step, and keeps a copy of it. Throws Error when
+    // the field belongs to another topology.
     void set_field(const Field& field);
 
     // Sets how points on ambiguous faces are joined, from the next extraction on.

@@ -23,8 +23,9 @@ struct TopologyCounts {
     std::uint64_t vertices = 0, edges = 0, faces = 0, half_edges = 0, boundary_faces = 0, cells = 0, components = 0;
 };
 
-// Immutable after construction and thread-safe, so that any number of Queries may share it. A topology keeps no
-// reference to the FaceMeshView from which it was built; the arrays may then be freed.
+// A value: copies share their tables, so that a copy is cheap. Fields, Queries, CellFits and CellLocators keep a copy.
+// Immutable after construction and thread-safe. A topology keeps no reference to the FaceMeshView from which it was
+// built; the arrays may then be freed.
 class Topology {
 public:
     struct Options {
@@ -38,9 +39,6 @@ public:
     // the records of the blocks. Reads no record. Throws Error when the tables are damaged. If a record is damaged, the
     // functions that use it throw Error: the operators, and all functions that read a block.
     Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source);
-    ~Topology();
-    Topology(Topology&&) noexcept;
-    Topology& operator=(Topology&&) noexcept;
 
     // The six operators. Vertex and cell ids are those of the FaceMeshView from which the topology was built. In the
     // topology of a Mesh these are the stored ids (Mesh::stored); Mesh::original_vertex and Mesh::original_cell convert
@@ -72,8 +70,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
     // Return the bytes from which the same Topology can be made: the tables of all blocks, and one record of one block.
-    // A record is valid while this Topology lives. Numbers are little-endian; src/blocks/record.hpp describes the
-    // format.
+    // A record is valid while a copy of this Topology lives. Numbers are little-endian; src/blocks/record.hpp describes
+    // the format.
     [[nodiscard]] std::vector<std::uint64_t> tables() const;
     [[nodiscard]] std::span<const std::byte> record(Index block, RecordKind kind) const;
 
@@ -81,7 +79,7 @@ public:
     [[nodiscard]] const Blocks& blocks() const { return *blocks_; }
 
 private:
-    std::unique_ptr<Blocks> blocks_;
+    std::shared_ptr<Blocks> blocks_; // shared by all copies
 };
 
 } // namespace ciel

@@ -80,7 +80,7 @@ std::size_t bytes(const Vectors&... vectors) {
 
 } // namespace
 
-Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::make_unique<Blocks>()) {
+Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::make_shared<Blocks>()) {
     check_face_mesh(mesh);
     const CellFaces faces = cell_faces(mesh);
     const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
@@ -100,15 +100,11 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
 }
 
 Topology::Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source)
-    : blocks_(std::make_unique<Blocks>()) {
+    : blocks_(std::make_shared<Blocks>()) {
     read_tables(tables, blocks_->numbers, blocks_->counts);
     blocks_->source = std::move(source);
     blocks_->begin();
 }
-
-Topology::~Topology() = default;
-Topology::Topology(Topology&&) noexcept = default;
-Topology& Topology::operator=(Topology&&) noexcept = default;
 
 std::vector<std::uint64_t> Topology::tables() const { return tables_of(blocks_->numbers, blocks_->counts); }
 

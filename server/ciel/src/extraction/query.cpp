@@ -20,22 +20,23 @@ std::unique_ptr<Cutter> make_cutter(Algorithm algorithm, const Topology& topolog
 } // namespace
 
 struct Query::State {
-    const Topology* topology;
+    Topology topology;
     FaceMeshView mesh;
-    std::unique_ptr<Cutter> cutter;
-    const Field::Data* field = nullptr;
+    std::unique_ptr<Cutter> cutter; // refers to `topology` and `field`
+    std::optional<Field> field{};
     Normals normals = Normals::gradient;
     SurfaceScratch scratch{};
 };
 
 Query::Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction)
-    : state_(std::make_unique<State>(State{&topology, mesh, make_cutter(extraction.algorithm, topology)})) {
+    : state_(std::make_unique<State>(State{topology, mesh, nullptr})) {
+    state_->cutter = make_cutter(extraction.algorithm, state_->topology);
     set_mesh(mesh);
     set_decider(extraction.decider);
 }
 
 void Query::set_mesh(const FaceMeshView& mesh) {
-    const TopologyCounts& counts = state_->topology->counts();
+    const TopologyCounts& counts = state_->topology.counts();
     if (mesh.vertex_count() != counts.vertices || mesh.cell_count() != counts.cells)
         fail("the mesh and the topology differ; pass the mesh from which the topology was built");
     state_->mesh = mesh;
@@ -52,16 +53,16 @@ Query::Query(Query&&) noexcept = default;
 Query& Query::operator=(Query&&) noexcept = default;
 
 void Query::set_field(const Field& field) {
-    if (field.data().topology != state_->topology)
+    if (!field.data().is_of(state_->topology))
         fail("the field belongs to another topology; make the field from the topology of the query");
-    state_->field = &field.data();
-    state_->cutter->set_field(field);
+    state_->field = field;
+    state_->cutter->set_field(*state_->field);
 }
 
 bool Query::extract(double nu, bool normals, Surface& out, const StopToken& stop) {
-    if (state_->field == nullptr) fail("the query has no field; call set_field before extract");
+    if (!state_->field) fail("the query has no field; call set_field before extract");
     if (!state_->cutter->update(nu, stop)) return false;
-    write_surface(*state_->topology, state_->mesh, *state_->field, *state_->cutter, nu,
+    write_surface(state_->topology, state_->mesh, state_->field->data(), *state_->cutter, nu,
                   normals ? std::optional(state_->normals) : std::nullopt, state_->scratch, out);
     return !stop.stop_requested();
 }

@@ -118,7 +118,7 @@ struct Pass {
 
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const OnCut& on_cut, SweepScratch& scratch, const StopToken& stop, Extraction extraction) {
-    if (field.data().topology != &topology)
+    if (!field.data().is_of(topology))
         fail("the field belongs to another topology; make the field from the topology of the sweep");
     if (mesh.vertex_count() != topology.counts().vertices || mesh.cell_count() != topology.counts().cells)
         fail("the mesh and the topology differ; pass the mesh from which the topology was built");

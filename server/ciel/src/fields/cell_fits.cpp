@@ -2,8 +2,7 @@
 
 namespace ciel {
 
-CellFits::CellFits(const Topology& topology, std::size_t most_bytes) : data_(std::make_unique<Data>()) {
-    data_->topology = &topology;
+CellFits::CellFits(const Topology& topology, std::size_t most_bytes) : data_(std::make_unique<Data>(topology)) {
     data_->most_bytes = most_bytes;
     data_->blocks = topology.blocks().count();
     data_->of_block = std::make_unique<Data::OfBlock[]>(data_->blocks);

@@ -17,7 +17,9 @@ struct CellFits::Data {
         std::size_t counted = 0; // bytes of `fits` that are included in `bytes`
     };
 
-    const Topology* topology = nullptr;
+    explicit Data(const Topology& of) : topology(of) {}
+
+    const Topology topology;
     std::atomic<const void*> positions = nullptr; // address of the positions with which the fits were first used
     std::atomic<std::size_t> most_bytes = 0;
     std::size_t blocks = 0;

@@ -94,13 +94,13 @@ Index nearest_of(const FaceMeshView& points, std::span<const Index> vertices, co
 } // namespace
 
 CellLocator::CellLocator(const Topology& topology, const FaceMeshView& points, std::shared_ptr<const BlockBoxes> boxes)
-    : topology_(&topology), points_(points), boxes_(std::move(boxes)) {
+    : topology_(topology), points_(points), boxes_(std::move(boxes)) {
     if (points_.vertex_count() != topology.counts().vertices || (*boxes_)[0].low.size() != topology.block_count())
         fail("the positions or the boxes do not fit the topology; pass the positions and boxes of the same mesh");
 }
 
 Index CellLocator::cell_at(const Vec3d& position) const {
-    const Topology::Blocks& blocks = topology_->blocks();
+    const Topology::Blocks& blocks = topology_.blocks();
     const Vec3d at = position - points_.origin;
     CellLoops loops;
     Index best = none;
@@ -121,12 +121,12 @@ Index CellLocator::cell_at(const Vec3d& position) const {
 }
 
 Index CellLocator::nearest_vertex(Index cell, const Vec3d& position) const {
-    return nearest_of(points_, cell_of(*topology_, points_, cell).vertices, position - points_.origin);
+    return nearest_of(points_, cell_of(topology_, points_, cell).vertices, position - points_.origin);
 }
 
 VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Vec3d at = position - points_.origin;
-    const Cell of = cell_of(*topology_, points_, cell);
+    const Cell of = cell_of(topology_, points_, cell);
     const Vec3d center = centroid(points_, of.vertices);
 
     // Finds the tetrahedron in which the smallest barycentric weight of the point is greatest. This weight may be

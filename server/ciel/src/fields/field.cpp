@@ -55,7 +55,7 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
     if (block_ranges.low.size() != all.count() || block_ranges.high.size() != all.count() ||
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh; pass one range per block of the topology");
-    topology = &of;
+    topology = of;
     // A changed record may have any 16-bit number as a local vertex. Therefore the array has local_ids more entries
     // after the last block. Pages that are not touched take no memory.
     const std::size_t room = all.slot_count() + local_ids;
@@ -222,7 +222,7 @@ CellFits::Data* Field::Data::shared_fits(const FaceMeshView& cut) const {
 }
 
 void Field::set_cell_fits(std::shared_ptr<CellFits> fits) {
-    if (fits && fits->data().topology != data_->topology)
+    if (fits && !data_->is_of(fits->data().topology))
         fail("the cell fits belong to another mesh; make them from the topology of the field");
     data_->fits = std::move(fits);
 }

@@ -14,8 +14,8 @@
 namespace ciel {
 
 struct Field::Data {
-    std::optional<Mesh> mesh; // keeps the topology alive; nullopt if the field was made from a topology
-    const Topology* topology = nullptr;
+    std::optional<Mesh> mesh;                  // nullopt if the field was made from a topology
+    std::optional<Topology> topology;          // set by begin()
     mutable ValuesView values;                 // of all vertices; if `source` is set, empty until read_all
     std::shared_ptr<const ValueSource> source; // null if the values are in memory or computed
     std::optional<PlaneDistance> plane;        // if set, values are computed from it, and `values` is empty
@@ -68,6 +68,8 @@ struct Field::Data {
         return std::span<const float>(local_floats.get() + slot[block], count);
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
+    // Returns whether the field belongs to this topology or to a copy of it.
+    [[nodiscard]] bool is_of(const Topology& other) const { return &topology->blocks() == &other.blocks(); }
     [[nodiscard]] std::array<double, 2> range_of_blocks() const;
     void make_extrema() const; // sets minima and maxima at the first call, and calls read_all
 
