@@ -10,7 +10,6 @@
 
 namespace ciel::annotations {
 
-// The color bar of one color scale, with its title and numbers.
 struct Legend {
     std::string name, units;
     color::ColorScale scale;
@@ -19,14 +18,12 @@ struct Legend {
     std::vector<std::string> lines{}; // further lines of text, below `layers`
     // For a scale without width (both ends are equal): true writes the number at both ends, false writes it once.
     bool both_ends = false;
-    // Size in pixels of an area at the lower end of the legend. It stays free for controls of the page. Height 0: no
-    // area.
+    // Size in pixels of an area at the lower end that stays free for controls of the page. Height 0: no area.
     double control_width = 0, control_height = 0;
 };
 
-// All texts are UTF-8. A character that the font lacks is drawn with another font of the machine. If no font has the
-// character, a box is drawn. Text that does not fit into the picture, or would overlap something, is shortened or left
-// out. Therefore pictures of any size can be drawn.
+// All texts are UTF-8. Text that does not fit into the picture, or would overlap something, is shortened or left out. A
+// character that the font lacks is drawn with another font of the machine, or as a box.
 struct Annotations {
     std::string title;                 // centered at the top
     std::vector<std::string> captions; // lines at the upper left
@@ -39,13 +36,12 @@ struct Annotations {
     [[nodiscard]] bool empty() const { return title.empty() && captions.empty() && legends.empty() && !triad && !axes; }
 };
 
-// All inputs for the layout of a picture's annotations.
 struct AnnotatedPicture : Viewpoint {
     std::array<float, 3> background_top{}, background_bottom{}; // RGB, 0 to 1
     Annotations annotations;
 };
 
-// Returns the scale factor of text: min(height, 0.75 * width) / 720. The factor is 1 for 1280 x 720 pixels.
+// Returns min(height, 0.75 * width) / 720, which is 1 for 1280 x 720 pixels.
 [[nodiscard]] double size_of_picture(int width, int height);
 
 // Returns the Annotations::scale at which the font size is `pixels` pixels in a picture of this size.

@@ -10,11 +10,9 @@
 namespace ciel::annotations {
 namespace {
 
-// Lengths in ems; 1 em is the font size. gap: distance from a tick to its number. apart: smallest distance between two
-// numbers. least_edge: edges that are shorter get no axis.
+// In ems (font sizes). gap: from tick to number. apart: between two numbers. least_edge: shorter edges get no axis.
 constexpr double tick_length = 0.5, gap = 0.35, apart = 0.5, least_edge = 3;
-// Smallest distance between two ticks, in ems: along a horizontal edge, and along a vertical edge.
-constexpr double across_spacing = 3.6, up_spacing = 2.4;
+constexpr double across_spacing = 3.6, up_spacing = 2.4; // ems between two ticks on a horizontal and on a vertical edge
 constexpr int most_ticks = 10;
 constexpr std::array names{"x", "y", "z"};
 
@@ -58,7 +56,7 @@ private:
         return (value - low) / (edge_.high[edge_.axis] - low);
     }
 
-    // Returns the text with its center at `middle`. If the text would extend beyond the picture, it is moved inside.
+    // A text that would extend beyond the picture is moved inside.
     [[nodiscard]] Placed around(Place middle, const std::string& text) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
@@ -75,21 +73,17 @@ private:
         return placed;
     }
 
-    // Returns half the extent of the text along a direction, in pixels. `direction`: unit vector.
     [[nodiscard]] double half_along(const Place& direction, const std::string& text) {
         return std::abs(direction.x) * layout_.width_of(text, layout_.text()) / 2.0 +
                std::abs(direction.y) * layout_.text().metrics.digit / 2.0;
     }
 
-    // Returns the text beside the point `foot` of the edge. The text begins `distance` pixels outside the box.
     [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
         const double away = distance + half_along(edge_.outward, text);
         return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
     }
 
-    // Finds positions for the numbers of at most `most` ticks. Returns false if two of these numbers are too close to
-    // each other. Leaves out each number that would overlap another annotation, for example the number of another axis
-    // at a common corner.
+    // Returns false if two numbers are too close. Leaves out numbers that would overlap another annotation.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -106,8 +100,7 @@ private:
         return are_clear;
     }
 
-    // Returns the box of a number, wider by half of `apart` on each side. Without this distance, two adjacent numbers
-    // would look like one number, for example at a common corner of two axes.
+    // Without this distance, two adjacent numbers would look like one number.
     [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * layout_.em() / 2;
         return {std::max(0.0, box.left - room), box.top, std::min<double>(layout_.width(), box.right + room),
@@ -131,7 +124,7 @@ private:
             const Place foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
-        // Removes numbers that overlap the tick of an adjacent number. This can happen in steep views.
+        // In steep views, a number may overlap the tick of an adjacent number.
         std::erase_if(numbers_, [&](const Numbered& one) { return !layout_.is_free(one.label.box); });
         for (const Numbered& one : numbers_) write(one.label);
     }
@@ -143,8 +136,7 @@ private:
         return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
     }
 
-    // Returns positions for the name of the axis, best first. The first positions are outside the numbers, from the
-    // middle of the edge to its ends. The last two positions are beyond the ends of the edge.
+    // Best first: outside the numbers, from the middle of the edge to its ends; then beyond the ends of the edge.
     [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)

@@ -28,8 +28,7 @@ struct Candidate {
     double rank = 0;   // for each axis, the candidate with the largest rank is chosen
 };
 
-// Returns a unit vector in the picture that is normal to a silhouette edge and points away from the center of the box.
-// `along`: unit vector along the edge. `middle`: middle of the edge.
+// Returns the unit vector normal to the edge that points away from the center. `along`: unit vector.
 Place outward_of(Place along, Place middle, Place center) {
     const Place across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);

@@ -17,18 +17,15 @@ struct BoxEdge {
     Place outward;            // unit vector in the picture that is normal to the edge and points away from the box
 };
 
-// Projects world coordinates to the picture of a viewpoint. Does not own the viewpoint, which must outlive the
-// Projection.
+// Does not own the viewpoint, which must outlive the Projection.
 class Projection {
 public:
     explicit Projection(const Viewpoint& viewpoint);
     [[nodiscard]] glm::dvec4 clip(const glm::dvec3& world) const;
     [[nodiscard]] Place pixel(const glm::dvec3& world) const; // only for points in front of the eye
-    // Returns the part of the line from a to b that is inside the view volume, as fractions: 0 is at a, 1 is at b.
-    // Returns nothing if no part is inside.
+    // Returns the part of the line inside the view volume as fractions, 0 at a and 1 at b, or nothing.
     [[nodiscard]] std::optional<std::pair<double, double>> part_seen(const glm::dvec3& a, const glm::dvec3& b) const;
-    // Returns whether the eye sees the outer side of a face of the box. The face is normal to `axis`. `upper`: true for
-    // the face at bounds_max, false for the face at bounds_min.
+    // The face is normal to `axis`. `upper`: true for the face at bounds_max, false for the face at bounds_min.
     [[nodiscard]] bool sees_face(int axis, bool upper) const;
     [[nodiscard]] int upward_axis() const { return upward_axis_; } // axis that is most vertical in the picture
 
@@ -39,10 +36,9 @@ private:
     int upward_axis_ = 0;
 };
 
-// Returns at most one edge for each axis. Only edges on the silhouette of the box are considered: they neither hide the
-// scene nor are hidden by it. The axis that is most vertical in the picture gets its leftmost edge. Each other axis
-// gets its lowest edge. Edges shorter than `least` pixels are left out. The result is empty if the eye is inside the
-// box.
+// Returns at most one edge for each axis. Only edges on the silhouette of the box are considered. The axis that is most
+// vertical in the picture gets its leftmost edge, each other axis its lowest edge. Edges shorter than `least` pixels
+// are left out. The result is empty if the eye is inside the box.
 [[nodiscard]] std::vector<BoxEdge> axis_edges(const Viewpoint& viewpoint, double least);
 
 } // namespace ciel::annotations

@@ -1,5 +1,4 @@
-// Computes the matrices of a view from the camera and the bounds. Uses double, because floats have too few digits far
-// from the origin.
+// Computes the matrices of a view in double, because floats have too few digits far from the origin.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -19,7 +18,6 @@ struct Camera {
 // parallel view is positive.
 [[nodiscard]] bool is_usable(const Camera& camera);
 
-// The size of a picture, its camera, and the bounding box of the scene.
 struct Viewpoint {
     int width = 0, height = 0; // pixels
     Vec3d origin{};            // offsets are world coordinates minus this point
@@ -35,12 +33,10 @@ struct ViewTransform {
     double scale = 1;      // 1 / diagonal of the bounds; 1 if the diagonal is 0 or not finite
 };
 
-// Returns the matrices of a viewpoint. Throws Error unless is_usable(seen.camera). A camera whose position equals its
-// target is valid. A camera whose `up` is parallel to the view direction is valid, too.
+// Throws Error unless is_usable(seen.camera). The target may equal the position, and `up` may be parallel to the view.
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
-// Returns a camera that shows the whole box with a small margin, from a fixed direction. Also sets parallel_height, so
-// that a parallel view with this camera shows the whole box, too. `aspect`: width / height of the picture.
+// The camera shows the whole box with a small margin, also in a parallel view. `aspect`: width / height of the picture.
 [[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
                                     double fov_degrees = Camera{}.fov_degrees);
 

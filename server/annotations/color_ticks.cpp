@@ -25,8 +25,7 @@ struct Marks {
     }
 };
 
-// Returns the stride of the marks: every stride-th bound of the steps gets a mark. It is the smallest divisor of
-// stride_of_labels that gives at most `most` marks. If there is no such divisor, it is stride_of_labels.
+// Every stride-th bound of the steps gets a mark. The stride must divide stride_of_labels.
 int stride_of_marks(int steps, int stride_of_labels, int most) {
     for (int stride = 1; stride < stride_of_labels; ++stride)
         if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
@@ -44,8 +43,7 @@ void add_steps(Marks& marks, int most) {
     }
 }
 
-// Adds marks at 1 to 9 times each power of ten from low to high. If the range has more than most_marked_decades
-// decades, adds marks only at the powers. The multiples in `with` get labels, at every `stride`-th power of ten.
+// The multiples in `with` get labels, at every `stride`-th power of ten.
 void add_decades(Marks& marks, double low, double high, const std::vector<int>& with, int stride) {
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
@@ -64,8 +62,7 @@ int labels_of(const std::vector<ColorTick>& ticks) {
         std::count_if(ticks.begin(), ticks.end(), [](const ColorTick& t) { return !t.label.empty(); }));
 }
 
-// Adds the marks of a logarithmic scale that has negative and positive values: zero, and on each side the powers of ten
-// and their multiples outside the nearly linear part around zero.
+// The scale is nearly linear around zero. This part has no marks except zero.
 void add_both_signs(Marks& marks) {
     const double reach = marks.scale.range[1];
     Marks above{marks.scale, {}};

@@ -11,10 +11,9 @@ struct ColorTick {
     std::string label; // UTF-8; empty: a mark without label
 };
 
-// Returns n if the numbers of the scale are written as multiples of 10^n, and 10^n is written in the title. Returns 0
-// on a logarithmic scale.
+// Returns n if numbers are multiples of 10^n, which is then written in the title; 0 on a logarithmic scale.
 [[nodiscard]] int exponent_of(const color::ColorScale& scale);
-// Returns the text of a value beside the scale, in the format of number_label() (ticks.hpp).
+// The text has the format of number_label() (ticks.hpp).
 [[nodiscard]] std::string label_on(const color::ColorScale& scale, double value);
 // Returns ticks in ascending order inside the scale's range. Returns a single tick if the range has no width.
 // Linear scale: the ticks of nice_scale() (ticks.hpp), at most `most`.

@@ -11,8 +11,7 @@ constexpr double usual_text = 13, usual_heading = 18;
 constexpr int smallest_text = 9, largest_text = 200;
 constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
-// Opacity of a plate. Light text on a dark plate then has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over a
-// white picture. The same holds for dark text on a light plate over a black picture.
+// Light text on such a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over a white picture.
 constexpr float plate_opacity = 0.72F;
 constexpr double plate_edge = 0.3;   // width in ems of the edge in which a plate fades out
 constexpr float middle_gray = 0.46F; // luma on which light and dark text have equal contrast
@@ -38,8 +37,7 @@ Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1],
 
 } // namespace
 
-// The width also limits the size of text. In a narrow picture, legends that are sized by the height would fill the
-// width.
+// In a narrow picture, legends that are sized by the height would fill the width.
 double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
 
 double scale_for_text(int width, int height, double pixels) {

@@ -32,15 +32,13 @@ public:
     Box room;
 
     [[nodiscard]] int width_of(const std::string& text, const TextSize& size);
-    // Returns the text if it is at most most_width pixels wide. Otherwise returns the longest start of the text that
-    // fits together with an ellipsis, or an empty text if nothing fits.
+    // If the text is too wide, returns the longest start that fits with an ellipsis, or an empty text if nothing fits.
     [[nodiscard]] std::string shortened(const std::string& text, const TextSize& size, double most_width);
     // Returns the box around text whose base line starts at pixel (x, y).
     [[nodiscard]] Box box_of(const std::string& text, const TextSize& size, int x, int y);
     void write(const std::string& text, const TextSize& size, int x, int y, const Ink& ink);
     // Draws a translucent plate behind the box, so that text in the box is readable.
     void back(const Box& box);
-    // Writes in the color ink(), on a plate.
     void write_backed(const std::string& text, const TextSize& size, int x, int y);
 
     // Returns whether the box is inside the picture and overlaps no taken box or line.
@@ -65,21 +63,17 @@ private:
     std::vector<std::pair<Place, Place>> lines_; // drawn lines; is_free() treats them like taken boxes
 };
 
-// Each of these functions lays out one part of picture.annotations where there is room, and never over earlier parts.
-// Call the functions in this order.
-// Captions that do not fit are left out. If not all legends fit, the last legends are left out, and a note with their
-// number is written if there is room. No legend begins in the left third of the picture. The triad is drawn whole or
-// not at all. Single numbers of axes, names of axes and parts of lines may be left out.
-// Legend i has these handles: "legend i" around the whole legend; "legend i low" and "legend i high" around the numbers
-// at the ends, unless there is only one number; "legend i controls" around the area for controls of the page, if there
-// is one.
+// Each of these functions lays out one part of picture.annotations, never over earlier parts. Call them in this order.
+// Parts that do not fit are left out: captions, the last legends (then a note has their number, if there is room), the
+// triad, single numbers and names of axes, parts of lines. No legend begins in the left third of the picture.
+// Legend i has the handle "legend i" around the whole legend. "legend i low" and "legend i high" are around the numbers
+// at its ends if there are two, and "legend i controls" is around the area for controls, if there is one.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);
 void lay_triad(Layout& layout, const AnnotatedPicture& picture);
 void lay_axes(Layout& layout, const AnnotatedPicture& picture);
 
-// Lays out all annotations of a picture.
 [[nodiscard]] Overlay lay_out(const AnnotatedPicture& picture, TextMeasure& measure);
 
 } // namespace ciel::annotations

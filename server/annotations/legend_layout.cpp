@@ -13,13 +13,11 @@ namespace {
 constexpr double bar_width = 1.3, most_bar = 15, least_bar = 5, tick_start = 0.15, tick_end = 0.5, gap = 0.35,
                  between = 1.6, cap_height = 0.35;
 constexpr double widest_title = 0.3; // largest width of a title, as a fraction of the picture's width
-// Smallest x at which the first column and the other columns may begin, as fractions of the picture's width.
-constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66;
+constexpr double leftmost_first = 1.0 / 3, leftmost_other = 0.66; // smallest x of columns, as a fraction of the width
 constexpr double wide_legend = 0.22, upper_part = 0.55;
 constexpr double tick_spacing = 1.7; // smallest distance between two ticks with labels, in lines of text
 constexpr int most_ticks = 6;
-// Smallest distance between two marks, in stroke widths; closer marks look like a solid bar.
-constexpr double mark_spacing = 4;
+constexpr double mark_spacing = 4;   // in stroke widths; closer marks look like a solid bar
 constexpr double missing_line = 1.9; // additional height of a legend with missing values, in lines of text
 constexpr const char* missing_text = "no value";
 
@@ -88,11 +86,9 @@ Ink ink_of(const color::Rgb8& color) {
     return {red, green, blue, 1};
 }
 
-// Returns the width of a bar's border, in pixels. The border is necessary, because an end of the bar may have the color
-// of the background.
+// An end of the bar may have the color of the background, so the bar needs a border. In pixels.
 double border_width(const Layout& layout) { return std::max(1.0, std::round(layout.stroke_width())); }
 
-// Draws the color of values below or above the scale, as a separate piece beyond the lower or upper end of the bar.
 void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box& bar, bool at_top) {
     if (!color) return;
     const double border = border_width(layout);
@@ -103,8 +99,7 @@ void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box
     layout.overlay.fills.push_back({{bar.left, top, bar.right, top + height}, ink_of(*color), ink_of(*color)});
 }
 
-// Draws a bar as a stack of linear gradients that are about 4 pixels high. Over this height, colors are nearly linear.
-// On a scale with steps, draws one piece of constant color for each step.
+// Gradients are linear, and colors are nearly linear over 4 pixels. Therefore the bar is a stack of such gradients.
 void draw_bar(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     draw_cap(layout, scale.above, bar, true);
     draw_cap(layout, scale.below, bar, false);
@@ -132,8 +127,7 @@ void draw_tick(Layout& layout, const Box& bar, double y) {
                                       layout.ink()});
 }
 
-// Draws a mark with its label, and returns the box of the label. If there is no room for the label, draws and returns
-// nothing.
+// Returns the box of the label. If there is no room for the label, draws and returns nothing.
 std::optional<Box> draw_mark(Layout& layout, const Mark& mark, const Box& bar) {
     const TextSize& size = layout.text();
     const int x = static_cast<int>(std::lround(bar.right + (tick_end + gap) * layout.em()));
@@ -166,8 +160,7 @@ void draw_inner_marks(Layout& layout, const color::ColorScale& scale, const Box&
     }
 }
 
-// Draws a patch in the color of missing values below the bar, and missing_text beside the patch. Returns the lower end
-// of the area that patch and text need, in pixels from the top of the picture.
+// Returns the lower end of the area that patch and text need, in pixels from the top of the picture.
 double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     const TextSize& size = layout.text();
     const double border = border_width(layout);
@@ -184,9 +177,7 @@ double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& b
     return bar.bottom + (missing_line + 0.5) * size.line();
 }
 
-// Draws a legend: the title and the other lines, and below them the bar. There is half a line of space above and below
-// the bar, for the numbers at its ends. Marks the whole rectangle as taken, so that nothing else is drawn between the
-// bar and the numbers.
+// The whole rectangle is taken, so that nothing else is drawn between the bar and the numbers.
 void draw_entry(Layout& layout, const Entry& entry, int left, double top, double bar_height) {
     const TextSize& size = layout.text();
     int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
@@ -212,9 +203,7 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
     layout.overlay.handles.push_back({entry.id, all});
 }
 
-// Returns the height in pixels that a column of legends may use. This is the whole height of the room, except in narrow
-// pictures: if the legends do not all fit into the upper part of a narrow picture, columns are limited to this part.
-// `least`: smallest height of a legend, in pixels.
+// If the legends do not all fit into the upper part of a narrow picture, columns are limited to this part.
 double height_for(Layout& layout, const Annotations& annotations, double least) {
     const double whole = layout.room.height();
     const bool is_narrow = entry_of(layout, annotations, 0).width > wide_legend * layout.width();
@@ -224,7 +213,6 @@ double height_for(Layout& layout, const Annotations& annotations, double least) 
     return upper;
 }
 
-// Writes the number of legends that were left out, if there is room for this text.
 void note_left_out(Layout& layout, Place corner, std::size_t count) {
     const TextSize& size = layout.text();
     const std::string text = "+ " + std::to_string(count) + " more";
@@ -242,8 +230,7 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = layout.em();
     const double line = layout.text().line();
-    // `around` is the height of a legend without its bar. It includes the title, the lines below the title, half a line
-    // at each end of the bar, the patch for missing values, and the area for controls of the page.
+    // Height of a legend without its bar.
     std::size_t most_lines = 0;
     double controls = 0;
     for (const Legend& legend : annotations.legends) {

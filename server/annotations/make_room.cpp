@@ -12,14 +12,12 @@
 namespace ciel::annotations {
 namespace {
 
-// Height in pixels of the picture in which cameras are tested, unless text has its smallest size.
-constexpr int usual_height = 720;
+constexpr int usual_height = 720; // pixels, of the test picture, unless text has its smallest size
 constexpr double step = 1.03, furthest = 2;
 constexpr double aside = 1.0 / 32; // one step to the side, as a fraction of the picture's width
 constexpr int most_aside = 10;
 constexpr int samples = 24; // number of intervals into which each edge of the bounds is divided
-// Ems to keep free around the edges of the bounds, without axes and with axes.
-constexpr double beside_edges = 0.5, beside_axes = 4.5;
+constexpr double beside_edges = 0.5, beside_axes = 4.5; // ems to keep free around the edges of the bounds
 
 glm::dvec3 corner(const AnnotatedPicture& picture, unsigned bits) {
     glm::dvec3 at;
@@ -58,8 +56,7 @@ void step_back(Camera& camera, double by = step) {
     camera.parallel_height *= by;
 }
 
-// Returns the camera, moved so that the scene moves to the left and down in the picture. to_left, down: fractions of
-// the picture's width.
+// Moves the scene to the left and down in the picture, by fractions of the picture's width.
 Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double down) {
     const glm::dmat4 view = view_transform(picture).view;
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
@@ -80,9 +77,7 @@ Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double dow
     return camera;
 }
 
-// Returns a camera with which the scene is to the left of the legends or below them, and no annotation covers the
-// scene. Returns nothing if there is no such camera. Needed for narrow pictures, in which legends extend past the
-// middle.
+// For narrow pictures, in which legends extend past the middle: the scene is beside or below all annotations.
 std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                   const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;

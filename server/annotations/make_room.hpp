@@ -6,12 +6,10 @@
 
 namespace ciel::annotations {
 
-// Returns the picture's camera, moved back from its target until no edge of the bounds is under a legend, a caption or
-// the triad, and the numbers of the axes have room. If twice the distance is not enough, as in a narrow picture, the
-// camera and its target are also moved right or up. If this fails, too, the camera is returned unchanged.
-// The result is the same for all sizes with one aspect ratio, except for sizes so small that text has its smallest
-// size.
-// Throws Error if there is no font.
+// Returns the picture's camera, moved back until no edge of the bounds is under an annotation. If twice the distance is
+// not enough, as in a narrow picture, the camera and its target are also moved right or up. If this fails, too, the
+// camera is unchanged. The result depends only on the aspect ratio, unless the text has its smallest size. Throws Error
+// if there is no font.
 [[nodiscard]] Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
 
 } // namespace ciel::annotations

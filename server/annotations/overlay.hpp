@@ -29,8 +29,7 @@ struct Box {
     }
 };
 
-// Returns the part of the line from a to b that is inside the box, as fractions: 0 is at a, 1 is at b. Returns nothing
-// if the line only touches the box or is outside.
+// Returns the part of the line inside the box as fractions, 0 at a and 1 at b, or nothing if it only touches the box.
 [[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
 
 // A background that keeps text readable on any picture. It fades out around the box.
@@ -60,8 +59,7 @@ struct Label {
     Box box; // around the text, with the font's full ascent and descent
 };
 
-// An area of the drawing over which the page puts a text field or buttons. `id`: the name of the area, for example
-// "legend 0 low".
+// An area over which the page puts a text field or buttons. `id`: for example "legend 0 low".
 struct Handle {
     std::string id;
     Box box;

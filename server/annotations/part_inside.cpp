@@ -8,7 +8,6 @@ namespace ciel::annotations {
 
 std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b) {
     double from = 0, to = 1;
-    // Clips the line at the two sides of the box that bound one coordinate.
     const auto cut = [&](double start, double along, double low, double high) {
         if (along == 0) {
             if (start <= low || start >= high) to = from;

@@ -10,8 +10,7 @@ struct FontMetrics { // pixels, all positive
     int digit = 0; // height of a digit above the base line
 };
 
-// Use a TextMeasure on one thread only. `pixels`: font size in pixels per em. Every function may throw Error if there
-// is no font.
+// Use a TextMeasure on one thread only. `pixels`: font size per em. Every function may throw Error without a font.
 class TextMeasure {
 public:
     virtual ~TextMeasure() = default;

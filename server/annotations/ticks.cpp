@@ -11,18 +11,15 @@ namespace {
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr int most_decimals = 15;
 constexpr double smallest_span = 1e-300; // a smaller range gets only one tick, because more ticks would lose digits
-// Numbers from 0.001 to 9,999,999 are written without a power of ten, because coordinates of map grids have seven
-// digits before the decimal point.
+// Coordinates of map grids have seven digits before the decimal point, so they are written without a power of ten.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-// The ends of a scale are rounded to this number of digits before the exponent is chosen. The ends may be floats, and
-// 1e-4 as a float is slightly less than 1e-4.
+// Ends of a scale are rounded to these digits: they may be floats, and 1e-4 as a float is slightly less than 1e-4.
 constexpr int digits_of_ends = 6;
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// Returns the decimal exponent of a value that is rounded to `digits` digits. Example: 9.9996 rounded to three digits
-// is 10.0, so the exponent is 1.
+// 9.9996 rounded to three digits is 10.0, so its exponent is 1.
 int rounded_magnitude(double value, int digits) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
@@ -31,8 +28,6 @@ int rounded_magnitude(double value, int digits) {
 
 bool is_plain(int exponent) { return exponent >= smallest_plain && exponent <= largest_plain; }
 
-// Returns the exponent of the power of ten that is factored out if the positive number `size` is written with `digits`
-// digits. Returns 0 if the number is written without a power of ten.
 int taken_out(double size, int digits) {
     const int exponent = is_plain(magnitude(size)) ? 0 : rounded_magnitude(size, digits);
     return is_plain(exponent) ? 0 : exponent;
@@ -68,8 +63,7 @@ struct Step {
 };
 
 struct Multiples {
-    // The first and the last multiple, divided by the step. They are doubles, because they may exceed the range of
-    // integers.
+    // Divided by the step. They are doubles, because they may exceed the range of integers.
     double first = 0, last = 0;
     [[nodiscard]] double count() const { return last - first + 1; }
 };

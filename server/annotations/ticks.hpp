@@ -17,22 +17,17 @@ struct Scale {
     int exponent = 0;
 };
 
-// Returns ticks at multiples of 1, 2 or 5 times a power of ten between low and high: as many as possible, but at most
-// `most`. Returns a single tick for a range without width. Returns no tick if an end is not finite, low > high, or most
-// < 1.
+// Returns at most `most` ticks, at multiples of 1, 2 or 5 times a power of ten. Returns a single tick for a range
+// without width, and no tick if an end is not finite, low > high, or most < 1.
 [[nodiscard]] Scale nice_scale(double low, double high, int most);
 // Returns the exponent of the power of ten that is factored out of a scale's numbers; 0 if they are short without it.
 [[nodiscard]] int common_exponent(double low, double high);
-// Returns value / 10^exponent as text, without trailing zeros and with U+2212 as minus sign. The last digit is about a
-// thousandth of `span`.
+// Returns value / 10^exponent with U+2212 as minus sign. The last digit is about a thousandth of `span`.
 [[nodiscard]] std::string number_label(double value, double span, int exponent);
-// Returns a single number as text, for example a time or a tick of a logarithmic scale. The text has at most `digits`
-// digits, and its own power of ten if the number is very large or very small.
+// The number has at most `digits` digits, and its own power of ten if it is very large or very small.
 [[nodiscard]] std::string number_label(double value, int digits = 6);
-// Returns how many digits number_label() needs to write the ends of a range as different texts. The result is 6 if 6
-// digits are enough or the ends are equal. Otherwise it is one more than necessary, but at most 17.
+// Returns the digits with which number_label() writes the ends as different texts: 6, or up to 17 if needed.
 [[nodiscard]] int digits_of_range(double low, double high);
-// Returns " ×10⁵" for 5, and an empty text for 0.
 [[nodiscard]] std::string times_power_of_ten(int exponent);
 // Returns units with superscripts, for example "m²/s²" for "m^2/s^2". Importers write units in the second form.
 [[nodiscard]] std::string pretty_units(const std::string& units);

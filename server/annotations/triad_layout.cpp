@@ -8,8 +8,7 @@
 namespace ciel::annotations {
 namespace {
 
-// Distances from the center in ems: of the arrow tips, and of the outer sides of the letters.
-constexpr double arm = 2.2, reach = 3.4;
+constexpr double arm = 2.2, reach = 3.4; // ems from the center to the arrow tips and to the outer sides of the letters
 constexpr std::array<Ink, 3> inks{
     {{0.878F, 0.376F, 0.353F, 1}, {0.310F, 0.682F, 0.384F, 1}, {0.357F, 0.561F, 0.910F, 1}}};
 constexpr std::array names{"x", "y", "z"};

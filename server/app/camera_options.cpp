@@ -21,7 +21,6 @@ nlohmann::json camera_of(const std::string& text) {
     return camera;
 }
 
-// Returns the height of the view at the camera's target, in the mesh's length unit.
 double height_of(const scene::Camera& camera) {
     double square = 0;
     for (std::size_t k = 0; k < 3; ++k) square += std::pow(camera.target[k] - camera.position[k], 2);

@@ -20,10 +20,9 @@ struct CameraOptions {
     bool parallel = false;
 
     void add_to(CLI::App& command);
-    // Replaces the document's camera by --camera, if given. Throws UsageError on a malformed or out-of-range option.
+    // Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
-    // If the scene has a camera, applies --field-of-view and --parallel to this camera. The position of the camera does
-    // not change.
+    // If the scene has a camera, applies --field-of-view and --parallel to it, and does not move it.
     void project(scene::Scene& scene) const;
     // If the scene has no camera, adds a camera that shows all of `box`.
     void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,

@@ -43,9 +43,7 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                 ", in the order of the imported file");
 }
 
-// Returns text that lists the arrays that are new, interpolated, not written or rounded. In this text the user can
-// notice a misspelt name, because it creates a new array. The user can also notice a forgotten array, because it is not
-// written.
+// Shows a misspelt name, because it creates a new array, and a forgotten array, because it is not written.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

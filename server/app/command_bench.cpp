@@ -84,8 +84,7 @@ bool is_wanted(const BenchCommand& command, const std::string& table) {
     return command.tables.empty() ? !command.render && !is_picture : is_among(command.tables);
 }
 
-// Writes the report to the file `output`, if given. Called after each table, so that an interrupted run keeps the
-// finished tables.
+// Called after each table, so that an interrupted run keeps the finished tables.
 void write_report(const std::string& output, const json& report) {
     if (output.empty()) return;
     const std::string text = report.dump(2) + "\n";

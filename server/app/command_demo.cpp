@@ -11,7 +11,6 @@
 namespace ciel::app {
 namespace {
 
-// Rewrites one progress line on stderr; prints nothing if stderr is not a terminal.
 void show_progress(double share, const char* what) {
     if (::isatty(STDERR_FILENO) == 0) return;
     std::fprintf(stderr, "\r\033[K%3.0f %%  %s%s", 100 * share, what, share >= 1 ? "\n" : "");

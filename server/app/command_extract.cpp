@@ -33,8 +33,7 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
     return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
 }
 
-// Returns the shape of the drawable without the polygons of cells in which a scalar is not a number (NaN). If a scalar
-// is a cell array, no two polygons share a vertex, so that each polygon has the value of its cell.
+// With a cell array, no two polygons share a vertex, so that each polygon has the value of its cell.
 std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawable,
                                                  const std::vector<std::string>& scalars, std::size_t step,
                                                  store::LoadedDataset& loaded) {
@@ -48,8 +47,7 @@ std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vect
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
     for (const std::string& scalar : scalars) {
-        // The name of a vector without a component means the magnitude of the vector. The file calls it
-        // ARRAY:magnitude.
+        // A vector without a component means its magnitude, which the file calls ARRAY:magnitude.
         const store::ScalarName name = store::parse_scalar(*loaded.dataset(), scalar);
         const store::Values values =
             is_of_cells(loaded, scalar)
@@ -69,7 +67,6 @@ std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, st
     return text.str();
 }
 
-// Returns text that explains an empty surface: the range of each contoured array, and the bounds if there are slices.
 std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geometry, store::LoadedDataset& loaded) {
     std::ostringstream text;
     text << "the surface is empty: at time " << geometry.time;
@@ -89,7 +86,6 @@ std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geome
     return text.str();
 }
 
-// Prints sentences to stderr about the cells that the file leaves out because their values are not numbers.
 void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
                    store::LoadedDataset& loaded) {
     std::set<std::string> sentences;

@@ -26,8 +26,6 @@ struct Checksums {
     std::uint64_t verified = 0, absent = 0, lazy = 0;
 };
 
-// Reads all files. Throws Error at the first damaged file. Returns how many chunks of values are verified, how many
-// have no checksum, and how many are not yet extracted from the source.
 Checksums verify_all(const Dataset& dataset) {
     dataset.verify();
     Checksums sums;
@@ -48,8 +46,7 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// Returns the number of ambiguous faces at the first step for which the values of this array are stored. Returns null
-// if there is no such step. Also returns null for vectors and cell arrays, because they have no iso-surfaces.
+// Returns null for vectors and cell arrays, which have no iso-surfaces, and if no step stores values.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -100,7 +97,6 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
             {"ambiguous_faces", ambiguous_faces(dataset, array)}};
 }
 
-// Returns which of "vertices" and "cells" of the first mesh have solver ids.
 json solver_ids_json(const Dataset& dataset) {
     json of = json::array();
     if (!dataset.solver_vertex(0).empty()) of.push_back("vertices");
@@ -154,7 +150,7 @@ json report(const Dataset& dataset) {
               {"not_yet_extracted", sums.lazy}}}};
 }
 
-// Returns a group's type and boundary conditions, such as ", wall: U noSlip, p zeroGradient".
+// For example ", wall: U noSlip, p zeroGradient".
 std::string facts_of(const json& group) {
     std::string text;
     for (const auto& [array, condition] : group["conditions"].items())
@@ -192,7 +188,7 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
-// Returns an array's origin, types and file, such as "original int32 from 0/p, stored as float64".
+// For example "original int32 from 0/p, stored as float64".
 std::string source_of(const json& array) {
     const std::string type = array["type"], stored = array["stored"];
     std::string text = array["origin"];
@@ -216,7 +212,6 @@ std::string describe(const json& array) {
     return text.str();
 }
 
-// Returns text such as "63.6 in cell 17 at (1, 2, 3), time 0.5".
 std::string extreme_text(const json& found) {
     std::string text =
         number(found["value"]) + " in cell " + std::to_string(found["cell"].get<std::uint64_t>()) + " at (";
@@ -231,7 +226,6 @@ void print_array(const json& array) {
     line("", "highest " + extreme_text(array["extremes"]["highest"]));
 }
 
-// Returns the shortest text that parses to the same number.
 std::string all_digits(double value) {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};

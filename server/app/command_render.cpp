@@ -72,7 +72,6 @@ nlohmann::json read_scene_file(const std::string& path) {
     }
 }
 
-// Applies the color options to all layers that can be colored by an array.
 void color_layers(const RenderCommand& render, nlohmann::json& layers) {
     bool any = false;
     for (auto& layer : layers) {
@@ -145,8 +144,7 @@ Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {
     return wanted;
 }
 
-// If --annotations is given, turns on exactly the annotations that it names. Applies --title and --text-scale to any
-// scene.
+// If --annotations is given, exactly the annotations that it names are on.
 void annotate(const RenderCommand& render, nlohmann::json& document) {
     nlohmann::json annotations = nlohmann::json::object();
     for (const std::string& wanted : render.annotations) {

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the folder "ciel" in XDG_CACHE_HOME, or else in ~/.cache.
 fs::path default_import_folder() {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
         return fs::path(cache) / "ciel";
@@ -46,8 +45,7 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// Imports all inputs that are not datasets. A failed import does not stop the other imports. Throws Error if there are
-// inputs but none can be served.
+// A failed import does not stop the others. Throws Error if there are inputs but none can be served.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
@@ -60,8 +58,7 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// Warns if the folder has no datasets. The server watches the folder for datasets, but imports other files only if the
-// user names the files on the command line.
+// The server watches the folder for datasets, but imports other files only if the user names them.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -77,8 +74,6 @@ void warn_of_files_to_import(const fs::path& folder) {
                      folder.string(), first.string());
 }
 
-// Returns the web client's folder in the build tree or the installation. Returns an empty path if the web client is not
-// found.
 fs::path find_webclient() {
     std::error_code failure;
     const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
@@ -87,7 +82,6 @@ fs::path find_webclient() {
     return {};
 }
 
-// Returns the token: the first line of the file without trailing white space. Warns if other users can read the file.
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
@@ -102,8 +96,7 @@ std::string token_in(const fs::path& file) {
     return token;
 }
 
-// Reads the token from --token-file or CIEL_TOKEN. Unlike --token, the file and the variable keep the token out of the
-// process list and the history of the shell.
+// Unlike --token, a file or variable keeps the token out of the process list and the history of the shell.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
@@ -113,15 +106,14 @@ void complete_token(ServeOptions& options) {
     }
 }
 
-// Prints the server's address. This line is the only line on stdout, and scripts wait for it. The line contains the
-// token only if the server made the token at this start. The stdout of a service goes to a log, and a log must not
-// contain a token that stays valid.
+// Scripts wait for this line, the only line on stdout. The stdout of a service goes to a log, which must not contain a
+// token that stays valid. Therefore the line has the token only if the server made it at this start.
 void print_address(const gateway::Listening& listening, bool token_is_given) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;
 }
 
-// Returns a sentence without a folder's path before the names of its files: clients must not learn paths of the server.
+// Clients must not learn paths of the server.
 std::string without_folder(std::string sentence, const fs::path& folder) {
     if (!folder.has_relative_path()) return sentence; // a bare name, or the root folder
     const std::string path = (folder / "").string();
@@ -130,7 +122,6 @@ std::string without_folder(std::string sentence, const fs::path& folder) {
     return sentence;
 }
 
-// Adds the inputs that could not be imported to the server's catalog. The log has the importer's whole sentence.
 void add_failed(engine::Server& server, const std::vector<importing::Servable>& servable) {
     for (const auto& each : servable) {
         if (each.problem.empty()) continue;

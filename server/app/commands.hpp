@@ -1,5 +1,4 @@
-// Declares the subcommands of `ciel`. Each subcommand has a source file command_NAME.cpp, and main.cpp lists all
-// subcommands. add_NAME adds a subcommand to the parser. Parsing sets `run` if the user has chosen this subcommand.
+// Declares the subcommands of `ciel`. add_NAME adds a subcommand to the parser; choosing the subcommand sets `run`.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -12,8 +11,7 @@ class App;
 
 namespace ciel::app {
 
-// Function of the chosen subcommand; main calls it after parsing. Returns the exit code of the process: 0 means done,
-// 1 failed, 2 wrong usage, 3 done with data left out.
+// Returns the exit code of the process: 0 means done, 1 failed, 2 wrong usage, 3 done with data left out.
 using Run = std::function<int()>;
 
 // Thrown for invalid options, before a command has any effect.

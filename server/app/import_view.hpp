@@ -9,8 +9,7 @@
 
 namespace ciel::app {
 
-// If stderr is a terminal, shows a progress bar on stderr. Otherwise prints a line to `out` at each tenth of the
-// progress.
+// Shows a progress bar if stderr is a terminal. Otherwise prints a line to `out` at each tenth.
 class ImportView {
 public:
     explicit ImportView(std::FILE* out);
@@ -25,8 +24,7 @@ private:
     int shown_tenth_ = -1;
 };
 
-// While an object of this class exists, SIGINT and SIGTERM set cancelled() instead of ending the program. The
-// destructor restores the previous handlers. At most one object may exist at a time.
+// While an object exists, SIGINT and SIGTERM set cancelled() instead of ending the program. At most one may exist.
 class CancelOnSignal {
 public:
     CancelOnSignal();

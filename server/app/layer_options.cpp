@@ -35,7 +35,6 @@ nlohmann::json threshold_of(const std::string& text) {
     throw UsageError("--threshold " + text + " is not of the form ARRAY=MIN,MAX");
 }
 
-// Calls make(layer) for each layer for which wanted(layer) is true. Returns the number of calls.
 template <class Wanted, class Change>
 int change(nlohmann::json& layers, Wanted wanted, Change make) {
     int changed = 0;

@@ -33,8 +33,7 @@ struct LayerOptions {
                volume_unshaded || !patches.empty() || !contours.empty() || !contour_map.empty() || !clips.empty() ||
                threshold;
     }
-    // Adds the requested layers, and applies the styles to all layers. Throws UsageError on a malformed option, and on
-    // an option that applies to no layer.
+    // Throws UsageError on a malformed option, and on an option that applies to no layer.
     void apply(nlohmann::json& layers) const;
 
 private:

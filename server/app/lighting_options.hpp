@@ -15,8 +15,7 @@ struct LightingOptions {
     std::optional<double> ambient, headlight, key_light, occlusion_radius, occlusion_strength;
 
     void add_to(CLI::App& command);
-    // Returns a merge patch of the scene document; empty without lighting options. Throws UsageError on occlusion
-    // options without --ambient-occlusion.
+    // Throws UsageError on occlusion options without --ambient-occlusion.
     [[nodiscard]] nlohmann::json patch() const;
 };
 

@@ -19,7 +19,6 @@ const std::vector<AddCommand> commands{
     ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,  ciel::app::add_bench,
 };
 
-// Returns one sentence: the usage error, and the help command to run.
 std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
     const auto unknown = app.remaining(); // arguments before a command, or without a command
     const auto chosen = app.get_subcommands();

@@ -1,5 +1,4 @@
-// Scene options of `ciel extract` and `ciel render`. The options are turned into a scene document, so that both
-// commands use the same code as the server.
+// Turns options of `ciel extract` and `ciel render` into a scene document, so that both use the server's code.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -15,7 +14,6 @@ class App;
 
 namespace ciel::app {
 
-// --algorithm and --decider of surface extraction.
 struct ExtractionOptions {
     std::string algorithm = "signatures", decider = "isolate-high";
 
@@ -34,8 +32,7 @@ struct SceneOptions {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
     void check_time() const; // throws UsageError if `time` is not finite
-    // Returns a scene document with the chosen layers, without colors. Its time is the time of the step nearest to
-    // `time`, or of the first step without `time`. Throws UsageError on a malformed option.
+    // Shows the step nearest to `time`, or the first step without `time`. Throws UsageError on a malformed option.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
 
@@ -45,11 +42,9 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<const geometry::Geometry>
 make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
 
-// Returns the time of the step nearest to `time`, or `time` itself if the dataset has no steps. Prints a note to stderr
-// if the result differs from `time`.
+// Returns `time` itself if the dataset has no steps. Prints a note to stderr if the result differs from `time`.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);
 
-// Returns the extension in lower case: ".ply" for "Surface.PLY".
 [[nodiscard]] std::string lower_case_extension(const std::string& file);
 
 // Parses "a,b,c" as finite numbers. Throws UsageError on other text; the error names the option.

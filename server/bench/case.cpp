@@ -21,8 +21,7 @@ std::string first_that_varies(const store::Dataset& dataset) {
                 "' has no array on points whose values differ, so no surface can be cut; choose another dataset");
 }
 
-// Returns the last steps at which the values of the array are not all equal, at most two, the later step first. Throws
-// Error when there is no such step.
+// The later step comes first. Throws Error when there is no such step.
 std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::string& array) {
     std::vector<std::size_t> found;
     for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)

@@ -1,5 +1,4 @@
-// Benchmarks of one point scalar of a dataset: four tables of the paper, a table of frames, and a table of volume
-// pictures.
+// Benchmarks of one point scalar of a dataset.
 #pragma once
 
 #include "bench/table.hpp"
@@ -24,8 +23,7 @@ struct Case {
     std::shared_ptr<CellFits> cell_fits; // gradient fits that the fields of field_of share
 };
 
-// Opens the dataset at `path`. If `array` is empty, selects the first point array whose values are not all equal.
-// Throws Error when the dataset has no scalar of that name, or when the scalar has the same value everywhere.
+// If `array` is empty, selects the first point array that varies. Throws Error when the scalar is missing or constant.
 [[nodiscard]] Case open_case(const std::string& path, const std::string& array);
 
 [[nodiscard]] Table memory_table(const Case& data);        // the paper's table 2

@@ -1,7 +1,5 @@
-// Measures the time from a change of the scene to the encoded picture. Pictures are made as for a view of the server:
-// 1280 x 720 pixels, PNG. Interactive pictures are also encoded as JPEG. The time for JPEG has a separate row and is
-// not part of the total. Each change is measured twice: first as a whole, then stage by stage. In the second
-// measurement, each stage is finished before the next stage begins.
+// Measures the time from a change of the scene to the encoded picture (1280 x 720 pixels, PNG). Each change is measured
+// twice: as a whole, then stage by stage, with each stage finished before the next stage begins.
 #include "bench/case.hpp"
 #include "frames/frame_of.hpp"
 #include "geometry/scene_geometry.hpp"
@@ -31,7 +29,6 @@ struct Times {
     std::vector<double> wall, cpu;
 };
 
-// Measures consecutive stages. The first stage begins at construction. lap() ends a stage and begins the next stage.
 class Laps {
 public:
     explicit Laps(std::array<Times, stage_names.size()>& stages) : stages_(stages) {}
@@ -66,8 +63,6 @@ public:
         scene_.annotations = {};
     }
 
-    // Measures `change` on a scene whose only layer is `layer`. still: measures still pictures instead of interactive
-    // pictures.
     void add_rows(Table& table, const std::string& what, const scene::Layer& layer, bool still, const Change& change) {
         scene_.layers = {layer};
         scene_.camera.reset();
@@ -95,7 +90,7 @@ public:
         if (!still) table.rows.back().note = std::to_string(jpeg_.size() / 1024) + " kB";
     }
 
-    // Turns the camera around the center of the mesh. A `share` of 1 is half a turn.
+    // A `share` of 1 is half a turn.
     void turn(scene::Scene& scene, double share) const {
         const store::MeshInfo& mesh = data_.dataset->info().meshes.front();
         Vec3d low{}, high{};

@@ -1,5 +1,4 @@
-// Measures the paper's table 4: makes 100 slices, as volume rendering needs, and interpolates the property (the scalar
-// of the case) at their points.
+// Measures the paper's table 4: makes 100 slices, and interpolates the scalar of the case at their points.
 #include "bench/case.hpp"
 #include "ciel/sweep_sinks.hpp"
 
@@ -56,8 +55,7 @@ private:
     std::vector<SliceSink::Out> slices_;
 };
 
-// Makes the field whose iso-surfaces are slices perpendicular to `normal`. The box-aligned rows reuse one field. The
-// screen-aligned rows make a new field in each run, because each turn of the camera changes the direction.
+// Screen-aligned rows make a new field in each run, because each turn of the camera changes the direction.
 Field distance_along(const Case& data, Vec3d normal) {
     return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }

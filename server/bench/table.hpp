@@ -8,8 +8,7 @@
 
 namespace ciel::bench {
 
-// Times of repeated runs, in seconds. low and high are the quartiles, or the minimum and maximum of fewer than five
-// runs.
+// In seconds. low and high are the quartiles, or the minimum and maximum of fewer than five runs.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };
@@ -22,7 +21,6 @@ struct Row {
     std::string note;
 };
 
-// Measures wall and CPU seconds since its construction.
 class Stopwatch {
 public:
     Stopwatch();
@@ -47,10 +45,9 @@ struct Table {
     std::vector<Row> rows;
 };
 
-// Measures `body`, which returns the number of triangles that it made. Before each run, calls `prepare`, which is not
-// measured. The first run of `body` fills caches and is not counted. Then `body` runs until 0.25 s are measured, but at
-// least 3 and at most 25 times. A counted run of more than 0.5 s is the last run. If the first run takes at least 1 s,
-// it is the only run: it is counted, and the row's note says so.
+// `body` returns the number of triangles that it made. `prepare` is not measured. The first run fills caches and is not
+// counted, unless it takes 1 s: then it is the only run. Then `body` runs until 0.25 s are measured, but at least 3 and
+// at most 25 times. A counted run of more than 0.5 s is the last run.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 

@@ -14,7 +14,6 @@ namespace {
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 Vec3d array_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-// Projects points, which are offsets from the frame's origin, to pixel coordinates.
 class Screen {
 public:
     explicit Screen(const render::Frame& frame, int coarseness)

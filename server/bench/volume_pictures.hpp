@@ -21,8 +21,7 @@ public:
     std::uint64_t cut_across_view() { return cut(view_direction()); }
     // in_bytes: the next pictures blend slices with 8 bits per channel instead of floats (render::Volume::in_bytes).
     void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
-    // Draws every `stride`-th slice, with one sample per pixel. A stride above 1 makes a preview at half the
-    // resolution. Returns the number of triangles of the drawn slices.
+    // A stride above 1 makes a preview at half the resolution. Returns the number of triangles of the drawn slices.
     std::uint64_t draw(bool shaded, std::size_t stride = 1);
     void turn(double degrees); // turns the camera about its target, around its up vector
     void turn_back();          // sets the default camera
@@ -31,8 +30,7 @@ public:
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
-    // Describe the last picture. covered_share: share of the pixels that are not black, 0 to 1. samples: total area of
-    // the drawn slices on the screen, in pixels.
+    // Describe the last picture. samples: total area of the drawn slices on the screen, in pixels.
     [[nodiscard]] double covered_share() const;
     [[nodiscard]] double samples() const;
 

@@ -1,5 +1,4 @@
 // Measures pictures of a volume with 100 slices and 1024 x 1024 pixels, while the camera turns around the volume.
-// Box-aligned slices are reused while the camera turns. Screen-aligned slices are cut anew for each picture.
 #include "bench/volume_pictures.hpp"
 #include "geometry/volume_cut.hpp"
 
@@ -13,8 +12,7 @@ constexpr double turn_degrees = 3;
 
 const char* style(bool shaded) { return shaded ? "shaded" : "unshaded"; }
 
-// Draws a picture and adds its figures to the table. `of`: name of the picture. The caller must set the camera before,
-// because a measured row turns the camera by an angle that depends on the number of runs.
+// The caller must set the camera before, because a measured row turns it by an angle that depends on the runs.
 void add_figures(Table& table, VolumePictures& pictures, const std::string& of, std::size_t stride = 1) {
     (void)pictures.draw(false, stride);
     const double share = pictures.covered_share(), samples = pictures.samples();

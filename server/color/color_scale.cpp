@@ -11,8 +11,7 @@ namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
-// Largest tolerance for rounding at the ends of the range, as a share of the width of the range. If a range is so
-// narrow that floats would need a larger tolerance, its values are doubles. Doubles have smaller rounding errors.
+// As a share of the width of the range. In a range that needs a larger tolerance with floats, the values are doubles.
 constexpr double largest_slack = 1e-3;
 
 // The value of log(1 + |v| / w) at the ends of a logarithmic range from -r to r (protocol/colors.md).

@@ -1,5 +1,4 @@
-// ColorScale: maps scalars to colors. protocol/colors.md defines the rule. The server's shaders, the browser
-// (webclient/src/model/color_scale.ts) and every legend use the same rule.
+// ColorScale: maps scalars to colors by the rule of protocol/colors.md, which the shaders and the browser also use.
 #pragma once
 
 #include <array>
@@ -26,11 +25,9 @@ struct ColorPoint {
 
 struct ColorScale {
     std::string map = "viridis";
-    // If not empty, these points replace `map`. There are at least two points, in ascending order. Colors between two
-    // points are linear in sRGB.
+    // If not empty, replaces `map`: at least two points, ascending. Colors between two points are linear in sRGB.
     std::vector<ColorPoint> points;
-    // Values at the two ends, as given in the scene. With `log`, both values are above zero, or the range goes from -r
-    // to r.
+    // As given in the scene. With `log`, both values are above zero, or the range goes from -r to r.
     std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal ratios of values have equal lengths on the scale
     int steps = 0;                     // number of color steps, from 2 to most_color_steps; 0: a smooth scale
@@ -52,13 +49,11 @@ inline constexpr double linear_share = 1e-3;
 // Returns one color per step. For a smooth scale, returns `smooth_count` colors to interpolate.
 [[nodiscard]] std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count);
 
-// Returns the position of a value on the scale: 0 at the lower end and 1 at the upper end. Outside the range, the
-// position is below 0 or above 1. The position of NaN is NaN. On a log scale above zero, the position of zero and of
-// negative values is -infinity.
+// Returns 0 at the lower end and 1 at the upper end; below 0 or above 1 outside the range; NaN for NaN. On a log scale
+// above zero, zero and negative values have the position -infinity.
 [[nodiscard]] double place_of(const ColorScale& scale, double value);
 // Returns the value at a position: the inverse of place_of.
 [[nodiscard]] double value_at(const ColorScale& scale, double place);
-// Returns the color of one value by the complete rule, including steps, `nan`, `below` and `above`.
 [[nodiscard]] Rgb8 color_of(const ColorScale& scale, double value);
 
 // Values from `low` to `high` are treated as inside the range. The limits allow for the rounding of interpolated

@@ -13,7 +13,6 @@ using Color = std::array<double, 4>; // R, G and B times extinction, then extinc
 constexpr int color_entries = 256;
 constexpr int samples = 4 * TransferTable::columns; // samples along the table; enough for steep steps of the opacity
 
-// Returns the colors at color_entries equidistant values of the range. The values are equidistant on log scales too.
 std::vector<Rgb8> colors_of(const ColorScale& scale) {
     std::vector<Rgb8> colors;
     for (int i = 0; i < color_entries; ++i) {
@@ -44,7 +43,6 @@ Color at(const ColorScale& scale, const OpacityPoints& opacity, double share, co
     return {r * tau, g * tau, b * tau, tau};
 }
 
-// Returns the integrals of Color over the table, from its low end to the end of each sample.
 std::vector<Color> integrals(const ColorScale& scale, const OpacityPoints& opacity, double share) {
     const std::vector<Rgb8> map = colors_of(scale);
     std::vector<Color> sum(samples + 1);
@@ -92,8 +90,7 @@ TransferTable make_transfer_table(const ColorScale& scale, const OpacityPoints& 
     for (int row = 0; row < TransferTable::rows; ++row)
         for (int column = 0; column < TransferTable::columns; ++column) {
             const double middle = (column + 0.5) / TransferTable::columns;
-            // The intervals of row 0 have the width of one column instead of 0, so that there is no gap between
-            // adjacent columns.
+            // The intervals of row 0 are one column wide instead of 0, so that adjacent columns have no gap.
             const double width =
                 std::max(static_cast<double>(row) / (TransferTable::rows - 1), 1.0 / TransferTable::columns);
             const double low = std::max(middle - width / 2, 0.0), high = std::min(middle + width / 2, 1.0);

@@ -1,5 +1,4 @@
-// TransferTable: pre-integrated color and extinction of a ray between two values. It is made from a color scale and
-// opacity points.
+// TransferTable: pre-integrated color and extinction of a ray between two values.
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -15,10 +14,8 @@ struct TransferTable {
     std::vector<float> texels; // RGB 0..1, then extinction per unit length; row by row
 };
 
-// The interval of values that a TransferTable covers. It is the range of the scale. If the scale has a color `below`,
-// the interval also covers half the width of the range below the range. If the scale has a color `above`, it also
-// covers half the width above the range. Values outside the interval look like values at the nearer end of the
-// interval.
+// The interval of values that a TransferTable covers: the range of the scale, and half its width more at an end with a
+// color `below` or `above`. Values outside look like values at the nearer end.
 struct TableExtent {
     int halves_below = 0, halves_above = 0;
     // Returns the width of the table, as a multiple of the width of the range.

@@ -6,8 +6,7 @@
 namespace ciel::demo {
 namespace {
 
-// Appends the coordinates of `count` planes. The distance from the last plane to the first new plane is step * growth.
-// Each further distance is `growth` times the previous distance.
+// The distance from the last plane to the first new plane is step * growth.
 void widen(std::vector<double>& planes, double step, double growth, int count) {
     for (int n = 0; n < count; ++n) planes.push_back(planes.back() + (step *= growth));
 }
@@ -31,8 +30,7 @@ constexpr double growth_around = 1.15, growth_downstream = 1.04;
 } // namespace
 
 Bed::Bed(int coarseness) : spacing(finest * coarseness) {
-    // Converts a number of cells at coarseness 1 to the number at this coarseness. Rounds to the nearest integer.
-    // Rounds down if the fraction is one half.
+    // Rounds to the nearest integer, and down if the fraction is one half.
     const auto cells = [&](int finest_cells) { return (2 * finest_cells + coarseness - 1) / (2 * coarseness); };
     const double around = std::pow(growth_around, coarseness), behind = std::pow(growth_downstream, coarseness);
     x = axis(-2.4, spacing, cells(upstream), around, cells(near_x), cells(downstream), behind);

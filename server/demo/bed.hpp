@@ -1,6 +1,5 @@
-// The demo's geometry: a box with a cylinder of radius 1 along z, divided by a lattice. Around the cylinder and in the
-// near wake, the lattice has a constant spacing, and Voronoi cells replace the cells of the lattice. Further out, the
-// spacing grows, and the cells are hexahedra.
+// The demo's geometry: a box with a cylinder of radius 1 along z, divided by a lattice. Voronoi cells replace the cells
+// of the lattice around the cylinder and in the near wake. Further out, the cells are hexahedra.
 #pragma once
 
 #include "demo/cell_soup.hpp"
@@ -22,10 +21,9 @@ struct Bed {
 
 [[nodiscard]] CellSoup hexahedra(const Bed& bed);
 
-// Computes the Voronoi cells with voro++. The seeds are the centers of lattice cells, moved at random. Seeds of the
-// outermost layer are not moved. Therefore the outer faces of this layer are faces of the lattice, which the hexahedra
-// share. A ring of seeds around the cylinder has mirror images inside the cylinder. The flat faces between these seeds
-// and their images form the wall: a prism whose edges lie on the cylinder.
+// The seeds are the centers of lattice cells, moved at random, except in the outermost layer, whose outer faces the
+// hexahedra share. A ring of seeds around the cylinder has mirror images inside the cylinder. The flat faces between
+// these seeds and their images form the wall.
 [[nodiscard]] CellSoup voronoi_cells(const Bed& bed);
 
 } // namespace ciel::demo

@@ -8,8 +8,7 @@ namespace ciel::demo {
 namespace {
 
 constexpr double tolerance = 1e-9;
-// Points are sorted by their coordinate along this direction. Different lattice points have different coordinates along
-// this direction, so that each point is compared with few other points.
+// Points of the lattice have different coordinates along this direction, so each point is compared with few others.
 constexpr Vec3d generic_direction{0.57735026919, 0.32135, 0.75068};
 
 double along(const Vec3d& p) {
@@ -21,7 +20,6 @@ bool same(const Vec3d& a, const Vec3d& b) {
            std::abs(a[2] - b[2]) <= tolerance;
 }
 
-// Returns for each point the index of the point that replaces it.
 std::vector<Index> representatives(const std::vector<Vec3d>& points) {
     std::vector<std::pair<double, Index>> order(points.size());
     for (Index i = 0; i < points.size(); ++i) order[i] = {along(points[i]), i};

@@ -1,5 +1,4 @@
-// CellSoup: a list of cells in which neighboring cells do not share points, as a mesh generator returns it. weld()
-// merges the points.
+// CellSoup: a list of cells in which neighboring cells do not share points, as a mesh generator returns it.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -27,8 +26,7 @@ struct WeldedCells {
     }
 };
 
-// Merges points whose coordinates differ by at most 1e-9, because voro++ rounds coordinates. Different corners are much
-// further apart. Leaves out edges and faces that collapse.
+// Merges points whose coordinates differ by at most 1e-9: voro++ rounds. Leaves out collapsed edges and faces.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
 } // namespace ciel::demo

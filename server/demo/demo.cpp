@@ -20,8 +20,7 @@ constexpr std::size_t vertices_per_task = 4096;
 enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
-// Returns the side of the box on which all corners of a boundary face lie. If there is no such side, the face is on the
-// cylinder. Compares coordinates exactly, because corners on a side have the exact coordinate of the side.
+// Compares coordinates exactly, because corners on a side have the exact coordinate of the side.
 Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
@@ -120,8 +119,7 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
-    // Original ids are the ids in an imported file. The demo imports no file. Therefore its original ids equal the ids
-    // in the dataset.
+    // Original ids are ids in an imported file. The demo imports no file, so they equal the ids in the dataset.
     std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
     std::iota(ids.begin(), ids.end(), 0U);
     writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),

@@ -14,8 +14,7 @@ constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6; // number of periods to compute, after which the dye is periodic
 // The source has full strength up to the first radius, and zero strength from the second radius on.
 constexpr double source_inside = 1.25, source_outside = 1.9;
-// Diffusion per pass, in squared spacings. A larger value would be unstable. Therefore each step has several passes.
-// Diffusion widens filaments of dye that are too thin for the mesh.
+// Per pass, in squared spacings; a larger value would be unstable. Widens filaments that are too thin for the mesh.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
@@ -24,8 +23,7 @@ double source(double x, double y) {
     return std::clamp((source_outside - std::hypot(x, y)) / (source_outside - source_inside), 0.0, 1.0);
 }
 
-// Returns the Catmull-Rom weights of four equidistant nodes for a position between the second and the third node. t: 0
-// at the second node, 1 at the third node.
+// Catmull-Rom weights of four equidistant nodes. t: 0 at the second node, 1 at the third node.
 std::array<double, 4> cubic(double t) {
     return {((-t + 2) * t - 1) * t / 2, ((3 * t - 5) * t * t + 2) / 2, ((-3 * t + 4) * t + 1) * t / 2,
             (t - 1) * t * t / 2};
@@ -41,7 +39,6 @@ Dye::Dye(Extent extent)
     std::vector<std::vector<std::array<float, 2>>> departures(phases);
     parallel_for(phases, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t phase = begin; phase < end; ++phase) {
-            // Finds the departure points by the midpoint rule, backwards from phase + 1 to phase.
             const Flow after(static_cast<double>(phase + 1) * dt), between((static_cast<double>(phase) + 0.5) * dt);
             departures[phase].resize(nodes);
             for (std::size_t i = 0; i < nodes; ++i) {
@@ -111,8 +108,7 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // Interpolates between the phases before and after `time`. Each phase is displaced along the flow, so that the dye
-    // changes smoothly in time and along the span. Without the displacement, each filament would appear twice.
+    // Displaces each phase along the flow. Without the displacement, each filament would appear twice.
     const double phase = (time - std::floor(time)) * phases;
     const double whole = std::floor(phase), part = phase - whole;
     const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;

@@ -1,7 +1,6 @@
-// Dye: the concentration of a dye that the cylinder releases and the flow carries away, in one plane, over one period.
-// The method is semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Interpolation
-// is cubic with a limiter, which keeps the concentration within [0, 1]. The flow is periodic. Therefore departure
-// points are computed only for one period. After some periods, the dye is periodic too.
+// Dye: the concentration of a dye that the cylinder releases, in one plane, over one period. The method is
+// semi-Lagrangian: R. Courant, E. Isaacson, M. Rees, Comm. Pure Appl. Math. 5, 243 (1952). Cubic interpolation with a
+// limiter keeps the concentration within [0, 1]. After some periods, the dye is periodic, as the flow is.
 #pragma once
 
 #include <array>
@@ -16,8 +15,7 @@ public:
     };
     explicit Dye(Extent extent);
 
-    // Returns the concentration of dye at (x, y), from 0 to 1. time: any time, in periods. (u, v): velocity of the flow
-    // at (x, y) and `time`. Thread-safe.
+    // Returns a number from 0 to 1. time: in periods. (u, v): velocity of the flow at (x, y) and `time`. Thread-safe.
     [[nodiscard]] float at(double x, double y, double u, double v, double time) const;
 
 private:

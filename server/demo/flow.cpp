@@ -17,7 +17,6 @@ constexpr double life = 2;       // lifetime of a vortex, in periods
 constexpr double travelled = 16; // distance that a vortex travels in its lifetime, in radii
 constexpr double phase_swing = 0.14;
 
-// Value, first derivatives and Laplacian of a function of x and y at one point.
 struct Jet {
     double value, dx, dy, laplacian;
 };

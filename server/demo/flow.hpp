@@ -37,8 +37,7 @@ private:
     std::vector<Vortex> vortices_;
 };
 
-// Returns the time in periods by which the flow at height z is ahead of the flow at z = 0. span: length of the
-// cylinder.
+// Returns the time in periods by which the flow at height z is ahead of the flow at z = 0.
 [[nodiscard]] double span_phase(double z, double span);
 
 } // namespace ciel::demo

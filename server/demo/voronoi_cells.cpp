@@ -17,8 +17,7 @@ struct Seeds {
 };
 
 void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
-    // Largest shift of a seed along an axis, in spacings. The shift makes the cells irregular. It is small enough to
-    // avoid slivers.
+    // In spacings. The shift makes the cells irregular, and is small enough to avoid slivers.
     constexpr double shift = 0.35;
     const double h = bed.spacing, clear_radius = 1 + 1.2 * h;
     std::mt19937_64 random(1);
@@ -36,8 +35,7 @@ void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
 
 void add_ring_seeds(const Bed& bed, Seeds& seeds) {
     const int around = static_cast<int>(std::lround(2 * std::numbers::pi * (1 + bed.spacing / 2) / bed.spacing));
-    // Faces between seeds and their images touch the circle of radius `mirror`, so that the edges of these faces lie on
-    // the cylinder.
+    // Faces between seeds and their images touch this circle, so that the edges of the faces lie on the cylinder.
     const double mirror = std::cos(std::numbers::pi / around), half = bed.spacing / 2;
     for (std::size_t k = 0; k + 1 < bed.z.size(); ++k)
         for (int n = 0; n < around; ++n) {
@@ -48,8 +46,7 @@ void add_ring_seeds(const Bed& bed, Seeds& seeds) {
         }
 }
 
-// Moves a corner that is within 1e-9 of a side of the box onto this side. voro++ rounds corners, but patch_of()
-// compares exact coordinates.
+// voro++ rounds corners, but patch_of() compares exact coordinates.
 void snap(Vec3d& p, const std::array<Vec3d, 2>& box) {
     for (const Vec3d& corner : box)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -77,8 +74,7 @@ void append_cell(voro::voronoicell& cell, const Vec3d& seed, const std::array<Ve
     soup.cell_offset.push_back(soup.face_offset.size() - 1);
 }
 
-// Returns the Voronoi cells of the seeds [begin, end). Each call makes its own voro++ container, because a container is
-// not thread-safe.
+// Each call makes its own voro++ container, because a container is not thread-safe.
 CellSoup cells_of(const Bed& bed, const Seeds& seeds, std::size_t begin, std::size_t end) {
     constexpr double seeds_per_block = 5; // as voro++ recommends
     const double block = bed.spacing * std::cbrt(seeds_per_block);

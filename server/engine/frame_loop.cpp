@@ -29,14 +29,12 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-// After this time, a still picture in progress gives way to interactive pictures of other views.
-constexpr std::chrono::milliseconds others_wait{500};
+constexpr std::chrono::milliseconds others_wait{500}; // then a still picture gives way to interactive pictures
 
 struct GivenUp {};
 struct GivesWay {};
 
-// The renderer calls this function between its passes (render::Frame::check_wanted). Throws GivenUp if the frame is no
-// longer wanted. Throws GivesWay if a still picture must let other views draw first.
+// The renderer calls this function between its passes.
 void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
     if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
     if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
@@ -56,8 +54,7 @@ std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const sc
     return lacking;
 }
 
-// Returns the grid step with which to send the polygons of a frame. Returns nothing if the client already has the
-// polygons on a grid that is fine enough.
+// Returns nothing if the client already has the polygons on a grid that is fine enough.
 std::optional<double> grid_to_send(View& view, const FrameRequest& request, const geometry::Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
     const annotations::Camera camera = geometry::camera_of(geometry, request.version->scene(), aspect);

@@ -6,8 +6,7 @@
 
 namespace ciel::engine {
 
-// If a frame of `view` is due, makes the frame on this worker and sends it. `still`: whether to make a still picture
-// instead of an interactive frame.
+// Makes and sends a frame of `view` if one is due. `still`: makes a still picture instead of an interactive frame.
 void show_frame(View& view, Worker& worker, bool still);
 
 } // namespace ciel::engine

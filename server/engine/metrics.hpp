@@ -27,8 +27,7 @@ struct Gauges { // current values; the counters in Metrics count since the start
 // Counts durations in buckets with fixed upper bounds. Not thread-safe.
 class DurationHistogram {
 public:
-    // Upper bounds of the buckets in seconds. They reach from a quick call to a picture of a large mesh that is drawn
-    // in software.
+    // Upper bounds in seconds, from a quick call to a picture of a large mesh that is drawn in software.
     static constexpr std::array bounds{0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25,
                                        0.5,   1.0,    2.5,   5.0,  10.0,  30.0, 60.0};
 
@@ -45,7 +44,6 @@ private:
 class Metrics {
 public:
     void count_call(const std::string& method, double seconds); // `seconds`: time without the wait in the queue
-    // Counts a frame that was sent. Adds its time for extraction, drawing and encoding to the histogram.
     void count_frame(bool still, std::size_t bytes, const FrameTimes& times);
     void count_cancelled_frame() { ++cancelled_; }
     void count_failed_frame() { ++failed_; }

@@ -13,23 +13,20 @@
 
 namespace ciel::engine {
 
-// An OpenSession is thread-safe. All views and calls of the session share one geometry. The parts of the geometry that
-// a new version does not change are kept.
+// Thread-safe. All views and calls share one geometry. Its parts that a new version does not change are kept.
 class OpenSession final : public sessions::Session {
 public:
     // `steps`: undo and redo steps of the session. Steps beyond the limits of the history are dropped.
     OpenSession(std::string id, const Services& services, std::shared_ptr<const sessions::SceneVersion> first,
                 const sessions::Steps& steps = {});
 
-    // Makes the geometry of `version` on the calling thread, and returns it. Concurrent calls run one after another.
-    // Returns null if `stop` was requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error,
-    // LimitReached.
+    // Makes the geometry on the calling thread. Concurrent calls run one after another. Returns null if `stop` was
+    // requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error, LimitReached.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});
     void release_geometry(); // frees the geometry of a session without viewers
-    // Frees the geometry if the session has neither subscriber nor viewer, and has not been used since `unused_since`.
-    // Does not wait: the geometry stays while another thread uses it.
+    // Keeps the geometry if the session has a subscriber or viewer or was used since, or if another thread uses it.
     void release_idle_geometry(Clock::time_point unused_since);
     [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // bytes of query state and surfaces
 

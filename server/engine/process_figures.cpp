@@ -15,8 +15,7 @@
 namespace ciel::engine {
 namespace {
 
-// Returns the fields of /proc/self/stat from the third field on (proc_pid_stat(5)). Reading begins after the second
-// field, because this field (the name in parentheses) may contain blanks.
+// Fields of /proc/self/stat (proc_pid_stat(5)) after the second, a name in parentheses that may contain blanks.
 std::vector<std::string> stat_fields() {
     std::ifstream file("/proc/self/stat");
     std::string line;
@@ -31,7 +30,6 @@ std::optional<double> field(const std::vector<std::string>& fields, std::size_t 
     return std::stod(fields[index]);
 }
 
-// Returns the boot time of the machine in seconds since the epoch (btime in /proc/stat).
 std::optional<double> boot_time() {
     std::ifstream file("/proc/stat");
     std::string name;

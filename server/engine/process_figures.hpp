@@ -6,8 +6,7 @@
 
 namespace ciel::engine {
 
-// Writes the metrics in the text exposition format 0.0.4. Leaves out values that the system does not provide.
-// Thread-safe.
+// Writes the text exposition format 0.0.4. Leaves out values that the system does not provide. Thread-safe.
 void write_process_figures(std::ostream& out);
 
 } // namespace ciel::engine

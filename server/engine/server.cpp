@@ -19,8 +19,7 @@ namespace ciel::engine {
 namespace {
 
 constexpr std::chrono::seconds readiness_lasts{1};
-// readiness_by_now() waits for a test picture until this time after the request of the picture. Later calls return the
-// previous result at once. Probes of /readyz expect an answer within a second.
+// Longest wait for a test picture, because probes of /readyz expect an answer within a second.
 constexpr std::chrono::milliseconds readiness_patience{500};
 
 frames::Readiness tested(Worker& worker) {
@@ -115,8 +114,7 @@ struct Server::State {
         readiness_known.notify_all();
     }
 
-    // Draws a test picture on a frame worker and then a test picture on the picture worker, because each worker has its
-    // own GL context. The server is ready only if both pictures are right.
+    // Each worker has its own GL context, so the server is ready only if the pictures of both workers are right.
     void test_readiness() {
         const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
         const auto test_frames = [this, test_pictures](Worker& worker) {

@@ -38,8 +38,7 @@ struct Services;     // services.hpp
 class SlowCallQueue; // schedule/slow_call_queue.hpp
 class Uploads;       // uploads.hpp
 
-// A Server is thread-safe. The gateway's service opens and closes connections and drains the server. JSON-RPC methods
-// use the other members.
+// Thread-safe. The gateway's service opens and closes connections and drains the server; methods use the other members.
 class Server {
 public:
     explicit Server(ServerOptions options);
@@ -49,8 +48,7 @@ public:
     [[nodiscard]] store::Catalog& catalog();
     [[nodiscard]] Sessions& sessions();
     [[nodiscard]] FrameWorkers& frame_workers();
-    // Draws pictures for slow calls. These workers are separate from the frame workers, so that pictures and frames do
-    // not wait for each other.
+    // The picture workers are separate from the frame workers, so that pictures and frames do not wait for each other.
     [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
@@ -59,22 +57,18 @@ public:
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();
 
-    // Checks whether steps were appended to a dataset of the catalog. If so, notifies clients at once, without waiting
-    // until the catalog's watch finds the steps.
+    // If steps were appended to the dataset, notifies clients at once, before the catalog's watch finds the steps.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
-    // Registers a connection. Until connection_closed(), the connection gets the notification `dataset.changed` when
-    // steps are appended.
+    // Until connection_closed(), the connection gets the notification `dataset.changed` when steps are appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);
 
-    // Frees sessions, uploads and datasets that have not been used for long. The server itself calls this function
-    // every 10 seconds.
+    // Frees sessions, uploads and datasets that are unused for long. The server itself calls this every 10 seconds.
     void tidy(std::chrono::steady_clock::time_point now);
 
     // Draws a test picture on a frame worker and checks its pixels. Waits until a worker is free.
     [[nodiscard]] frames::Readiness readiness();
-    // Requests test pictures from the frame workers and the picture workers, at most once a second. Waits at most 0.5 s
-    // for the result. If the workers stay busy, returns the previous result.
+    // Requests test pictures at most once a second. Returns the previous result if workers are busy for over 0.5 s.
     [[nodiscard]] frames::Readiness readiness_by_now();
     // Returns the result of the last test picture. Draws a test picture only if there is no result yet.
     [[nodiscard]] frames::Readiness last_readiness();

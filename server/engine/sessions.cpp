@@ -10,8 +10,7 @@
 namespace ciel::engine {
 namespace {
 
-// Returns 128 random bits in hexadecimal. The id of a session must be unguessable, because a client that knows the id
-// may change the scene.
+// 128 random bits, because a client that guesses the id of a session may change the scene.
 std::string random_id() {
     static constexpr char digits[] = "0123456789abcdef";
     std::random_device source;
@@ -82,9 +81,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     return session;
 }
 
-// Makes room for a new session: drops the session without a connection that has been unused for the longest time.
-// Returns false if every session has a connection. When the client of a dropped session comes back, the client sends
-// its scene again.
+// Returns false if every session has a connection. The client of a dropped session sends its scene again.
 bool Sessions::drop_longest_left() {
     auto longest = sessions_.end();
     for (auto entry = sessions_.begin(); entry != sessions_.end(); ++entry)
@@ -144,9 +141,8 @@ void Sessions::close_view(std::uint32_t id, std::uint64_t connection) {
 void Sessions::connection_closed(std::uint64_t connection) {
     for (const auto& session : all()) {
         session->disconnect(connection);
-        // If the session has no connection left, frees its surfaces. A worker does this, because a running extraction
-        // may lock the geometry for a while. post_later() is used instead of post(), because a still picture would give
-        // way to a job of post().
+        // A worker frees the surfaces, because a running extraction may lock the geometry for a while. post_later() is
+        // used, because a still picture would give way to a job of post().
         if (session->is_idle_since(Clock::time_point::max()))
             services_.workers.post_later(Clock::now(), [session](Worker&) {
                 if (session->is_idle_since(Clock::time_point::max())) session->release_geometry();

@@ -20,16 +20,14 @@ public:
 
     // Returns the session with this id. Throws NotFound if there is no such session.
     [[nodiscard]] std::shared_ptr<OpenSession> find(const std::string& id);
-    // Returns the session with this id. If there is no such session, opens a session with this id, or with a random id
-    // if `id` is empty. `document` returns the scene of a new session, and `steps` are its undo and redo steps. Throws
-    // LimitReached, and the exceptions of accept_scene().
+    // If there is no such session, opens it with this id, or with a random id if `id` is empty. `document` and `steps`
+    // are for a new session. Throws LimitReached, and the exceptions of accept_scene().
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
                                                     const sessions::Steps& steps = {});
     void close(const std::string& id, const Caller& by); // throws NotFound
 
-    // Opens a view of the session. The id of the view is unique in the process. Only the connection that opened the
-    // view may use the view.
+    // The id of the view is unique in the process. Only the connection that opened the view may use it.
     [[nodiscard]] std::shared_ptr<View> open_view(OpenSession& session,
                                                   const std::shared_ptr<sessions::Connection>& connection,
                                                   geometry::ViewSize size, Stream stream, wire::MovingCodec moving);

@@ -63,8 +63,7 @@ void check_disk(const std::string& name, const store::Dataset& dataset, std::uin
                     " MB while it is uploaded; free some space");
 }
 
-// Replaces the path of the dataset's folder in a sentence by the name of the dataset, because clients must not learn
-// paths of the server.
+// Clients must not learn paths of the server.
 std::string without_directory(std::string sentence, const store::Dataset& dataset) {
     const std::string directory = dataset.directory().string();
     const std::string& name = dataset.info().name;

@@ -36,18 +36,15 @@ class Uploads {
 public:
     using Clock = std::chrono::steady_clock;
 
-    // `memory` counts the values that a commit stores. Does not own `limits` and `memory`; they must outlive the
-    // Uploads.
+    // `memory` counts the values that a commit stores. `limits` and `memory` must outlive the Uploads.
     Uploads(const limits::Limits& limits, limits::Memory& memory);
     ~Uploads();
 
-    // Begins an upload of a step at `time`. Checks names, sizes, time, limits and free disk space before the first
-    // piece. Throws LimitReached, Error.
+    // Checks names, sizes, time, limits and free disk space before the first piece. Throws LimitReached, Error.
     BegunUpload begin(const std::string& name, const std::shared_ptr<store::LoadedDataset>& loaded, double time,
                       std::vector<store::WantedArray> wanted);
-    // Adds a piece of one array. The piece must begin at or before the end of the received bytes, so that received
-    // bytes may be sent again. Returns the number of received bytes of the array. Throws NotFound, LimitReached, Error;
-    // then the upload is unchanged.
+    // The piece must begin at or before the end of the received bytes, so that bytes may be sent again. Returns the
+    // number of received bytes of the array. Throws NotFound, LimitReached, Error; then the upload is unchanged.
     std::uint64_t add(const wire::UploadPiece& piece);
     // Appends the step to the dataset under the dataset's lock, and ends the upload. Throws NotFound, LimitReached,
     // Error; the upload is then unchanged. Calls `before_array` on this thread before each array is written.

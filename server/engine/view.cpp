@@ -12,10 +12,8 @@
 namespace ciel::engine {
 namespace {
 
-// A still picture is made when this time has passed since the last change or frame.
-constexpr std::chrono::milliseconds quiet{150};
-// A superseded interactive frame is cancelled only if it has run for longer than this.
-constexpr std::chrono::milliseconds patience{500};
+constexpr std::chrono::milliseconds quiet{150};    // time from the last change or frame to a still picture
+constexpr std::chrono::milliseconds patience{500}; // a superseded frame that has run for less is not cancelled
 constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // slower frames are logged
 constexpr unsigned most_ways_given = 3;                        // a still picture gives way at most this many times
 
@@ -161,8 +159,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     }
     gave_up_ = false;
     gave_way_ = 0;
-    // Restarts the pause. Otherwise a still picture would follow a slow frame at once and delay the next interactive
-    // frame.
+    // Otherwise a still picture would follow a slow frame at once and delay the next interactive frame.
     quiet_until_ = Clock::now() + quiet;
     finish();
     lock.unlock();

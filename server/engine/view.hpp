@@ -19,7 +19,6 @@ namespace ciel::engine {
 enum class Stream { image, geometry };
 using wire::MovingCodec; // codec of interactive pictures; a still picture is always a PNG
 
-// A frame that a worker is asked to make.
 struct FrameRequest {
     std::shared_ptr<const sessions::SceneVersion> version;
     geometry::ViewSize size;
@@ -54,16 +53,14 @@ public:
     // The functions from here to fail() are for the frame loop. take() returns a request if a frame is due. Then
     // exactly one call of deliver, give_up, give_way or fail must follow.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Call this before deliver(). Notifies the client of the parts of the scene that the frame lacks, if they differ
-    // from the previous frame. `drawn`: remarks of the renderer on parts that it could not draw. `drawn` is absent for
-    // an interactive picture. The remarks on the last still picture are then kept, because the notice would flicker
-    // otherwise.
+    // Call this before deliver(). Notifies the client of the parts that the frame lacks, if they have changed. `drawn`:
+    // remarks of the renderer, absent for an interactive picture. The remarks on the last still picture are then kept,
+    // because the notice would flicker otherwise.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const geometry::Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // Sends `messages` in order, with the frame number in the header of each message. `messages` is empty if the client
-    // already has the content. `parts`: ids of the arrays that the client has when it acknowledges the frame; only for
-    // the geometry stream. If the connection has no room, the frame is dropped, and made again when there is room.
-    // Throws LimitReached if the frame is larger than the room in the server's memory.
+    // Sends `messages` with the frame number in each header; none if the client already has the content. `parts`: ids
+    // of the arrays that the client has when it acknowledges the frame. If the connection has no room, the frame is
+    // dropped and made again later. Throws LimitReached if the frame is larger than the room in the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
                  const FrameTimes& times);
     void give_up();  // cancelled: the frame was superseded, or the view is closed
@@ -72,18 +69,16 @@ public:
 
     // Returns whether the last geometry frame had this content, on a grid as fine as `grid` or finer.
     [[nodiscard]] bool shows(const frames::ContentKey& key, double grid);
-    // Returns the grid step with which to send this content. Returns nothing if the client has the content on a grid
-    // that is fine enough. Stores the content and the grid step of the geometry frame.
+    // Stores the content, and returns its grid step, or nothing if the client has it on a grid that is fine enough.
     [[nodiscard]] std::optional<double> grid_of_new(frames::ContentKey key, double needed);
 
 private:
     void again();  // makes frames of the same scene again; requires mutex_ to be held
     void finish(); // requires mutex_ to be held
-    // Returns the encoder of the next interactive picture. Requires mutex_ to be held and no frame in progress.
+    // Requires mutex_ to be held and no frame in progress.
     [[nodiscard]] wire::PictureStream& pictures_now();
     void schedule();
-    // Returns whether the window and the connection have room for one more frame with the size in bytes of the last
-    // frame.
+    // One more frame is assumed to have the size of the last frame.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
     void make_again_later(const FrameRequest& request); // requires mutex_ to be held
 
@@ -110,8 +105,7 @@ private:
     std::stop_source stop_;                                      // cancels the frame in progress
     Clock::time_point started_, quiet_until_;
     bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
-    // Whether the last interactive frame was cancelled. The next interactive frame is then finished, because otherwise
-    // nothing would be shown during a steady drag.
+    // Whether the last interactive frame was cancelled. The next one is finished, so that a steady drag shows frames.
     bool gave_up_ = false;
     unsigned gave_way_ = 0; // how often the wanted still picture has given way
     std::uint32_t sent_ = 0;

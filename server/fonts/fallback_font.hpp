@@ -11,8 +11,7 @@ struct FontFile {
     int index = 0; // index of the face in the file
 };
 
-// Returns the outline font that has the character and is most similar to DejaVu Sans; nullopt if no installed font has
-// the character. Thread-safe.
+// Returns the outline font that has the character and is most similar to DejaVu Sans, or nullopt. Thread-safe.
 [[nodiscard]] std::optional<FontFile> fallback_font(char32_t character);
 
 } // namespace ciel::fonts

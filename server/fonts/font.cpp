@@ -76,16 +76,14 @@ struct Font::State {
                         "titles, axes and legends");
         library.check(FT_Stroker_New(library.library(), &stroker), "outline its glyphs", file);
     }
-    // Appends the face of a font file to `faces`. Returns false if the file is not a readable font. Throws
-    // std::bad_alloc if memory is exhausted.
+    // Returns false if the file is not a readable font. Throws std::bad_alloc if memory is exhausted.
     bool open(const std::filesystem::path& file, int index) {
         const FT_Face face = library.open(file, index);
         if (face == nullptr) return false;
         faces.push_back({file, index, face, 0});
         return true;
     }
-    // Returns the index of a face that has the character, and the index of the glyph in this face. If no face has the
-    // character, returns {0, 0}: the box that the font shows for missing characters.
+    // If no face has the character, returns {0, 0}: the box that the font shows for missing characters.
     std::pair<std::size_t, FT_UInt> find(char32_t character) {
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};

@@ -30,12 +30,10 @@ struct GlyphImage {
     std::vector<std::uint8_t> coverage;
 };
 
-// A font, with installed fallback fonts for characters that the font lacks. Not thread-safe. Sizes are in pixels per
-// em. `metrics` describes the font itself, not its fallback fonts.
+// Not thread-safe. Sizes are in pixels per em. `metrics` describes the font itself, not its fallback fonts.
 class Font final : public annotations::TextMeasure {
 public:
-    // The first call of another member function opens `file`. If `file` cannot be read, every call throws Error. The
-    // text names the package to install.
+    // The first call of another member function opens `file`. If `file` cannot be read, every call throws Error.
     explicit Font(std::filesystem::path file = default_file());
     ~Font() override;
     Font(Font&&) noexcept;

@@ -1,6 +1,5 @@
-// FreeType: an FT_Library whose allocator records failed allocations. FreeType itself reports a failed allocation as an
-// arbitrary error, for example as a damaged font. It reports a file that cannot be mapped as a file of unknown format.
-// Not thread-safe.
+// FreeType: an FT_Library whose allocator records failed allocations, because FreeType itself reports them as arbitrary
+// errors, for example as a damaged font. Not thread-safe.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +20,7 @@ public:
 
     [[nodiscard]] FT_Library library() const { return library_; }
 
-    // Opens a face of a font file. This object owns the face. Returns null if FreeType cannot read the file as a font.
-    // Throws std::bad_alloc if memory is exhausted.
+    // This object owns the face. Returns null if FreeType cannot read the font. Throws std::bad_alloc.
     [[nodiscard]] FT_Face open(const std::filesystem::path& file, int index);
     // Does nothing if `error` is 0. Otherwise throws std::bad_alloc if an allocation failed, else ciel::Error with the
     // name of the file and the failed action `what`.

@@ -1,5 +1,4 @@
-// Decodes UTF-8 by the best practice of Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes
-// one U+FFFD.
+// Decodes UTF-8 as in Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes one U+FFFD.
 #include "fonts/font.hpp"
 
 namespace ciel::fonts {

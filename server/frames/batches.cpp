@@ -11,9 +11,8 @@ namespace ciel::frames {
 
 namespace {
 
-// Returns the quantization step of a layer's values: 1/16384 of the color range. This step is invisible, because a
-// color channel has only 256 values. Returns 0 (no quantization) for a logarithmic scale, because the step would be
-// visible near zero. Also returns 0 for a range of zero or infinite width.
+// 1/16384 of the color range is invisible, because a color channel has only 256 values. 0 means no quantization: on a
+// logarithmic scale, a step would be visible near zero.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
     const double width = scale.range[1] - scale.range[0];
@@ -27,8 +26,7 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    // Rounding moves the points of a cap away from the clip plane by up to one grid step. Therefore each plane is
-    // shifted by one grid step, so that the cap is not clipped.
+    // Rounding moves the points of a cap by up to one grid step. Without this shift, the plane would clip the cap.
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {

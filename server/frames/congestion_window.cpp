@@ -8,23 +8,16 @@ namespace {
 
 using std::chrono::seconds;
 
-// A frame is late if its acknowledgement is later than this, in seconds. The animation frames and the decoder of a
-// browser cause shorter delays.
-constexpr double tolerance = 0.03;
-// The window shrinks after a single frame that is later than this, in seconds. No browser delays a frame this much.
-constexpr double very_late = 0.2;
-// A frame that is later than this, in seconds, has waited in a queue of the line.
-constexpr double queued = 0.1;
+constexpr double tolerance = 0.03; // seconds; the animation frames and the decoder of a browser cause shorter delays
+constexpr double very_late = 0.2;  // seconds; no browser delays a frame this much, so the window shrinks after one
+constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
-// The window does not grow if a frame takes longer than this, in seconds, because such a frame is large.
-constexpr double longest_route = 1;
-// At this age soonest_ is measured again, because the route to the client may have become longer.
-constexpr seconds soonest_lasts{10};
+constexpr double longest_route = 1;  // seconds; a frame that takes longer is large, so the window does not grow
+constexpr seconds soonest_lasts{10}; // then soonest_ is measured again, because the route may have become longer
 constexpr seconds rate_lasts{30};
 constexpr seconds best_lasts{2}; // period of Highest, so that a rate is used for 2 to 4 seconds
-// If the rate is below this fraction of the best rate, a late frame was not delayed by the line.
-constexpr double full = 0.9;
+constexpr double full = 0.9;     // of the best rate; at a lower rate, a late frame was not delayed by the line
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -103,8 +96,7 @@ void CongestionWindow::shrink(const Frame& frame, double carried, double late, T
         window_ = static_cast<double>(bytes_on_the_way()) + bytes;
         return;
     }
-    // A busy browser acknowledges late even with few bytes in flight. Therefore the window stays large enough for the
-    // highest rate that the line has reached.
+    // A busy browser acknowledges late even with few bytes in flight, so the window allows the highest rate so far.
     window_ = std::max(delivered_.value() * (soonest_->value + tolerance), bytes);
     if (carried >= full * carried_.value() && (!rate_ || carried >= rate_->value)) rate_ = {carried, now};
 }

@@ -20,9 +20,8 @@ public:
     // `unknown_line`: number of frames that may be in flight before the first acknowledgement.
     explicit CongestionWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Reports that a frame was sent. Frame numbers must ascend. A still picture takes no room in the window, because a
-    // newer frame replaces the part of the still picture that is not sent yet. Frames after an unacknowledged still
-    // picture do not measure the line, because the still picture delays them.
+    // Frame numbers must ascend. A still picture takes no room, because a newer frame replaces the part that is not
+    // sent yet. Frames after an unacknowledged still picture do not measure the line, because it delays them.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
     // Acknowledges a frame and all earlier frames. Returns true if at least one of them was in flight.
     bool acknowledged(std::uint32_t frame, Time now);
@@ -51,7 +50,6 @@ private:
         Time at;
     };
 
-    // Highest rate of the current period and of the previous period, in bytes per second.
     struct Highest {
         double current = 0, before = 0;
         void add(double rate, bool begins); // `begins`: whether a new period begins with this rate

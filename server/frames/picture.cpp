@@ -33,8 +33,7 @@ const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
     render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
-    // A smaller interactive picture uses the default camera of the still picture. This camera depends on the room for
-    // annotations, and therefore on the size of the picture.
+    // The default camera depends on the picture's size. A smaller interactive picture uses that of the still picture.
     if (!scene.camera && scale < 1)
         frame.camera =
             geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));

@@ -15,10 +15,8 @@ constexpr Level jpeg_levels[]{{{80, 1}, 1},      {{60, 1}, 0.68},    {{40, 1}, 0
 constexpr Level png_levels[]{{{80, 1}, 1}, {{80, 0.7}, 0.55}, {{80, 0.5}, 0.3}, {{80, 0.35}, 0.17}, {{80, 0.25}, 0.09}};
 
 constexpr double fast_enough = 1.0 / 30; // seconds per picture; a higher rate does not justify less detail
-// Fractions of the bytes that the line carries until the next picture. A picture larger than `most` delays later
-// pictures, and the detail becomes coarser. The detail becomes finer only if the finer picture would be smaller than
-// `margin`. `margin` is less than `most`, because Level::bytes is approximate. Otherwise the detail would alternate
-// between two levels.
+// Fractions of the bytes that the line carries until the next picture. `margin` is less than `most`, because
+// Level::bytes is approximate and the detail would otherwise alternate between two levels.
 constexpr double most = 0.9, margin = 0.75;
 constexpr unsigned before_coarser = 2, before_finer = 8;
 

@@ -18,8 +18,7 @@ public:
     };
 
     [[nodiscard]] Detail of(wire::MovingCodec codec) const;
-    // Reports the size of a picture that was sent. `making`: seconds that the server took to make the picture. `rate`:
-    // bytes per second of the line, or 0 if the line is not known to be slow.
+    // `making`: seconds that making the picture took. `rate`: bytes per second; 0: the line is not known to be slow.
     void sent(wire::MovingCodec codec, std::size_t bytes, double making, double rate);
 
 private:

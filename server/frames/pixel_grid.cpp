@@ -13,8 +13,7 @@ namespace ciel::frames {
 namespace {
 
 constexpr double of_a_pixel = 0.25;
-// Grid step as a fraction of a triangle's height. Rounding to this step tilts the triangle by 1 degree on average.
-constexpr double of_a_height = 1.0 / 32;
+constexpr double of_a_height = 1.0 / 32;     // of a triangle's height; this tilts the triangle by 1 degree on average
 constexpr double nearest_of_farthest = 1e-4; // least visible depth as a fraction of the largest, as in the renderer
 constexpr std::size_t sampled_triangles = 4096;
 constexpr double small_heights = 0.1; // quantile of the triangle heights that limits the step
@@ -28,7 +27,6 @@ Vec3d position(const Surface& surface, Index vertex) {
     return {p[0], p[1], p[2]};
 }
 
-// View frustum of a perspective camera. `eye_`: camera position relative to the geometry's origin.
 class Frustum {
 public:
     Frustum(const geometry::Geometry& geometry, const annotations::Camera& camera, const geometry::ViewSize& size)
@@ -50,29 +48,26 @@ public:
     }
 
     [[nodiscard]] double nearest() const { return nearest_; }
-    // Returns the depth of the nearest corner of the bounds. It is negative if this corner is behind the camera.
+    // Negative if this corner is behind the camera.
     [[nodiscard]] double nearest_corner() const { return nearest_corner_; }
 
-    // Returns the coordinates of a point in the axes of the camera: right, up, forward (depth).
+    // In the axes of the camera: right, up, forward (depth).
     [[nodiscard]] Vec3d place(const Vec3f& p) const {
         const Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
         return {dot(right_, at), dot(up_, at), dot(forward_, at)};
     }
-    // Returns a number for each side of the frustum: right, left, top, bottom, near. The number is negative if the
-    // point is outside of this side.
+    // For the sides right, left, top, bottom and near: negative if the point is outside of the side.
     [[nodiscard]] std::array<double, 5> inside(const Vec3d& at) const {
         const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
         return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
     }
-    // Returns a bit mask of the sides of the frustum for which the point is outside.
     [[nodiscard]] std::uint8_t outside(const Vec3d& at) const {
         unsigned bits = 0;
         const auto distances = inside(at);
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // Returns the least depth of the visible part of a convex polygon or line, or infinity if nothing is visible.
-    // Overwrites both arguments.
+    // Returns infinity if nothing is visible. Overwrites both arguments.
     [[nodiscard]] double nearest_of(std::vector<Vec3d>& corners, std::vector<Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
             clip_polygon(
@@ -91,7 +86,6 @@ private:
 
 std::size_t corners_of(const geometry::Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
 
-// Returns the least depth of the visible part of the drawable, or infinity if nothing is visible.
 double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum) {
     std::vector<Vec3d> places;
     std::vector<std::uint8_t> outside;
@@ -119,8 +113,6 @@ double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum)
     return nearest;
 }
 
-// Computes the small_heights quantile of the triangle heights of each drawable that is lit without normals. Returns the
-// least of these quantiles, or infinity if there are no such triangles.
 double flat_height(const geometry::Geometry& geometry) {
     double least = INFINITY;
     for (const geometry::Drawable& drawable : geometry.drawables) {
@@ -153,15 +145,13 @@ double largest_offset(const geometry::Geometry& geometry) {
     return largest;
 }
 
-// Returns the distance from the origin at which the grid need not be finer than the resolution of floats. It is the
-// larger of the distances of the camera's position and target, but at most the distance of the bounds.
+// Distance from the origin at which the grid need not be finer than the resolution of floats.
 double looked_at(const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double nearest = std::max(length(camera.position - geometry.origin), length(camera.target - geometry.origin));
     return std::min(nearest, largest_offset(geometry));
 }
 
-// Returns the largest grid step that is at most `wanted`. Returns a larger step if this step would be finer than the
-// resolution of floats, or if a coordinate in steps would be longer than 30 bits.
+// Returns a larger step if floats are coarser, or if a coordinate in steps would be longer than 30 bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));

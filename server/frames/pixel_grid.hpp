@@ -7,25 +7,20 @@
 
 namespace ciel::frames {
 
-// Returns the grid step that this camera needs, in length units. The step is a power of two. It is at most a quarter of
-// a pixel at the nearest visible triangle, line or point. Rounding by half a step along each axis then moves no point
-// by more than 0.22 pixels.
-// The step is also at most 1/32 of the height of triangles that are lit without normals, because their shading would
-// show the rounding.
-// Exception: the step is never less than the resolution of floats at the position and target of the camera, and never
-// less than 2^-29 of the largest offset from the origin. Reads all positions.
+// Returns the grid step that this camera needs, a power of two in length units. It is at most a quarter of a pixel at
+// the nearest visible triangle, line or point, so that rounding moves no point by more than 0.22 pixels. It is at most
+// 1/32 of the height of triangles that are lit without normals, because their shading would show the rounding. But it
+// is never less than the resolution of floats at the camera's position and target, or than 2^-29 of the largest offset.
 [[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                  const geometry::ViewSize& size);
 
-// Returns a grid step that is fine enough in pixels for this camera, computed only from the bounds. This avoids reading
-// all positions each time the camera turns around a large mesh. Returns 0 if a corner of the bounds is not in front of
-// the camera. Ignores triangles that are lit without normals, because needed_grid() has already made the grid fine
-// enough for them.
+// Computes a fine enough step from the bounds only, because reading all positions takes long each time the camera
+// turns. Returns 0 if a corner of the bounds is not in front of the camera. Ignores triangles that are lit without
+// normals, because needed_grid() has already made the grid fine enough for them.
 [[nodiscard]] double surely_fine_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                       const geometry::ViewSize& size);
 
-// Returns the length of a pixel at the depth of the nearest visible point, in length units. The depth is taken to be at
-// least 1e-4 of the depth of the farthest corner of the bounds.
+// Returns the length of a pixel at the nearest visible point. Its depth counts as at least 1e-4 of the largest depth.
 [[nodiscard]] double nearest_pixel(const geometry::Geometry& geometry, const annotations::Camera& camera,
                                    const geometry::ViewSize& size);
 

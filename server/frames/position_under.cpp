@@ -24,8 +24,7 @@ std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const sc
     const Vec3d sight = (camera.parallel ? camera.target : hit) - camera.position;
     const double whole = length(geometry.bounds_max - geometry.bounds_min);
     const double seen = std::min(whole, camera.parallel ? camera.parallel_height : length(sight));
-    // Steps relative to the visible extent come first, because cells of a boundary layer are thin. Then come steps
-    // relative to the bounds, which are as large as the error of the depth.
+    // First small steps, because cells of a boundary layer are thin. Then steps as large as the error of the depth.
     for (const double reach : {seen, whole})
         for (const double share : {1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3}) {
             const Vec3d moved = hit + share * reach / length(sight) * sight;

@@ -12,10 +12,9 @@
 
 namespace ciel::frames {
 
-// Returns the world position under a pixel, or nothing if the pixel shows the background. `pixel`: coordinates from the
-// top left corner. The depth buffer is rounded, so that a position on the boundary may lie outside of the mesh. Such a
-// position is moved along the line of sight into a cell, by at most 1e-3 of the diagonal of the bounds. `check_wanted`:
-// see render::Frame.
+// Returns nothing if the pixel shows the background. `pixel`: coordinates from the top left corner. The depth buffer is
+// rounded, so a position outside of the mesh is moved along the line of sight into a cell, by at most 1e-3 of the
+// diagonal of the bounds. `check_wanted`: see render::Frame.
 [[nodiscard]] std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
                                                   geometry::ViewSize size, std::array<double, 2> pixel,
                                                   const CellLocator& locator, render::Renderer& renderer,

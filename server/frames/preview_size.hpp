@@ -11,7 +11,6 @@ class PreviewSize {
 public:
     // Returns the side of an interactive picture as a fraction of the side of the view.
     [[nodiscard]] double scale(geometry::ViewSize view) const;
-    // Reports the drawing time of the view's last interactive picture.
     void took(geometry::ViewSize view, double milliseconds);
 
 private:

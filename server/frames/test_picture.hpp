@@ -13,8 +13,7 @@ struct Readiness {
     std::string problem{}; // a sentence; empty when ready
 };
 
-// Draws a triangle and checks its pixels. Then checks that the memory is enough for a usual still picture. Throws Error
-// if drawing fails.
+// Also checks that the memory is enough for a usual still picture. Throws Error if drawing fails.
 [[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 

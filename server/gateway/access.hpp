@@ -1,5 +1,4 @@
-// Access checks: Host header (against DNS rebinding), Origin header (against pages of other sites), token, user of the
-// peer process.
+// Access checks: Host header (against DNS rebinding), Origin header (against other sites), token, user of the peer.
 #pragma once
 
 #include "gateway/gateway.hpp"
@@ -22,23 +21,19 @@ struct AccessRules {
     std::string cookie_path = "/";
 };
 
-// Returns whether the Host header is accepted. On loopback it must be localhost, a loopback address or one of
-// allowed_hosts, with any port. On other interfaces Host is checked only if allowed_hosts is not empty. A request
-// without Host is accepted, because it cannot come from a browser: browsers always send Host.
+// On loopback, Host must be a local name or one of allowed_hosts, with any port. On other interfaces it is checked only
+// if allowed_hosts is not empty. A request without Host is accepted, because browsers always send Host.
 [[nodiscard]] bool host_allowed(const AccessRules& rules, std::string_view host);
 
-// Returns whether the Origin header is absent (as in requests of scripts), is the server's own origin (same host and
-// port as Host), or is in rules.origins.
+// Accepts an absent Origin (as in requests of scripts), the server's own origin, and rules.origins.
 [[nodiscard]] bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host);
 
-// Returns the token from `Authorization: Bearer`, else from `?token=`, else from the cookie. Returns an empty text if
-// the request has no token.
+// The token is in `Authorization: Bearer`, else in `?token=`, else in the cookie. Returns an empty text without token.
 [[nodiscard]] std::string presented_token(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // compares in constant time
 
 enum class Claim { token, own_user, wrong_token, none };
-// Returns which credential a request carries. A proxied request is never own_user, because a proxy forwards requests of
-// any user. A request whose Host is not a local name is never own_user either.
+// Never own_user for a proxied request, because a proxy forwards requests of any user, or if Host is not a local name.
 [[nodiscard]] Claim claim_of(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] inline bool is_let_in(Claim claim) { return claim == Claim::token || claim == Claim::own_user; }
 
@@ -47,20 +42,17 @@ enum class Claim { token, own_user, wrong_token, none };
 
 // Returns the value of a cookie in a Cookie header (RFC 6265); empty if absent.
 [[nodiscard]] std::string cookie_value(std::string_view header, std::string_view name);
-// Returns the Set-Cookie value for a browser that sent ?token=. `secure`: whether the proxy in front of the server uses
-// TLS.
+// For a browser that sent ?token=. `secure`: whether the proxy in front of the server uses TLS.
 [[nodiscard]] std::string token_cookie(const AccessRules& rules, bool secure);
 
-// offers_subprotocol() returns whether the header Sec-WebSocket-Protocol offers "ciel.v1". `header`: all lines of the
-// header, joined by commas.
+// `header`: all lines of the header Sec-WebSocket-Protocol, joined by commas.
 inline constexpr std::string_view subprotocol = "ciel.v1";
 [[nodiscard]] bool offers_subprotocol(std::string_view header);
 
 // Returns whether Sec-WebSocket-Key is 16 bytes in base64 (RFC 6455, 4.2.1).
 [[nodiscard]] bool is_handshake_key(std::string_view header);
 
-// Throws Error unless the token has at least 8 characters, and every character is valid without quoting in a URL, a
-// header and a cookie.
+// Throws Error unless the token has at least 8 characters, all valid without quoting in a URL, a header and a cookie.
 void check_token_form(const std::string& token);
 
 } // namespace ciel::gateway

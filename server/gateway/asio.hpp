@@ -21,8 +21,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using boost::system::error_code;
 
-// Runs `work` on a thread of `workers`, then resumes the coroutine on its own executor with the text that `work`
-// returned. JSON-RPC methods must not run on socket threads, because they may take long.
+// JSON-RPC methods must not run on socket threads, because they may take long. Resumes on the coroutine's executor.
 template <typename Work>
 asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     auto task = [&work]() -> asio::awaitable<std::string> { co_return work(); };

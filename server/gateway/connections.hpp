@@ -12,24 +12,21 @@ namespace ciel::gateway {
 
 struct ConnectionRules {
     std::size_t most = 128;
-    // This many of the `most` connections are reserved for authorized connections (with the token, or of the server's
-    // own user). At most half of `most` is reserved.
+    // This many of the `most` connections are reserved for authorized connections, but at most half of `most`.
     std::size_t reserved = 32;
     std::size_t of_address = 64; // most connections with the same counting_key(); an empty key has no limit
     std::size_t refused = 32;    // most refused connections open at once; further refused connections get no answer
 };
 
-// Callbacks of one connection, called from any thread. They must not block. They must not call Connections, because
-// `cut` is called with the mutex of Connections locked. While the ticket is being destroyed, each callback may still be
-// called once. `drain` may also be called shortly afterwards.
+// Called from any thread. Callbacks must not block or call Connections, because `cut` is called with its mutex locked.
+// While the ticket is being destroyed, each may still be called once, and `drain` also shortly afterwards.
 struct ConnectionHooks {
     std::function<void()> drain; // asks the connection to end soon
     std::function<void()> cut;   // closes the connection at once
 };
 
-// Connections is thread-safe. At a limit, Connections closes the oldest connection that is counted for this limit, to
-// make room for a new connection. It never closes a WebSocket or a connection with an authorized request in progress.
-// If there are no other connections, it refuses the new connection.
+// Thread-safe. At a limit, closes the oldest connection that is counted for this limit, but never a WebSocket or a
+// connection with an authorized request in progress. If there is no other connection, refuses the new connection.
 class Connections {
     struct Entry;
 
@@ -45,10 +42,9 @@ public:
 
         [[nodiscard]] bool is_refused() const { return is_refused_; } // if true, answer 503 and close
 
-        // Call this when the head of a request is complete. `let_in`: whether the request is authorized; if so, the
-        // connection is not closed to make room for another connection. `key`: counting_key() of a client behind a
-        // proxy, else empty. If `key` is not empty, the connection is also counted for this client until the request
-        // ends. Returns false if the client is at its limit.
+        // Call this when the head of a request is complete. `let_in`: whether the request is authorized; then the
+        // connection is not closed to make room. `key`: counting_key() of a client behind a proxy, else empty; the
+        // client is counted until the request ends. Returns false if the client is at its limit.
         [[nodiscard]] bool begin_request(bool let_in, const std::string& key);
         void end_request(); // for a WebSocket: call it when the WebSocket has closed
 
@@ -62,10 +58,9 @@ public:
         bool is_refused_;
     };
 
-    // Registers a connection. `key`: counting_key() of the peer. `needs_room`: whether another connection must be
-    // closed, because file descriptors are short. Returns null if the connection is refused and must be closed without
-    // an answer. This happens if `needs_room` is true, or if ConnectionRules::refused other refused connections are
-    // still open.
+    // `key`: counting_key() of the peer. `needs_room`: another connection must be closed, because file descriptors are
+    // short. Returns null if the connection is refused and must be closed without an answer: if `needs_room` is true,
+    // or if ConnectionRules::refused other refused connections are open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
     [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet

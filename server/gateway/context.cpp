@@ -10,9 +10,7 @@
 namespace ciel::gateway {
 namespace {
 
-// The soft limit of open files is raised to at most this number. A higher limit would slow down some child programs,
-// because they close every descriptor up to the limit.
-constexpr rlim_t enough_files = 65536;
+constexpr rlim_t enough_files = 65536; // with a higher limit, child programs that close all descriptors would be slow
 
 ConnectionRules rules_of(const limits::Limits& limits) {
     return {limits.connections, limits.reserved_connections, limits.connections_of_address, limits.refused_connections};
@@ -27,8 +25,6 @@ std::string own_user_name() {
     return std::to_string(::geteuid());
 }
 
-// Raises the soft limit of open files (RLIMIT_NOFILE) to enough_files, or as far as the hard limit allows. Returns the
-// resulting soft limit.
 std::size_t raised_file_limit() {
     rlimit files{};
     ::getrlimit(RLIMIT_NOFILE, &files);

@@ -1,5 +1,4 @@
-// A time-out for reads. Unlike the time-out of beast::tcp_stream, it leaves the socket open, so that an answer can
-// still be sent.
+// A time-out for reads. Unlike beast::tcp_stream, it leaves the socket open, so that an answer can still be sent.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -8,8 +7,7 @@
 
 namespace ciel::gateway {
 
-// Use a Deadline only on the executor of its stream. It must not outlive the stream, and must be stopped before the
-// stream is moved.
+// Use it only on its stream's executor. It must not outlive the stream, and must be stopped before the stream is moved.
 class Deadline {
 public:
     explicit Deadline(beast::tcp_stream& stream) : stream_(stream), timer_(stream.get_executor()) {}
@@ -17,8 +15,7 @@ public:
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
 
-    // Starts or restarts the deadline. When `time` has passed, pending operations of the stream end with
-    // operation_aborted and passed() returns true.
+    // When `time` has passed, pending operations of the stream end with operation_aborted, and passed() is true.
     void start(std::chrono::seconds time) {
         stop();
         passed_ = false;

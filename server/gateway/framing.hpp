@@ -12,8 +12,7 @@ enum class Framing {
     unknown_coding, // chunked after an unsupported coding
 };
 
-// Returns the framing of a request body. `transfer_encoding`: all Transfer-Encoding lines of the request, joined by
-// commas. The request must have at least one such line.
+// `transfer_encoding`: all Transfer-Encoding lines of the request, at least one, joined by commas.
 [[nodiscard]] Framing framing_of(std::string_view transfer_encoding);
 
 } // namespace ciel::gateway

@@ -108,8 +108,7 @@ private:
         }
     }
 
-    // Ends the process without running destructors, because running calls still refer to the service. If this
-    // interrupts a commit of uploaded data, the dataset stays unchanged.
+    // No destructors run, because running calls still refer to the service. An interrupted commit changes no dataset.
     [[noreturn]] static void abandon() {
         spdlog::warn("the server stopped before all requests were answered");
         spdlog::shutdown();

@@ -15,8 +15,7 @@ struct GatewayOptions {
     unsigned short port = 8080;      // 0: any free port
     std::string prefix;              // such as "/ciel" behind a proxy; the proxy may strip the prefix
     std::filesystem::path webclient; // folder of the static files; empty: no web client
-    // Every client must send the token. If it is empty, a token is generated, and on loopback the server's own user
-    // needs no token.
+    // If this is empty, a token is generated, and on loopback the server's own user needs no token.
     std::string token;
     std::vector<std::string> origins;       // such as "https://example.org"; the server's own origin is always allowed
     std::vector<std::string> allowed_hosts; // names accepted in Host, in addition to local names
@@ -27,7 +26,6 @@ struct GatewayOptions {
     std::string version;  // for the Server header
 };
 
-// The bound address, for the log and the console.
 struct Listening {
     std::string host; // in URL form: "127.0.0.1", "[::1]"
     unsigned short port = 0;
@@ -38,12 +36,11 @@ struct Listening {
 // Returns 128 random bits as 32 hexadecimal digits. Throws Error when the system gives no random bytes.
 [[nodiscard]] std::string generate_token();
 
-// Serves until SIGINT or SIGTERM, then drains. A second signal ends the process at once. Returns the exit code of the
-// process. Throws Error if the address cannot be bound, the token is malformed, or the web client's folder is
-// unreadable. `on_listening` is called on the caller's thread before the first connection is accepted.
-// Draining refuses new connections, notifies clients, and closes WebSockets with code 1001. Calls have half of
-// Limits::drain_seconds to finish. After that, calls are cancelled, and WebSockets close without waiting for answers.
-// At the end, clients that do not read or do not answer the close are disconnected.
+// Serves until SIGINT or SIGTERM, then drains. A second signal ends the process at once. Returns the exit code. Throws
+// Error if the address cannot be bound, the token is malformed, or the web client's folder is unreadable. Calls
+// `on_listening` before it accepts the first connection.
+// While draining, calls have half of Limits::drain_seconds to finish. Then they are cancelled, and WebSockets close
+// with code 1001 without waiting for answers. At the end, clients that do not read are disconnected.
 int serve(Service& service, const GatewayOptions& options, const std::function<void(const Listening&)>& on_listening);
 
 } // namespace ciel::gateway

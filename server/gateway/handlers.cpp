@@ -82,8 +82,7 @@ Response static_file(Context& context, const Request& request, const Target& tar
         response.content_type = "text/html; charset=utf-8";
     } else
         return sentence(404, "The server has no page " + target.path + "; check the address.");
-    // A request of the server's own user is accepted even with a wrong token, such as the token of an earlier server.
-    // Only the right token is stored in the cookie.
+    // The server's own user may enter with a wrong token, which must not get into the cookie.
     const auto offered = target.query.find("token");
     if (offered != target.query.end() && token_allowed(context.access, offered->second))
         response.headers.emplace_back("Set-Cookie", token_cookie(context.access, request.forwarded_proto == "https"));

@@ -18,8 +18,7 @@ namespace ciel::gateway {
     return text;
 }
 
-// Splits `text` at the separators and calls visit(part) for each part, without white space around it, until visit
-// returns true. Returns whether a call of visit returned true.
+// Calls visit(part) for each part without white space around it, until visit returns true. Returns whether it did.
 template <typename Visit>
 bool any_part(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {

@@ -53,8 +53,7 @@ public:
     }
 
 private:
-    // Sets is_of_own_user_. Must be called before the first read, because a socket that the client has closed no longer
-    // has an owner.
+    // Called before the first read, because a socket that the client has closed no longer has an owner.
     asio::awaitable<void> look_up_user() {
         if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
         error_code gone;
@@ -63,7 +62,7 @@ private:
         is_of_own_user_ = co_await context_.owners.is_own_user(start_.peer, own);
     }
 
-    // Reads and answers one request. Returns false if the connection must end.
+    // Returns false if the connection must end.
     asio::awaitable<bool> one_request() {
         if (context_.draining && buffer_.size() == 0) co_return false;
         waiting_ = true;
@@ -92,8 +91,7 @@ private:
         deadline_.start(std::chrono::seconds(seconds));
     }
 
-    // Waits for the first bytes of a request. Returns false if the peer has closed the connection or was idle too long.
-    // Such a peer gets no answer. Blank lines before the request do not extend the time limit.
+    // Returns false if the peer has left or was idle too long. Blank lines do not extend the time limit.
     asio::awaitable<bool> request_begins() {
         error_code error;
         start_deadline(is_first_ ? std::min(limits_.head_seconds, limits_.keep_alive_seconds)
@@ -108,7 +106,7 @@ private:
         co_return !error;
     }
 
-    // Returns whether the buffer begins with a blank line (CR LF). Also true for an empty buffer and for a lone CR.
+    // Also true for an empty buffer and for a lone CR.
     bool begins_with_blank_line() const {
         const auto data = buffer_.data();
         const std::string_view text(static_cast<const char*>(data.data()), data.size());
@@ -120,8 +118,7 @@ private:
         return 1;
     }
 
-    // Sets `address` and `remote` of a request that a trusted proxy has forwarded, and returns the counting_key() of
-    // this address. Returns an empty text for other requests.
+    // Sets the address that a trusted proxy has forwarded, and returns its counting_key(), or an empty text.
     std::string client_of(Request& request) const {
         const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
         if (!client) return {};
@@ -140,7 +137,7 @@ private:
         return request;
     }
 
-    // Returns the route or the refusal of a request, and whether the connection must end after the answer.
+    // The second member is true if the connection must end after the answer.
     std::pair<Resolved, bool> look_at(const HttpRequest& message, Request& request) {
         const std::string client = client_of(request);
         if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
@@ -188,7 +185,6 @@ private:
         co_return written&& keep_alive;
     }
 
-    // Logs the refusal of a request, except redirects and 404.
     void tell_refusal(const Request& request, const Response& refusal) {
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
@@ -203,8 +199,7 @@ private:
                             {"note", "further refusals for this address are not logged for a minute"}});
     }
 
-    // Delays the answer to a wrong token, to slow down guessing. If wrong_tokens_waiting answers are already delayed,
-    // answers 429 at once.
+    // Slows down guessing. If wrong_tokens_waiting answers are already delayed, answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (context_.log_limiter.allows("token " + request.address))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
@@ -320,8 +315,7 @@ private:
         co_return !error;
     }
 
-    // Discards input until the peer closes or linger_seconds have passed. Closing while the peer still sends would
-    // reset the connection, and the answer would be lost.
+    // If the server closed while the peer still sends, the connection would be reset and the answer lost.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);

@@ -8,10 +8,9 @@
 
 namespace ciel::gateway {
 
-// The current drain or cut handler of a connection; empty when the connection needs no handler. Runs on the
-// connection's executor. A drain handler is called up to three times. After the first call, the connection may still
-// finish its answers. After the second call, it must end without waiting for answers, and after the third call without
-// waiting for the client.
+// The current drain or cut handler of a connection; empty when none is needed. Runs on the connection's executor. A
+// drain handler is called up to three times. After the first call the connection may finish its answers, after the
+// second it must end without them, and after the third without waiting for the client.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {
@@ -22,8 +21,7 @@ struct ConnectionStart {
     OnDrain on_drain{}, on_cut{};
 };
 
-// Serves one connection on the socket's executor, which must be a strand. Returns without throwing when the connection
-// has ended.
+// Runs on the socket's executor, which must be a strand. Returns without throwing when the connection has ended.
 asio::awaitable<void> http_session(ConnectionStart start, Context& context, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

@@ -16,18 +16,15 @@ namespace {
 
 using asio::ip::tcp;
 
-// Pause after an accept while file descriptors are short. During the pause, connections that were closed to make room
-// can end.
-constexpr std::chrono::milliseconds pause_when_short{10};
+constexpr std::chrono::milliseconds pause_when_short{10}; // connections that were closed to make room can end meanwhile
 
 std::size_t count_files() {
     std::error_code none; // without /proc the count is 0, and is_short_of_files() uses descriptor numbers only
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// Returns whether fewer file descriptors are free than the limit `reserved_files`. The kernel gives a new socket the
-// lowest free number, so that all lower numbers are in use. Other connections may have higher numbers; therefore all
-// connections are counted, too.
+// The kernel gives a new socket the lowest free number, so all lower numbers are in use. Other connections may have
+// higher numbers, so all connections are counted, too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;

@@ -9,8 +9,7 @@ namespace ciel::gateway {
 // Returns the first address of the host. Throws Error if the host cannot be resolved.
 [[nodiscard]] asio::ip::address resolve_host(const std::string& host);
 
-// Returns an acceptor that listens on the address and port. Throws Error if they cannot be bound; the error suggests a
-// solution.
+// Throws Error, which suggests a solution, if the address and port cannot be bound.
 [[nodiscard]] asio::ip::tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsigned short port);
 
 // Accepts connections until the acceptor is closed.

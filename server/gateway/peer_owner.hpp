@@ -26,13 +26,11 @@ struct SocketRow {
 // Parses one line of /proc/net/tcp. Returns nothing for the heading and malformed lines. The views point into `line`.
 [[nodiscard]] std::optional<SocketRow> parse_socket_row(std::string_view line);
 
-// Returns the kernel's name of a socket: "0100007F:1F90" for 127.0.0.1:8080 on a little-endian machine. The address is
-// written as 32-bit words in native byte order.
+// Returns "0100007F:1F90" for 127.0.0.1:8080 on a little-endian machine: words of 32 bits in native byte order.
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
-// Reads `table`, the text of /proc/net/tcp. Returns "LOCAL REMOTE" for each established socket that a process of `user`
-// holds. Returns an empty set for user 65534 (nobody), because in a user namespace all users from outside have this
-// number.
+// Returns "LOCAL REMOTE" for each established socket that a process of `user` holds. Returns nothing for user 65534
+// (nobody), because in a user namespace all users from outside have this number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.
@@ -44,8 +42,7 @@ public:
     OwnSockets(); // reads the kernel's tables
     explicit OwnSockets(Open open) : open_(std::move(open)) {}
 
-    // Returns whether a socket of this process's user connects `peer` to `own`. Reading a table takes milliseconds. A
-    // table is read again only if its last reading began before `asked`, so that one reading serves all waiting calls.
+    // Reading a table takes milliseconds. It is read again only if its last reading began before `asked`.
     [[nodiscard]] bool contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
                                Clock::time_point asked);
 
@@ -61,12 +58,10 @@ private:
     Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
 };
 
-// Finds the owners of peers. Reads the kernel's tables on a separate thread, because with thousands of connections the
-// reading would block the worker threads.
+// Reads the kernel's tables on its own thread, because with thousands of connections this takes long.
 class PeerOwners {
 public:
-    // Returns whether a process of this process's user holds the peer's end of a connection. Await on the connection's
-    // executor.
+    // Await this on the connection's executor.
     [[nodiscard]] asio::awaitable<bool> is_own_user(asio::ip::tcp::endpoint peer, asio::ip::tcp::endpoint own);
     void join() { reader_.join(); } // call after the last is_own_user()
 

@@ -15,8 +15,7 @@ namespace ciel::gateway {
 // Addresses of proxies whose X-Forwarded-For is used.
 class TrustedProxies {
 public:
-    // `ranges`: addresses or ranges such as "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error if a range is
-    // malformed.
+    // `ranges`: such as "10.0.0.7", "172.30.0.0/16", "fd00::/8". Throws Error if a range is malformed.
     explicit TrustedProxies(const std::vector<std::string>& ranges);
     [[nodiscard]] bool contains(const asio::ip::address& address) const;
 
@@ -25,12 +24,11 @@ private:
     std::vector<asio::ip::network_v6> v6_;
 };
 
-// Returns the last element of X-Forwarded-For, which the nearest proxy has written. Returns nothing if this element is
-// not an address. The element may have a port, which is removed, and an IPv6 address may be in brackets.
+// The nearest proxy has written the last element. Removes a port and brackets. Returns nothing if it is no address.
 [[nodiscard]] std::optional<asio::ip::address> last_forwarded_for(std::string_view header);
 
-// Returns the key by which connections of this address are counted. The key of a loopback address is empty, because
-// loopback is not counted. The key of an IPv6 address is its first 64 bits, because a host may choose the other bits.
+// The key of a loopback address is empty: loopback is not counted. The key of an IPv6 address is its first 64 bits,
+// because a host may choose the other bits.
 [[nodiscard]] std::string counting_key(const asio::ip::address& address);
 
 // Converts an IPv4-mapped IPv6 address (::ffff:0:0/96) to IPv4. Returns other addresses unchanged.

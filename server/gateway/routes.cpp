@@ -37,7 +37,7 @@ Response refuse_token() {
     return response;
 }
 
-// Answers a CORS preflight request. Browsers send it before a page of a listed origin may POST JSON.
+// Browsers send a preflight before a page of a listed origin may POST JSON.
 Response preflight(const Request& request, const Route& route) {
     Response response = sentence(204, "");
     response.body.clear();
@@ -48,8 +48,7 @@ Response preflight(const Request& request, const Route& route) {
     return response;
 }
 
-// Returns whether a Content-Type is JSON. Media types are case-insensitive and may have parameters such as a charset
-// (RFC 9110, 8.3.1).
+// Media types are case-insensitive and may have parameters (RFC 9110, 8.3.1).
 bool is_json(std::string_view content_type) {
     std::string type(content_type.substr(0, content_type.find(';')));
     while (!type.empty() && (type.back() == ' ' || type.back() == '\t')) type.pop_back();
@@ -77,7 +76,7 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
     return std::nullopt;
 }
 
-// Redirects "/ciel" to "/ciel/", because relative links break without the slash.
+// Relative links break without the slash.
 Response to_prefix(const Context& context, const Request& request) {
     Response response = sentence(308, "The client is at " + context.prefix + "/");
     const auto query = std::min(request.target.find('?'), request.target.size());

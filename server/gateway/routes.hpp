@@ -29,12 +29,10 @@ struct Resolved {
     Claim claim = Claim::none;
 };
 
-// Finds the route of a request and checks everything except the body: target, Host, method, Origin, token, content
-// type.
+// Checks everything except the body: target, Host, method, Origin, token, content type.
 [[nodiscard]] Resolved resolve(const Context& context, const Request& request);
 
-// Returns the refusal, or the answer of the route's handler. Adds the common headers. If the handler throws, the answer
-// has status 500.
+// Adds the common headers. If the handler throws, the answer has status 500.
 [[nodiscard]] Response respond(Context& context, const Request& request, const Resolved& resolved);
 
 } // namespace ciel::gateway

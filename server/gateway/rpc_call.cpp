@@ -9,7 +9,7 @@
 namespace ciel::gateway {
 namespace {
 
-// State of one call. Used on the stream's executor only.
+// Used on the stream's executor only.
 struct Pending {
     explicit Pending(const beast::tcp_stream::executor_type& executor) : answered(executor) {
         answered.expires_at(std::chrono::steady_clock::time_point::max());

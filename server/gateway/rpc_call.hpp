@@ -6,9 +6,8 @@
 
 namespace ciel::gateway {
 
-// Answers the JSON-RPC text in request.body, which an HTTP POST has sent. Await on the stream's executor, while nothing
-// else reads from the stream. If the peer closes its side before the answer, slow methods are cancelled and answer with
-// an error.
+// Await on the stream's executor, while nothing else reads from the stream. If the peer closes its side before the
+// answer, slow methods are cancelled and answer with an error.
 [[nodiscard]] asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token,
                                                  Context& context, asio::thread_pool& workers);
 

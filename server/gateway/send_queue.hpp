@@ -1,6 +1,5 @@
-// Send queue of one WebSocket. Texts are sent first, then frames in pieces. Half of the byte limit is for frames; when
-// this half is full, further frames are delayed. The other half is for texts; when texts exceed this half, the
-// connection ends.
+// Send queue of one WebSocket. Texts are sent first, then frames in pieces. Half of the byte limit is for frames, which
+// wait when it is full. The other half is for texts; when texts exceed it, the connection ends.
 #pragma once
 
 #include "limits/memory.hpp"
@@ -21,15 +20,13 @@ namespace ciel::gateway {
 
 using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
-// Maximum payload bytes of a piece of a frame. A text waits until the current piece has been sent, which takes 52 ms at
-// 10 Mbit/s.
+// Payload bytes of a piece. A text waits until the current piece has been sent, which takes 52 ms at 10 Mbit/s.
 inline constexpr std::uint32_t piece_bytes = 64 << 10;
-// A frame whose first message has at least measuring_bytes begins with a short piece. The client measures the line rate
-// from the arrival times of this piece and of the next pieces, because they are sent without a pause.
+// A frame of measuring_bytes or more begins with a short piece. The client measures the line rate from arrival times.
 inline constexpr std::uint32_t first_piece_bytes = 4 << 10, measuring_bytes = first_piece_bytes + (32 << 10);
 static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
 
-// An SendQueue is thread-safe. It may outlive its socket, because pushing does nothing after close().
+// Thread-safe. May outlive its socket, because pushing does nothing after close().
 class SendQueue {
 public:
     struct Message {
@@ -39,26 +36,23 @@ public:
         std::span<const std::uint8_t> payload;
     };
 
-    // `on_push` is called after every push, on the pushing thread, while the send queue is locked. Therefore it must
-    // not call the send queue. `memory` counts the bytes and must outlive the send queue.
+    // `on_push` is called on the pushing thread while the queue is locked, so it must not call the queue. `memory`
+    // counts the bytes and must outlive the queue.
     SendQueue(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push);
 
-    // Appends a text. If the waiting texts already exceed their half of the limit, the client does not read. Then all
-    // waiting messages are dropped, and overflowed() becomes true. A single text may exceed the limit.
+    // If the waiting texts already exceed their half of the limit, the client does not read. Then all waiting messages
+    // are dropped, and overflowed() becomes true. A single text may exceed the limit.
     void push_text(std::string text);
-    // Appends a whole frame message (protocol/frame.md) of any length. The first message of a frame replaces all
-    // waiting messages of the same view, including the rest of a message that is partly sent. Throws Error if `bytes`
-    // does not begin with a frame header, or is only a piece of a message.
+    // The first message of a frame replaces all waiting messages of the same view, even one that is partly sent. Throws
+    // Error if `bytes` is only a piece of a message, or has no frame header.
     void push_frame(FrameBytes bytes);
     // Returns whether a frame of this size fits. A frame larger than the limit fits only if no other frame waits.
     [[nodiscard]] bool has_room(std::size_t bytes);
     void close();
 
-    // Returns the oldest text, else the next piece of the oldest frame message, else nothing. The bytes of a frame
-    // message are counted until the last piece of the message has been sent.
+    // Texts come before frames. The bytes of a frame message are counted until its last piece has been sent.
     [[nodiscard]] std::optional<Message> pop();
-    // Call this after the message of pop() was written. Returns true if has_room() returned false before and there is
-    // room again.
+    // Call this after a message was written. Returns true if has_room() returned false before and there is room again.
     [[nodiscard]] bool sent();
     [[nodiscard]] bool overflowed() const;
     [[nodiscard]] std::uint64_t dropped_frames() const; // frame messages replaced by newer messages

@@ -17,9 +17,8 @@
 
 namespace ciel::gateway {
 
-// A client and its callbacks. A WebSocket sets all three callbacks; an HTTP POST sets no callback. The callbacks never
-// block and may be called from any thread until the Client is destroyed. On a slow socket, a newer frame replaces older
-// frames.
+// A WebSocket sets all three callbacks; an HTTP POST sets none. They never block and may be called from any thread
+// until the Client is destroyed. On a slow socket, a newer frame replaces older frames.
 struct Client {
     std::uint64_t id = 0;
     std::string remote;     // address, for logs
@@ -32,12 +31,10 @@ struct Client {
     std::function<bool(std::size_t bytes)> has_room{}; // returns whether a frame of this size may be sent now
 };
 
-// Callback for the answer to a text; the answer is empty if no answer is due. Called exactly once, from any thread.
-// Must not throw.
+// Called exactly once, from any thread. The answer is empty if none is due. Must not throw.
 using Answer = std::function<void(std::string text)>;
 
-// Handles the messages of one client. text() and binary() are called on worker threads, one call at a time. closed()
-// may be called during such a call. No function throws.
+// text() and binary() run on worker threads, one at a time. closed() may be called meanwhile. No function throws.
 class Peer {
 public:
     virtual ~Peer() = default;
@@ -46,8 +43,7 @@ public:
     virtual void text(std::string_view text, Answer answer) = 0;
     // Handles a binary message. Returns the reason to close the connection, or nothing.
     [[nodiscard]] virtual std::optional<std::string> binary(std::span<const std::uint8_t> message) = 0;
-    // Called when there is room again after Client::has_room() returned false. Runs on the socket's thread and must not
-    // block.
+    // Called when Client::has_room() would return true again. Runs on the socket's thread and must not block.
     virtual void has_room() = 0;
     // Called when the client has closed the connection. Not called for a POST whose client stays until the answer.
     virtual void closed() = 0;
@@ -70,8 +66,7 @@ public:
     [[nodiscard]] virtual Readiness readiness() = 0; // may block briefly
     [[nodiscard]] virtual std::string metrics() = 0; // Prometheus text exposition format 0.0.4
 
-    // announce_end(), drain_frames() and drain() shut the service down, in this order. announce_end() notifies clients
-    // and does not block.
+    // These three are called in this order. announce_end() notifies clients and does not block.
     virtual void announce_end() = 0;
     virtual void drain_frames() = 0; // starts no new frames; returns when no frame is in progress
     virtual void drain() = 0;        // returns when all running calls have ended

@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> mime_typ
     {".woff2", "font/woff2"},
 }};
 
-// Returns an ETag: the 64-bit FNV-1a hash of the content. It only has to distinguish versions of one file.
+// 64-bit FNV-1a hash; it only has to distinguish versions of one file.
 std::string content_tag(std::string_view content) {
     std::uint64_t hash = 14695981039346656037U;
     for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
@@ -46,14 +46,14 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
-// Returns whether gzip makes files of this media type smaller. Images and most fonts are already compressed.
+// Images and most fonts are already compressed.
 bool is_compressible(std::string_view mime) {
     return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
            mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
            mime == "font/ttf";
 }
 
-// Returns the content compressed with gzip, or an empty text if the result would not be smaller.
+// Returns an empty text if the result would not be smaller.
 std::string gzipped(const std::string& content) {
     z_stream stream{};
     constexpr int gzip_header = 16, memory_level = 8;
@@ -71,8 +71,6 @@ std::string gzipped(const std::string& content) {
     return out;
 }
 
-// Returns the weight of a coding in Accept-Encoding: 0.5 for "gzip;q=0.5", 1 without a weight, 0 for a malformed
-// weight.
 double weight_of(std::string_view coding) {
     double weight = 1;
     any_part(coding, ';', [&](std::string_view parameter) {
@@ -85,8 +83,7 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// Returns whether the file name contains a hash of the content. The build of the web client names such files
-// assets/NAME-HASH.EXT, with a hash of 8 characters.
+// The build of the web client names such files assets/NAME-HASH.EXT, with a hash of 8 characters.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

@@ -20,8 +20,7 @@ struct StaticFile {
 class StaticFiles {
 public:
     StaticFiles() = default;
-    // Reads the regular files below `root`, except links that lead outside. Throws Error when `root` cannot be read or
-    // holds more than 64 MiB.
+    // Follows no links that lead outside `root`. Throws Error if `root` is unreadable or holds more than 64 MiB.
     explicit StaticFiles(const std::filesystem::path& root);
 
     // Returns the file of a request path ("/" is index.html), or nullptr if there is none.
@@ -36,8 +35,7 @@ private:
 [[nodiscard]] std::string_view mime_type(std::string_view extension);
 // Returns whether an Accept-Encoding header (RFC 9110, 12.5.3) allows gzip.
 [[nodiscard]] bool accepts_gzip(std::string_view accept_encoding);
-// Returns the file with status 200, compressed if the client accepts gzip. Returns status 304 without a body if
-// `if_none_match` contains the ETag of this answer.
+// Returns status 304 without a body if `if_none_match` contains the ETag of this answer.
 [[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match,
                                      std::string_view accept_encoding);
 

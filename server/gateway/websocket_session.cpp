@@ -19,8 +19,7 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-// Most unsent bytes in the socket buffer. The number is small, because a text cannot overtake these bytes.
-constexpr int unsent_bytes = 128 << 10;
+constexpr int unsent_bytes = 128 << 10; // in the socket buffer; small, because a text cannot overtake these bytes
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 bytes of a control frame less 2 of the code
 // Largest valid close code (RFC 6455, 7.4.2). Beast itself refuses smaller codes that are invalid.
 constexpr unsigned last_close_code = 4999;
@@ -46,8 +45,7 @@ private:
     template <typename Part>
     void start(Part part);
 
-    // Waits until `timer` is cancelled. The timer never expires. It serves as a condition variable: cancelling it wakes
-    // all waiters.
+    // The timer never expires. It serves as a condition variable: cancelling it wakes all waiters.
     static asio::awaitable<void> changed(asio::steady_timer& timer) {
         error_code ignored;
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -196,7 +194,7 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
     }
 }
 
-// Handles a binary message. Returns the reason to close the connection, or an empty text.
+// Returns the reason to close the connection, or an empty text.
 std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& reply) {
     const std::span message(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     auto problem = peer_->binary(message);
@@ -204,8 +202,7 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Returns the callback for the answer to one message. Slow methods call it later from other threads, possibly after the
-// socket has closed. Later texts do not wait for slow methods.
+// Slow methods answer later from other threads, possibly after the socket has closed. Later texts do not wait.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), send_queue = send_queue_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) send_queue->push_text(std::move(text));
@@ -246,8 +243,7 @@ asio::awaitable<void> WebSocketSession::write() {
     cut(); // also ends a pending read from a lost peer
 }
 
-// First call: closes the WebSocket after all answers have been sent. Second call: closes it without waiting for
-// answers. Third call: disconnects without waiting for the client's close.
+// First call: closes after all answers. Second: without waiting for answers. Third: without the client's close.
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
     const bool is_third = std::exchange(closes_now_, true);

@@ -1,5 +1,4 @@
-// Session of one WebSocket. Incoming texts and upload pieces are handled in order on worker threads. Answers,
-// notifications and frames are sent from an SendQueue.
+// Session of one WebSocket. Incoming texts and upload pieces are handled in order on worker threads.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -9,8 +8,7 @@
 
 namespace ciel::gateway {
 
-// Serves one WebSocket. The caller sets remote, user and has_token of `client`; the session sets the other members.
-// Returns when the connection, its last call and its last write have ended.
+// The caller sets remote, user and has_token of `client`. Returns when the connection, its calls and writes have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
                                         Context& context, asio::thread_pool& workers);
 

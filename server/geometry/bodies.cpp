@@ -23,8 +23,7 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// Returns whether `name`, in lower case, is the name of a sliding interface, such as "ami1" around a rotor. If a letter
-// follows "ami", the name is a different word.
+// A sliding interface has a name such as "ami1". If a letter follows "ami", the name is a different word.
 bool is_sliding(const std::string& name) {
     return name.starts_with("ami") && (name.size() == 3 || !('a' <= name[3] && name[3] <= 'z'));
 }

@@ -10,13 +10,11 @@
 namespace ciel::geometry {
 namespace {
 
-// Slack as a fraction of the diagonal of the bounds. It is about 50 times the rounding error of positions, and about
-// 1/50 of a pixel in a large picture.
+// About 50 times the rounding error of positions, and about 1/50 of a pixel in a large picture.
 constexpr double slack_of_diagonal = 5e-6;
 constexpr double double_slack = 1e-12; // slack of positions that are doubles, as a fraction of the largest coordinate
 
-// An offset that is beyond any mesh and still a finite float. With an infinite offset, a graphics card would drop
-// everything.
+// A finite float beyond any mesh. With an infinite offset, a graphics card would drop everything.
 constexpr double farthest = 1e30;
 
 double diagonal(const Geometry& geometry) { return length(geometry.bounds_max - geometry.bounds_min); }
@@ -27,8 +25,7 @@ void for_planes(const scene::Scene& scene, F&& f) {
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
-// Returns true if the planes leave nothing of the bounds, or a piece that is not thicker than clip_slack. Such a piece
-// has no volume, but the caps on both of its sides would be drawn.
+// A piece that is not thicker than clip_slack has no volume, but the caps on both of its sides would be drawn.
 bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
     if (planes.empty()) return false;
     const double slack = clip_slack(geometry);
@@ -81,8 +78,7 @@ ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::
     double slack = clip_slack(geometry);
     if (!places.empty()) {
         for (HalfSpace& plane : planes) plane.offset -= dot(plane.normal, geometry.origin);
-        // The smaller slack is for double positions only. If positions are floats, the points of caps are off their
-        // planes by the rounding of floats.
+        // Only for doubles: with float positions, the points of caps are off their planes by the rounding of floats.
         if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + length(geometry.origin));
     }
     return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack, places);

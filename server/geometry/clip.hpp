@@ -9,11 +9,9 @@ namespace ciel::geometry {
 // Returns the kept half-spaces of the visible clip layers, in drawing order, relative to the geometry's origin.
 // If nothing thicker than clip_slack remains of the bounding box, returns one half-space that keeps nothing.
 [[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry);
-// Returns the visible clip layers that have caps, in drawing order.
 [[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene);
 
-// Returns the distance in length units up to which points beyond a plane are kept. Without this slack, rounding would
-// cut holes into caps and slices that lie in the plane itself.
+// In length units. Without this slack, rounding would cut holes into caps and slices that lie in the plane itself.
 [[nodiscard]] double clip_slack(const Geometry& geometry);
 // Returns the clip planes as (normal, offset), moved outwards by clip_slack. A position is kept if dot(normal,
 // position) + offset >= 0.

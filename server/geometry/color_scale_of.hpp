@@ -1,5 +1,4 @@
-// Makes the color scale that is drawn from a scene's coloring and the range of the data. The browser's legend has the
-// same rules (webclient/src/model/color_range.ts).
+// The color scale of a scene's coloring. The browser has the same rules (webclient/src/model/color_range.ts).
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -17,8 +16,7 @@ inline constexpr double log_decades = 6;
 // Returns false if a logarithmic scale takes its range from data without a value above zero.
 [[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range);
 
-// Returns the members of the scale as they are in a scene's coloring. Leaves out map, range and members with default
-// values.
+// As in a scene's coloring. Leaves out map, range and members with default values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);
 
 } // namespace ciel::geometry

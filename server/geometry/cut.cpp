@@ -28,8 +28,7 @@ store::Association association_of(const store::Dataset& dataset, const std::stri
     return dataset.find(store::parse_scalar(dataset, scalar).array)->association;
 }
 
-// Returns the number that is subtracted from the values before they are drawn as floats. If the values are doubles, it
-// is the middle of the finite values. Otherwise it is 0.
+// Returns the middle of the finite doubles, or 0 for floats. The result is subtracted before values become floats.
 double origin_of(const store::Values& values) {
     if (!values.has_doubles()) return 0;
     double low = INFINITY, high = -INFINITY;

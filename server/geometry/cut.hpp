@@ -17,9 +17,8 @@ struct OfArray {
     std::optional<double> value; // the iso-value, if the surface is colored by `array`
 };
 
-// The scalars of one shape from one array. They are interpolated again only when the shape, the array or the step
-// changes. If the array is on cells or boundary faces, the polygons share no vertices, and each polygon has the value
-// of its cell or face.
+// The scalars of one shape from one array. If the array is on cells or boundary faces, the polygons share no vertices,
+// and each polygon has the value of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const Shape> sound; // without cells that are not sound (sound_shape.hpp); often `shape` itself
@@ -56,8 +55,7 @@ struct Outlined {
     void forget() { *this = {}; } // call when the edges are not shown
 };
 
-// The contour lines of one shape. They are computed again only when the shape, the array, the step or the values
-// change.
+// The contour lines of one shape. They are computed again only when the shape, its scalars or the values change.
 struct Contoured {
     std::shared_ptr<const Shape> of, lines;
     std::optional<store::Values> scalars; // by point: value of its line; nullopt for a solid color
@@ -73,8 +71,7 @@ struct Contoured {
     void forget() { *this = {}; } // call when the lines are not shown
 };
 
-// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed. Therefore `field` is
-// declared first.
+// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed, so `field` is declared first.
 struct Cut {
     store::ScalarField field;
     std::string field_name;
@@ -112,8 +109,7 @@ struct Boundary {
 [[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                                        const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
 [[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
-// Returns the edges of a boundary as lines: all edges, or only the edges at which the boundary bends by more than
-// `angle` degrees.
+// `angle`: if set, only the edges at which the boundary bends by more than this many degrees.
 [[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
 // Returns every `thinned`-th vertex of the boundary as a point.
 [[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);

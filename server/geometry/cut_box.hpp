@@ -5,8 +5,7 @@
 
 namespace ciel::geometry {
 
-// Returns the corners of the kept convex body as offsets from the geometry's origin, possibly with duplicates. Returns
-// no corners if nothing is kept. `cutting`: the clip planes, with normals of any length.
+// Offsets from the geometry's origin, possibly with duplicates. `cutting`: clip planes, with normals of any length.
 [[nodiscard]] std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting);
 
 } // namespace ciel::geometry

@@ -22,8 +22,7 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// Returns one scalar for each point array whose values vary, with the first step at which they vary. The scalar of a
-// vector or tensor is its magnitude.
+// The scalar of a vector or tensor is its magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -36,15 +35,12 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
             break;
         }
     }
-    // Puts scalars before vectors. Both keep the dataset's order.
     std::stable_partition(found.begin(), found.end(),
                           [](const Candidate& c) { return c.scalar.find(':') == std::string::npos; });
     return found;
 }
 
-// Returns the fraction of the blocks of cells that is crossed by an iso-surface at the middle of the scalar's values.
-// Returns 0 for a mesh with few blocks, because every surface crosses many of its blocks. Also returns 0 for a scalar
-// without stored ranges.
+// Returns 0 for a mesh with few blocks, because every surface crosses many of its blocks.
 double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     constexpr std::size_t fewest_blocks = 27;
     const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
@@ -61,8 +57,7 @@ double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// If the iso-surface of the first scalar would fill the mesh, as a surface of noise does, moves a scalar to the front:
-// the first scalar whose surface crosses at most half as many blocks.
+// The iso-surface of the first scalar may fill the mesh, as a surface of noise does.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
     constexpr double many = 1.0 / 3;
     if (scalars.empty()) return;
@@ -79,8 +74,7 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-// Reads about 100,000 values and returns the finite ones. Reads runs of consecutive values that are spread over the
-// array, so that few pages are read.
+// Reads about 100,000 values in runs that are spread over the array, so that few pages are read.
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);
@@ -94,8 +88,7 @@ std::vector<double> sample_of(const store::StoredScalar& values) {
     return sample;
 }
 
-// Returns the middle between the 5th and 95th percentile, or the middle of the whole range if the two percentiles are
-// equal.
+// Returns the middle between the 5th and 95th percentile, or of the whole range if the two percentiles are equal.
 double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, std::size_t step) {
     constexpr double few_bins = 8.0 / store::stored_bins;
     const store::Histogram histogram = loaded.histogram(scalar, step, store::stored_bins);
@@ -114,7 +107,7 @@ double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, s
     return at(0) / 2 + at(1) / 2;
 }
 
-// `thin`: if set, the camera looks exactly along this axis, so that the layer of cells is seen as in a plan drawing.
+// `thin`: if set, the camera looks exactly along this axis, as in a plan drawing.
 json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
     annotations::Camera camera = annotations::default_camera(box.low, box.high, default_aspect);
     if (thin) {
@@ -133,8 +126,7 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// Returns whether a point array is written at a step and has finite values only. Also checks the cell array from which
-// it was made, because a cell without a finite value may have corners with finite values.
+// Also checks the source cell array: a cell without a finite value may have corners with finite values.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -143,8 +135,7 @@ bool is_finite(const store::Step& step, const std::string& array) {
     return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
-// Returns the step at which the most point arrays are written and finite everywhere; if there are several such steps,
-// the last. Therefore a run that diverged is shown at a step before it diverged. REQUIRES: at least one step.
+// A run that diverged is shown at a step before it diverged. REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -165,8 +156,7 @@ bool has_name(const store::ArrayInfo& array, std::span<const std::string_view> n
     });
 }
 
-// Returns the first point array with this number of components that varies at this step and has one of the names. If
-// there is none, returns the first such array with another name, or null. `names`: in lower case.
+// Returns the first array that varies and has one of the names (in lower case), else the first that varies, or null.
 const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::Step& step, int components,
                                   std::span<const std::string_view> names) {
     const store::ArrayInfo* first = nullptr;
@@ -180,8 +170,7 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
     return first;
 }
 
-// Returns the axis that is perpendicular to the slice. If the bodies span the whole domain along an axis, as cylinders
-// and wings between walls do, it is this axis. Otherwise it is the axis along which the bodies are thinnest.
+// Prefers an axis along which the bodies span the whole domain, as cylinders and wings between walls do.
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
@@ -193,8 +182,7 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
-// Returns the axis along which the mesh is thinnest if a patch has the type empty or wedge. The mesh then has one layer
-// of cells along this axis.
+// If a patch has the type empty or wedge, the mesh has one layer of cells along its thinnest axis.
 std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
                              [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
@@ -222,8 +210,7 @@ constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "static
                                                     "p_rgh", "pmean"};
 constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
 
-// Adds the layers that an engineer usually looks at first: the bodies, colored by pressure, and a slice through them,
-// colored by speed. `thin`: if the mesh has one layer of cells, the axis perpendicular to the layer.
+// `thin`: if the mesh has one layer of cells, the axis perpendicular to the layer.
 void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
                  std::optional<std::size_t> thin, json& scene) {
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
@@ -241,14 +228,12 @@ void show_bodies(const store::Dataset& dataset, const store::Step& step, std::sp
     layers["slice"] = slice_across(axis, box, vector != nullptr ? vector : scalar);
 }
 
-// For a mesh with one layer of cells: adds a slice within the layer. `axis`: perpendicular to the layer.
 void show_layer(const store::Dataset& dataset, const store::Step& step, std::size_t axis, json& scene) {
     const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
     scene["layers"]["slice"] = slice_across(axis, domain_of(dataset, step), vector != nullptr ? vector : scalar);
 }
 
-// For meshes without bodies: adds an iso-surface, or the boundary if no scalar varies.
 void show_iso_surface(store::LoadedDataset& loaded, const std::vector<Candidate>& scalars, json& scene) {
     const auto dataset = loaded.dataset();
     json& layers = scene["layers"];

@@ -8,8 +8,7 @@
 namespace ciel::geometry {
 namespace {
 
-// Distance from the origin up to which floats are precise enough, in units of the height of the view. The rounding
-// error of a float is at most 2^-24 of this distance, which is 1/30 of a pixel of a picture with 2160 rows.
+// In units of the height of the view. 2^-24 of this distance is 1/30 of a pixel of a picture with 2160 rows.
 constexpr double reach = 256;
 
 double view_height(const annotations::Camera& camera) {

@@ -24,8 +24,7 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
     return false;
 }
 
-// A volume is not seen if all its boundary vertices lie beyond the same plane. Each plane is tested alone, because
-// several planes that together remove all vertices may leave a part in the middle of a cell.
+// Tests each plane alone: several planes that remove all vertices may leave a part in the middle of a cell.
 bool is_seen(const SlabMesh& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
     return !vertices.empty() && std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const HalfSpace& plane) {
@@ -39,7 +38,6 @@ std::string range_text(const std::array<double, 2>& range) {
     return annotations::number_label(range[0], digits) + " to " + annotations::number_label(range[1], digits);
 }
 
-// Returns the reason why a layer has no polygons, lines or points.
 struct Absence {
     const Geometry& geometry;
     const store::Dataset& dataset;

@@ -5,9 +5,8 @@
 
 namespace ciel::geometry {
 
-// Returns the visible layers that show nothing in `geometry`, whatever the camera is, each with the reason. The order
-// is the order of the layers. Leaves out outlines, clip layers and layers in `geometry.empty`. If there are clip
-// planes, reads each shape up to the first point that the planes keep.
+// Returns the visible layers that show nothing, whatever the camera is, in layer order, each with the reason. Leaves
+// out outlines, clip layers and layers in `geometry.empty`. With clip planes, reads points of each shape.
 [[nodiscard]] std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::Scene& scene,
                                                    const store::Dataset& dataset);
 

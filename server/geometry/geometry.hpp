@@ -100,8 +100,7 @@ struct Geometry {
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
-// Throws store::NotWritten if `lacking` is not empty. Called before surface files are written, because a file cannot
-// contain a remark.
+// Throws store::NotWritten if `lacking` is not empty: a surface file cannot contain a remark.
 void require_complete(const Geometry& geometry);
 
 } // namespace ciel::geometry

@@ -1,5 +1,4 @@
-// One update of a scene's geometry: one function for each kind of layer, and the kept state that these functions use.
-// Only SceneGeometry uses LayerUpdate.
+// One update of a scene's geometry: one function for each kind of layer. Only SceneGeometry uses LayerUpdate.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -47,17 +46,14 @@ private:
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit, const OfArray& of = {});
-    // Returns more lines for a legend: the least and greatest value of the cell array from which the array was made,
-    // and the number of cells that are left out.
+    // More lines for a legend: range of the cell array from which the array was made, and number of cells left out.
     [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
-    // Adds a remark with the number of cells that are left out because they have no number for the array. Adds the same
-    // remark only once.
+    // Adds a remark, only once, with the number of cells that are left out because they have no number for the array.
     void tell_left_out(const std::string& scalar, bool is_cut) const;
     // Sets the color scale or the solid color. Adds to `out.lacking` if the scale has no color for any of the scalars.
     void color(Drawable& drawable, const scene::Coloring& coloring, const scene::Layer& layer) const;
     void add_edges(Outlined& outlined, const std::shared_ptr<const Shape>& shape,
                    const std::optional<scene::Edges>& edges, const scene::Layer& layer);
-    // width: in pixels.
     Drawable& add_lines(const std::shared_ptr<const Shape>& shape, const scene::Color& color, float width,
                         const scene::Layer& layer, std::uint64_t identity, std::uint64_t revision);
     void add_contours(Contoured& contoured, const std::shared_ptr<const Shape>& shape,
@@ -67,8 +63,7 @@ private:
     // nu. Therefore a plane that moves along its normal changes nu only, not the field.
     double use_plane(Cut& cut, const scene::Plane& plane);
     // Returns the clip layer whose caps coincide with the slice, or null. The slice is then cut by the plane of the
-    // clip layer. Otherwise the polygons of the slice and of the cap would be rounded or oriented differently, and
-    // parts of each surface would cover the other surface.
+    // clip layer. Otherwise rounding would let parts of each surface cover the other surface.
     [[nodiscard]] const scene::ClipLayer* cap_at(const scene::SliceLayer& slice) const;
     // Cuts at `nu`. If the plane lies in a side of the mesh, takes the boundary faces of the side instead, so that the
     // slice coincides with these faces. Returns false if `stop` was requested.
@@ -76,8 +71,7 @@ private:
 
     Boundary& boundary(const scene::Layer& layer, const std::string& key, std::size_t index = 0);
     [[nodiscard]] std::vector<std::uint8_t> cells_of(const scene::Threshold& threshold) const;
-    // Returns the kept state of a layer that shows mesh cells. Returns null if the array of the threshold has no values
-    // at this step.
+    // Returns null if the array of the threshold has no values at this step.
     Boundary* solid(const scene::Layer& layer, const std::vector<std::string>& groups,
                     const std::optional<scene::Threshold>& threshold, std::string key);
     bool add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid);
@@ -89,7 +83,6 @@ private:
     [[nodiscard]] double diagonal() const;
 };
 
-// Keys of kept state.
 [[nodiscard]] std::string bits_of(double number); // the bytes of the number, for a key; not readable
 [[nodiscard]] std::string plane_name(const std::array<double, 3>& normal, const store::Step& step);
 

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::size_t usual_contours = 10; // default of `count` in protocol/openrpc.json
 
-// Returns whether the slice and the clip layer have the same plane, whichever side the clip layer keeps. `largest`:
-// upper bound of the mesh's coordinates; rounding errors are proportional to it.
+// `largest`: upper bound of the mesh's coordinates; rounding errors are proportional to it.
 bool coincide(const scene::Plane& slice, const scene::Plane& clip, double largest) {
     double cosine = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -24,7 +23,6 @@ bool coincide(const scene::Plane& slice, const scene::Plane& clip, double larges
     return std::abs(cosine) >= 1 - 1e-13 && std::abs(apart) <= 1e-12 * largest;
 }
 
-// Returns the values at which contour lines are drawn. `own`: the range of the array at the shown step.
 std::vector<double> contour_values(const scene::Contours& contours, const scene::Range& own) {
     if (contours.values) return *contours.values;
     const auto [low, high] = contours.range.value_or(own);

@@ -9,15 +9,13 @@
 namespace ciel::geometry {
 namespace {
 
-// `cut`: a cut through the whole mesh. Returns the part of the cut in the cells whose flag in `cells` is set.
 std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
                                        const std::vector<std::uint8_t>& cells) {
     if (cells.empty()) return cut;
     return triangles_shape(polygons_of_cells(cut->surface, cells));
 }
 
-// Returns the coloring of a cap. Arrays on patches have values only on the boundary, so a cap is colored by the array
-// inside the mesh, which has the same name without "patch:". If there is no such array, the cap gets the solid color.
+// Arrays on patches have values only on the boundary. Therefore the color comes from the inner array of the same name.
 scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
     constexpr std::string_view patch = "patch:";
     if (color.array.empty()) return color;
@@ -95,8 +93,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches enclose no solid, so they get no caps
 }
 
-// Each cap is the whole slice of the mesh at its plane. The other clip planes clip the cap as they clip all surfaces. A
-// plane that lies in a side of the mesh gets no cap, because the faces of the boundary are there.
+// A plane that lies in a side of the mesh gets no cap, because the faces of the boundary are there.
 bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
     for (std::size_t i = 0; i < caps.size(); ++i) {
         Cut& cut = cuts[{layer.id, i}];

@@ -9,8 +9,7 @@
 
 namespace ciel::geometry {
 
-// Returns a short name of the layer that fits above a color bar. `contours`: if true, the name of the contour lines on
-// the layer.
+// Returns a short name that fits above a color bar. `contours`: the name of the contour lines on the layer.
 [[nodiscard]] std::string legend_name_of(const scene::Layer& layer, bool contours);
 
 struct NamedLegend {

@@ -11,8 +11,7 @@
 namespace ciel::geometry {
 namespace {
 
-// Returns the largest rounding error of a distance. The error of a double distance comes from the coordinates from
-// which the distance was computed.
+// The error of a double distance comes from the coordinates from which the distance was computed.
 double rounding(const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
     if (!distances.points.positions.has_doubles()) return 1e-6 * (high - low);

@@ -14,8 +14,7 @@ namespace ciel::geometry {
 // be empty.
 [[nodiscard]] std::optional<double> side_at(double nu, const store::ScalarField& distances);
 
-// Returns the faces of the boundary in the side at `nu`, which is a result of side_at. The surface is empty if the mesh
-// ends there in an edge or a point.
+// `nu`: a result of side_at. The surface is empty if the mesh ends there in an edge or a point.
 [[nodiscard]] Surface side_surface(const store::ScalarField& distances, double nu);
 
 } // namespace ciel::geometry

@@ -33,7 +33,6 @@ private:
     std::vector<NamedLegend> named_; // one per legend
 };
 
-// Returns the legends of surfaces and volumes together, in layer order.
 std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
     Legends found;
     for (const scene::Layer& layer : scene.layers) {

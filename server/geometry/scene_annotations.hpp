@@ -6,10 +6,9 @@
 
 namespace ciel::geometry {
 
-// Returns the annotations of a picture. Has one legend for each array and color scale that visible layers use, in
-// drawing order. Legends of the same array name their layers. A layer that shows nothing has a legend only with
-// `all_layers`. A view that leaves room for legends uses `all_layers`, so that the view does not jump while a changing
-// threshold keeps no cell.
+// Has one legend for each array and color scale that visible layers use, in drawing order. Legends of the same array
+// name their layers. A layer that shows nothing has a legend only with `all_layers`, so that a view does not jump while
+// a changing threshold keeps no cell.
 enum class LegendsOf { what_is_seen, all_layers };
 [[nodiscard]] annotations::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene,
                                                       LegendsOf legends = LegendsOf::what_is_seen);

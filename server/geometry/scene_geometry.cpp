@@ -18,7 +18,7 @@ namespace {
 Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
 Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
 
-// Adds a remark if no step has the time `wanted`. A scene without a time has the time 0 and gets no remark.
+// A scene without a time has the time 0 and gets no remark.
 void remark_on_time(double wanted, Geometry& geometry) {
     const double off = std::abs(geometry.time - wanted);
     if (wanted == 0 || off <= 1e-6 * std::max(std::abs(geometry.time), std::abs(wanted))) return;

@@ -1,5 +1,4 @@
-// Makes the geometry of a scene. Keeps one kernel Query per iso-value and slice, so that only changes are computed
-// again.
+// Makes the geometry of a scene. Keeps one Query per iso-value and slice, so that only changes are computed again.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -15,8 +14,7 @@ struct Cut; // cut.hpp
 struct Boundary;
 struct VolumeCut;
 
-// Called before each visible layer is made, and after the last. `done`: number of layers made; `of`: number of visible
-// layers.
+// Called before each visible layer is made, and after the last. `of`: number of visible layers.
 using LayersMade = std::function<void(std::size_t done, std::size_t of)>;
 
 // Not thread-safe.
@@ -27,9 +25,8 @@ public:
     SceneGeometry(SceneGeometry&&) noexcept;
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
 
-    // Returns the geometry of `checked`, or null if `stop` was requested. Throws Error. Throws limits::LimitReached
-    // when the kept state exceeds `most_bytes`. The excess is at most one surface. After the exception, the next call
-    // may pass another scene. `moving`: makes volumes coarser, for interactive pictures.
+    // Returns null if `stop` was requested. Throws Error, and limits::LimitReached when the kept state exceeds
+    // `most_bytes` (by at most one surface); the next call may pass another scene. `moving`: makes volumes coarser.
     [[nodiscard]] std::shared_ptr<const Geometry> update(const scene::CheckedScene& checked,
                                                          const std::stop_token& stop = {},
                                                          std::size_t most_bytes = SIZE_MAX, bool moving = false,

@@ -1,5 +1,4 @@
-// Reuses the buffers of shapes. While the user moves a slider, each frame needs a new surface, which is about as large
-// as the last surface.
+// Reuses the buffers of shapes: while a slider moves, each frame needs a surface about as large as the last surface.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -8,8 +7,7 @@
 
 namespace ciel::geometry {
 
-// Thread-safe. A shape returns to the pool when its last owner releases it. This owner may be a picture that is still
-// being drawn. The pool keeps at most one shape.
+// Thread-safe. A shape returns to the pool when its last owner releases it. The pool keeps at most one shape.
 class ShapePool : public std::enable_shared_from_this<ShapePool> {
 public:
     [[nodiscard]] static std::shared_ptr<ShapePool> make() { return std::make_shared<ShapePool>(); }

@@ -12,15 +12,12 @@ namespace ciel::geometry {
 namespace {
 
 // Number of slices in an interactive picture. Software rendering draws `most_slices` slices of a few thousand triangles
-// about ten times a second. The number of triangles in a slice grows with the number of vertices to the power of 2/3.
-// Therefore a mesh with more than `usual_vertices` gets fewer slices. It gets at least `least_slices`, because thicker
-// slabs would lose detail of the mesh.
+// about ten times a second. A slice of a mesh with more than `usual_vertices` has more triangles, so the mesh gets
+// fewer slices. With fewer than `least_slices`, the slabs would be too thick to show the detail of the mesh.
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
-// If a slab had an optical depth above usual_loss, more slices are drawn: up to `times_more` times as many. A small
-// mesh may have even more slices, because they have fewer triangles, but at most `most_of_all`.
+// If a slab exceeded the optical depth usual_loss: up to `times_more` times as many slices, at most `most_of_all`.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
-// Number of slices in a still picture: from `fewest_in_all` to `most_in_all`. A mesh below `large_mesh` vertices gets
-// more slices if the steepness of the opacity is above `steep` (usual_slices).
+// The same in a still picture. A mesh below `large_mesh` gets more slices if the opacity is steeper than `steep`.
 constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
 
 double moving_slices(std::size_t vertices, double loss) {
@@ -138,9 +135,7 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 
 namespace {
 
-// Returns whether a camera ray through a corner of a 16 : 9 picture may make an angle of more than 85 degrees with the
-// normal of the slabs. This cannot happen if the axis is nearest to the viewing direction and the field of view is 30
-// degrees.
+// False if the axis is nearest to the viewing direction and the field of view is 30 degrees.
 bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
@@ -159,8 +154,7 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Ca
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // While the camera moves, an axis is used instead. Otherwise the slices would have to be cut again for each
-    // picture.
+    // While the camera moves, slices along the view would have to be cut again for each picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

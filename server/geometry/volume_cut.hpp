@@ -1,5 +1,4 @@
-// The state that is kept between updates for a volume layer: its property with gradients, and the slices in the current
-// direction.
+// The state that is kept between updates for a volume layer: its property with gradients, and its slices.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -22,26 +21,22 @@ struct Slabs {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the optical depth of a camera ray of length `length` at the greatest opacity of the points. `unit_length`:
-// length after which a ray has the opacity of the points.
+// At the greatest opacity of the points. `unit_length`: length after which a ray has the opacity of the points.
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
-// Returns the number of slices in a still picture, for a scene that does not give it. Slabs have about the same
-// thickness in all directions, so that pictures from all sides have equal detail and cost. If the opacity rises steeply
-// and the mesh is not too large, slabs are thinner, because a steep rise looks like a surface with a visible step at
-// each slab. `length`: thickness of all slabs together; `mean_edge`: mean edge length of the mesh's bounds; `steepest`:
-// result of steepness().
+// Returns the number of slices in a still picture, if the scene does not give it. Slabs are about as thick in all
+// directions. They are thinner if the opacity rises steeply, because a steep rise looks like a surface with a visible
+// step at each slab. `length`: thickness of all slabs together; `mean_edge`: mean edge of the mesh's bounds;
+// `steepest`: from steepness().
 [[nodiscard]] std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest);
-// Returns the greatest slope of the extinction (per unit length) over the property. The property is scaled so that its
-// range is 0 to 1.
+// Returns the greatest slope of the extinction (per unit length) over the property, scaled to the range 0 to 1.
 [[nodiscard]] double steepness(std::span<const std::array<double, 2>> opacity_points);
 
-// Returns the stride of the slices that are drawn in an interactive picture. Each drawn slice replaces `stride` slabs
-// by one thick slab. The stride is odd, so that the middle plane of a thick slab is also the middle plane of a thin
-// slab, and slices of a still picture can be reused. The stride is greater for a mesh with more vertices, to keep
-// drawing fast. It is smaller if a thick slab would absorb much light. Only the front of such a slab should be visible,
-// but the slice averages over its whole thickness. `loss`: optical depth of all slabs together (largest_loss).
+// Returns the stride of the slices in an interactive picture. Each slice replaces `stride` slabs by one thick slab. The
+// stride is odd, so that slices of a still picture can be reused. It is greater for a mesh with more vertices. It is
+// smaller if a thick slab would absorb much light: only its front should be visible, but the slice averages over its
+// whole thickness. `loss`: optical depth of all slabs together (largest_loss).
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
@@ -66,14 +61,12 @@ struct VolumeCut {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// Returns the direction of the first visible volume. All volumes use it, because slabs of two directions cannot be
-// sorted together by depth.
+// All volumes use the direction of the first one: slabs of two directions cannot be sorted together by depth.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
-// Returns the unit normal of the slabs. It is the requested axis, unless some camera ray is nearly parallel to the
-// slabs of this axis. Such a ray may stay within one slab, where values are known only at its end. In this case, and if
-// no axis is requested, the normal is the axis nearest to the viewing direction. An axis is taken in its positive
-// direction. In a still picture, the normal is the viewing direction itself for `screen`, and also if some camera ray
-// is nearly parallel to the slabs of the chosen axis.
+// Returns the requested axis, unless some camera ray is nearly parallel to the slabs: such a ray may stay within one
+// slab, where values are known only at its end. Then, and if no axis is requested, returns the axis nearest to the
+// viewing direction. An axis is taken in its positive direction. In a still picture, returns the viewing direction
+// itself for `screen`, and also if some camera ray is nearly parallel to the slabs of the chosen axis.
 [[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera,
                                 bool moving);
 

@@ -23,9 +23,7 @@ public:
         : source_(source), options_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
-    // Each array has the same components at all steps of the dataset (values/field_components.hpp). If most steps have
-    // other components than the chosen components, returns nullopt and writes no dataset. components() then returns the
-    // components that most steps have.
+    // Returns nullopt and writes no dataset if most steps have other components than the chosen components.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -55,7 +53,7 @@ private:
         progress(0.98 * done, phase);
     }
 
-    // Throws Error for an unknown --array before any data is read, if the reader can list its arrays.
+    // Finds an unknown --array before any data is read, if the reader can list its arrays.
     void check_listing() {
         for (std::size_t step = 0; step < source_.times().size() && !selection_.complete(); ++step) {
             std::optional<std::vector<ArrayName>> listed;
@@ -70,8 +68,7 @@ private:
         selection_.check();
     }
 
-    // If the input has a single step, throws Error for an unknown --array. If it has several steps, a later step could
-    // have the array.
+    // If the input has several steps, a later step could have the array.
     void check_only_step(const DataSets& data_sets) {
         if (source_.times().size() > 1) return;
         for (const FieldName& field : field_names(data_sets)) selection_.saw(field);
@@ -108,8 +105,7 @@ private:
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
-    // Builds and writes the mesh of a step. If the mesh cannot be built, returns false, reports the step as lost, and
-    // does not change mesh_.
+    // Returns false, and does not change mesh_, if the mesh cannot be built.
     bool new_mesh(const DataSets& data_sets, double time) {
         tell(0.5, "building the mesh");
         try {
@@ -132,8 +128,7 @@ private:
         return true;
     }
 
-    // Updates mesh_ to a step with the same cells. Returns false if the step needs a new mesh: points that were welded
-    // or joined differ at this step, or the dataset stores positions as floats and the new positions need doubles.
+    // Returns false if the step needs a new mesh.
     bool same_mesh(const DataSets& data_sets, bool moved, double time) {
         update_step_mesh(mesh_, data_sets, moved);
         if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {

@@ -22,7 +22,7 @@ void print_steps(const std::vector<double>& times) {
     std::printf("\n");
 }
 
-// Prints one line per data set. Pieces of one mesh with the same name share one line.
+// Pieces of one mesh with the same name share one line.
 void print_data_sets(const char* title, const std::vector<DataSet>& data_sets) {
     for (std::size_t first = 0, end; first < data_sets.size(); first = end) {
         const DataSet& data_set = data_sets[first];

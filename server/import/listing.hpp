@@ -5,7 +5,7 @@
 
 namespace ciel::importer {
 
-// Prints the format, steps, blocks, surfaces, zones and arrays of the input. Reads only the first step.
+// Reads only the first step.
 void print_listing(Source& source);
 
 } // namespace ciel::importer

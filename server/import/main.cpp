@@ -1,6 +1,5 @@
-// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts and supervises it as a child
-// process. On success it prints "progress SHARE PHASE" and "note SENTENCE" lines, or a listing, to standard output. On
-// failure it prints one sentence to standard error.
+// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts it as a child process, and
+// reads "progress SHARE PHASE" and "note SENTENCE" lines on standard output and one error sentence on standard error.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
 #include "import/listing.hpp"
@@ -32,7 +31,6 @@ enum ExitCode : int {
 };
 constexpr double most_bad_cells = 0.001; // if the share of bad cells is larger, the exit code is something_lost
 
-// The options are declared once, in importing/import_options.hpp, for `ciel import` and for this program.
 void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
     for (const ciel::importing::ImportOption& option : ciel::importing::import_options) {
         auto& given = values[std::string(option.name)];
@@ -69,8 +67,7 @@ Options options_from(ciel::importing::ImportValues& values) {
     return options;
 }
 
-// Prints the sentence with a prefix to standard error. The prefix lets the supervisor find the sentence, because
-// libraries also write to standard error.
+// The prefix lets the supervisor find the sentence, because libraries also write to standard error.
 int fail(const std::string& sentence, ExitCode code = failed) {
     std::fprintf(stderr, "%s%s\n", ciel::importing::import_error_prefix.data(), sentence.c_str());
     return code;
@@ -109,7 +106,7 @@ int run(const Options& options) {
         return done;
     }
     const ConvertResult result = convert(*source, options);
-    // The dataset is complete. Without this call, an earlier signal would make progress() below throw.
+    // The dataset is complete. Without this call, an earlier signal would make progress() throw.
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     progress(1.0, "done");
@@ -125,8 +122,7 @@ int run(const Options& options) {
                 something_lost);
 }
 
-// Prepends the path of the first input to a sentence that contains neither the path of an input nor the path of the
-// output. For example, errors about the mesh contain no path.
+// Some errors, such as errors about the mesh, name no file.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
     const bool named =
@@ -135,7 +131,7 @@ std::string naming_input(const Options& options, const std::string& sentence) {
     return named ? sentence : options.inputs.front() + ": " + sentence;
 }
 
-// True for std::bad_alloc, and for the std::system_error of a thread that cannot be started.
+// std::system_error: a thread could not be started.
 bool is_out_of_memory(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
     const auto* failed = dynamic_cast<const std::system_error*>(&error);

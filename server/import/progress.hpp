@@ -5,15 +5,12 @@
 
 namespace ciel::importer {
 
-// progress() throws this after SIGINT or SIGTERM. Stack unwinding then destroys the store::Writer, which removes the
-// unfinished dataset.
+// progress() throws this after SIGINT or SIGTERM. Stack unwinding then removes the unfinished dataset.
 struct Cancelled {};
 
-// Installs signal handlers: after SIGINT or SIGTERM, the next call of progress() throws Cancelled.
 void install_cancel_handlers();
 
-// After this call, progress() never throws, even if a signal arrived before the call. Call it when the dataset is
-// complete.
+// After this call, progress() never throws. Call it when the dataset is complete.
 void ignore_cancelling();
 
 // Prints "progress SHARE PHASE" if the phase changed or the percentage is larger than in the last line. `share` is in

@@ -17,7 +17,7 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-// Returns the modification time. Returns Time::min() on an error, because a running simulation may remove the file.
+// Returns Time::min() on an error, because a running simulation may remove the file.
 Time time_of(const fs::path& path) {
     std::error_code error;
     const Time time = fs::last_write_time(path, error);
@@ -39,7 +39,6 @@ bool is_time_directory(const std::string& name) {
     return !name.empty() && *end == '\0';
 }
 
-// Returns the newest time in constant/polyMesh and constant/REGION/polyMesh.
 Time newest_mesh(const fs::path& constant) {
     Time newest = newest_below(constant / "polyMesh");
     std::error_code error;

@@ -6,12 +6,10 @@
 
 namespace ciel::importing {
 
-// Returns the newest modification time of the files that an import of `input` reads. Opens no file. The files are:
-// - For an OpenFOAM case (its directory, .foam file or controlDict): the controlDict, the meshes and the time
-//   directories.
-// - For an index of other files (PVD, .series, PVTU, EnSight case): only the index, because programs rewrite the index
-//   at each step.
-// - For any other file: the file itself, and the PLOT3D grid or the PLOT3D solutions in the same directory.
+// Returns the newest modification time of the files that an import of `input` reads. Opens no file. For an OpenFOAM
+// case, these are the controlDict, the meshes and the time directories. For a PLOT3D file, they include its grid or its
+// solutions in the same directory. For an index of other files (PVD, .series, PVTU, EnSight case), this is only the
+// index, because programs rewrite the index at each step.
 [[nodiscard]] std::filesystem::file_time_type last_change(const std::filesystem::path& input);
 
 // Returns the existing PLOT3D solutions in the directory of a grid: NAME.q, NAME.Q, and for NAMExyz.EXT also NAMEq.EXT.

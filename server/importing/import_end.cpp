@@ -35,8 +35,7 @@ Words last_words(const std::string& errors) {
     return words;
 }
 
-// Returns whether the import ran out of memory. The exit code shows this, or a message of the dynamic loader or of the
-// C++ runtime.
+// The exit code shows that memory ran out, or a message of the dynamic loader or of the C++ runtime does.
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;

@@ -6,8 +6,7 @@
 
 namespace ciel::importing {
 
-// Returns one sentence that explains the failure. `end`: the end of a ciel-import without success. `input`: the path of
-// the first input, which the sentence names.
+// `end`: the end of a ciel-import without success. `input`: the path of the first input, which the sentence names.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const std::string& input,
                                        const ImportLimits& limits);
 

@@ -17,7 +17,6 @@ constexpr const char* extension = ".ciel";
 
 bool is_dataset(const fs::path& path) { return fs::exists(path / store::layout::commit_marker); }
 
-// True for any folder that is not an OpenFOAM case, even if it has no dataset yet.
 bool is_folder_of_datasets(const fs::path& path) { return fs::is_directory(path) && !is_openfoam_case(path); }
 
 fs::path without_slash(const fs::path& path) {
@@ -25,7 +24,7 @@ fs::path without_slash(const fs::path& path) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// Returns "run" for "run.vtu" and "run.vtu.series". For a directory, returns the whole name, including dots.
+// Returns "run" for "run.vtu" and "run.vtu.series". The name of a directory has no extension.
 std::string dataset_name(const fs::path& input) {
     if (fs::is_directory(input)) return input.filename().string();
     fs::path name = input.stem();
@@ -33,22 +32,19 @@ std::string dataset_name(const fs::path& input) {
     return name.string();
 }
 
-// Returns folder/KEY/NAME.ciel. KEY is a checksum of the input's path, so that inputs with the same name have different
-// targets.
+// The target contains a checksum of the input's path, so that inputs with the same name have different targets.
 fs::path target_of(const fs::path& input, const fs::path& folder) {
     const std::string path = fs::weakly_canonical(input).string();
     const std::string sum = store::checksum(std::as_bytes(std::span(path)));
     return without_slash(folder) / sum.substr(sum.find(':') + 1) / (dataset_name(input) + extension);
 }
 
-// Returns whether `target` is as new as `input`. import_one() sets the time of the commit marker to the time of the
-// last change of the input.
+// import_one() sets the time of the commit marker to the time of the input's last change.
 bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Adds the file that records the input of an imported copy. Earlier versions of CIEL did not write this file. Ignores
-// errors, because appending to a copy in an unwritable directory fails anyway.
+// Earlier versions of CIEL did not mark copies. Errors are ignored, because nobody can append to an unwritable copy.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);
@@ -57,8 +53,7 @@ void complete_sign(const fs::path& input, const fs::path& target) {
     }
 }
 
-// Imports `input` to `target`. Returns the error sentence of the import; empty on success. Throws Error if `cancel` is
-// set.
+// Returns the error sentence of the import; empty on success.
 std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
     store::make_directory(target.parent_path());

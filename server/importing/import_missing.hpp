@@ -11,11 +11,10 @@ struct Servable {
     std::string problem;         // the importer's sentence if the import failed; then `path` does not exist
 };
 
-// Returns one Servable for each path in `data`. Datasets, and folders other than OpenFOAM cases, are returned
-// unchanged. Everything else is imported to folder/KEY/NAME.ciel. An existing import is kept if the input has not
-// changed since (freshness.hpp). KEY is a checksum of the input's path, and NAME is the name of the input without
-// extension. A file beside the dataset records the path of the input (store/imported_copy.hpp). Throws Error before any
-// import if a path does not exist. Throws Error if `cancel` is set during an import.
+// Datasets, and folders other than OpenFOAM cases, are returned unchanged. Everything else is imported to
+// folder/KEY/NAME.ciel, unless such an import exists and the input has not changed since (freshness.hpp). KEY is a
+// checksum of the input's path. A file beside the dataset records this path (store/imported_copy.hpp). Throws Error
+// before any import if a path does not exist, and if `cancel` is set during an import.
 [[nodiscard]] std::vector<Servable> import_missing(const std::vector<std::filesystem::path>& data,
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);

@@ -1,5 +1,4 @@
-// The options of an import. Two programs use this table: `ciel import` shows and forwards the options, and ciel-import
-// obeys them.
+// The options of an import. `ciel import` shows and forwards them, and ciel-import obeys them.
 #pragma once
 
 #include <map>
@@ -42,8 +41,7 @@ inline constexpr ImportOption import_options[] = {
 // If ciel-import fails, it prints one sentence with this prefix to standard error.
 inline constexpr std::string_view import_error_prefix = "ciel-import: ";
 
-// Exit code of ciel-import if an allocation failed. The caller then writes the error sentence, because it knows the
-// memory limit.
+// Exit code if an allocation failed. The caller then writes the error sentence, because it knows the memory limit.
 inline constexpr int import_out_of_memory = 4;
 
 // Values by ImportOption::name. A flag on the command line has one value.

@@ -16,8 +16,7 @@ namespace ciel::importing {
 struct ImportLimits { // 0: no limit
     double memory_gigabytes = default_memory_gigabytes();
     double seconds = 0;
-    // Longest time without progress (child_process.hpp), in seconds. A valid import has its longest time without
-    // progress while it builds a huge mesh.
+    // In seconds. A valid import has its longest time without progress while it builds a huge mesh.
     double stalled_seconds = 1800;
 };
 
@@ -36,8 +35,7 @@ struct ImportEnd {
 [[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 
-// Returns the path of ciel-import, which is in the directory of this program or on PATH. Throws Error if it is not
-// found.
+// Looks in the directory of this program and on PATH. Throws Error if it is not found.
 [[nodiscard]] std::filesystem::path find_import_program();
 
 } // namespace ciel::importing

@@ -11,7 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the number in a file of a control group; nothing if the file says "max" or does not exist.
 std::optional<std::uint64_t> number_in(const fs::path& file) {
     std::uint64_t number = 0;
     if (std::ifstream(file) >> number) return number;
@@ -23,7 +22,7 @@ struct GroupFiles {
     const char *limit, *used;
 };
 
-// Returns the memory control groups of this process. Version 2 has a single hierarchy without controller names.
+// Version 2 has a single hierarchy without controller names.
 std::vector<GroupFiles> control_groups(const fs::path& root) {
     std::vector<GroupFiles> found;
     std::ifstream groups(root / "proc/self/cgroup"); // lines of "number:controllers:group"
@@ -40,7 +39,6 @@ std::vector<GroupFiles> control_groups(const fs::path& root) {
     return found;
 }
 
-// Calls visit(directory, limit) for the group and its ancestors that have a limit.
 template <class Visit>
 void for_limits(const GroupFiles& files, Visit&& visit) {
     for (fs::path group = files.group;; group = group.parent_path()) {
@@ -50,7 +48,7 @@ void for_limits(const GroupFiles& files, Visit&& visit) {
     }
 }
 
-// Returns the bytes of inactive file pages, which a control group counts as used although they are reclaimable.
+// A control group counts inactive file pages as used although they are reclaimable.
 std::uint64_t file_pages(const fs::path& directory) {
     std::ifstream statistics(directory / "memory.stat");
     std::uint64_t number = 0;

@@ -91,7 +91,7 @@ constexpr std::string_view size_letters = "KMGT";
 
 bool is_bytes(const LimitRow& row) { return row.unit == Unit::bytes || row.unit == Unit::memory; }
 
-// Parses `text` in the unit of the row, without checking the row's range. Throws Error if `text` is malformed.
+// Does not check the row's range.
 std::uint64_t number_of(const LimitRow& row, std::string_view text) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

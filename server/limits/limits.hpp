@@ -76,8 +76,7 @@ struct LimitRow {
 [[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
 [[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
 
-// Parses a whole number from row.least to row.most. Bytes may have a suffix K, M, G or T (powers of 1024); memory may
-// also be a share such as "25%". Throws Error for other texts.
+// Bytes may have a suffix K, M, G or T (powers of 1024); memory may be a share such as "25%". Else throws Error.
 [[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
 // Returns the value with its unit, such as "64", "1 MiB" or "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);

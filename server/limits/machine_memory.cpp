@@ -37,7 +37,7 @@ std::uint64_t spare_address_space() {
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
-// Returns the bytes of this process's memory that are not pages of a file: heap, stacks and allocations of drivers.
+// Heap, stacks and allocations of drivers, but no pages of files.
 std::uint64_t private_resident_memory() {
     std::uint64_t size = 0, resident = 0, shared = 0;
     std::ifstream("/proc/self/statm") >> size >> resident >> shared;
@@ -50,9 +50,8 @@ std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory
 
 void give_back_free_memory() {
     constexpr std::uint64_t worth_it = std::uint64_t{32} << 20;
-    // malloc also counts memory as free that is already returned to the system. Therefore two numbers are compared with
-    // their values after the last return. If memory in use at that time has been freed, the number of free bytes is
-    // higher. If memory returned at that time has been used and freed again, only the resident size is higher.
+    // malloc also counts memory as free that it has returned to the system. Therefore the free bytes and the resident
+    // size are compared with their values after the last return.
     static std::atomic<std::uint64_t> free_after{0}, size_after{0};
     const auto free_bytes = []() -> std::uint64_t { return ::mallinfo2().fordblks; };
     const std::uint64_t free_now = free_bytes(), size_now = private_resident_memory();

@@ -5,8 +5,7 @@
 
 namespace ciel::limits {
 
-// Returns the bytes of the machine's memory, or the limit of the control group (a container, a service) if this limit
-// is lower.
+// In bytes. If the limit of the control group (a container, a service) is lower, returns this limit.
 [[nodiscard]] std::uint64_t machine_memory();
 
 // Bytes that this process can still allocate; the largest std::uint64_t if there is no limit.
@@ -16,8 +15,7 @@ struct SpareMemory {
 };
 [[nodiscard]] SpareMemory spare_memory();
 
-// Returns freed heap memory to the system, because malloc would keep it. Does so only if 32 MiB or more seem to have
-// been freed since the last return, because a return takes some milliseconds. Thread-safe.
+// Returns freed heap memory to the system if it seems to be 32 MiB or more. malloc would keep it. Thread-safe.
 void give_back_free_memory();
 
 } // namespace ciel::limits

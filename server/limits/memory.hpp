@@ -36,8 +36,7 @@ public:
         Charge(const Charge&) = delete;
         Charge& operator=(const Charge&) = delete;
 
-        // Call this before the allocation. If the total would exceed the limit, throws LimitReached and keeps the old
-        // count.
+        // Call this before the allocation. Throws LimitReached and keeps the count if the total would exceed the limit.
         void change(std::size_t bytes);
         void note(std::size_t bytes); // for memory already allocated; never throws LimitReached
         [[nodiscard]] std::size_t bytes() const { return bytes_; }

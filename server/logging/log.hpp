@@ -18,8 +18,7 @@ enum class LogLevel { debug, info, warning, error };
 // Sets the process's log and the default log of spdlog. `level`: "debug", "info", "warn", "error" or "off".
 void start_log(const std::string& level, LogFormat format);
 
-// One name and value of an event. An empty text means that the value is unknown; the field is then left out of the
-// line.
+// An empty text means that the value is unknown; the field is then left out.
 struct LogField {
     LogField(std::string_view name_, std::string_view text);
     LogField(std::string_view name_, const std::string& text) : LogField(name_, std::string_view(text)) {}
@@ -37,12 +36,10 @@ private:
 // Writes the line if the level is enabled. Thread-safe.
 void log_event(LogLevel level, std::string_view event, std::initializer_list<LogField> fields);
 
-// Returns the first eight characters of a session's id. Logs and /metrics must not show more, because a client that
-// knows the id may change the scene.
+// Returns eight characters. Logs must not show more, because a client that knows the id may change the scene.
 [[nodiscard]] std::string short_id(std::string_view session);
 
-// Returns a new id, which links log lines to the answer that the client gets. The id is unique in the process, and very
-// likely among processes.
+// The id links log lines to the client's answer. It is unique in the process, and very likely among processes.
 [[nodiscard]] std::string next_request_id();
 
 } // namespace ciel::logging

@@ -8,8 +8,7 @@
 
 namespace ciel::logging {
 
-// Thread-safe. Remembers at most 4096 topics. If a line on each of them was allowed within the last minute, lines on
-// other topics are refused.
+// Thread-safe. Remembers at most 4096 topics. If all of them had a line within the last minute, refuses other topics.
 class LogLimiter {
 public:
     using Clock = std::chrono::steady_clock;

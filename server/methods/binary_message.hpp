@@ -14,9 +14,8 @@ class Server;
 
 namespace ciel::methods {
 
-// Handles a binary message of a client. Thread-safe; never throws for any bytes. A refused piece is answered with the
-// notification append.refused. If the message is malformed or the connection may not send it, returns the reason; the
-// caller should then close the connection.
+// Thread-safe; never throws. A refused piece is answered with the notification append.refused. If the message is
+// malformed or not allowed, returns the reason to close the connection.
 [[nodiscard]] std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                                         std::span<const std::uint8_t> message);
 

@@ -31,13 +31,11 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     [[nodiscard]] std::shared_ptr<engine::OpenSession> session(const std::string& id) const {
         return server.sessions().find(id);
     }
-    // Throws Error if stop was requested on the token of the connection or on `stop`.
     void check_wanted() const { methods::check_wanted(connection.stop, stop); }
     void check_may_append() const { methods::check_may_append(server, connection); }
     [[nodiscard]] std::shared_ptr<engine::View> view(std::int64_t id) const;
     [[nodiscard]] std::shared_ptr<store::LoadedDataset> dataset(const std::string& name) const;
-    // Returns a shared pointer to the connection, which views and subscriptions keep. Returns null over HTTP, because
-    // HTTP has no frames.
+    // Views and subscriptions keep this pointer. Returns null over HTTP, which has no frames.
     [[nodiscard]] std::shared_ptr<sessions::Connection> streaming_connection() const;
 };
 

@@ -11,7 +11,6 @@ public:
     Cancellation(const std::stop_token& connection_ended, const std::stop_token& server_stops)
         : on_connection_end_(connection_ended, Request{source_}), on_server_stop_(server_stops, Request{source_}) {}
 
-    // Stop is requested on this token as soon as it is requested on one of the two tokens.
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
 
 private:

@@ -17,8 +17,7 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
     return info;
 }
 
-// Describes an array. The range, and the numbers of invalid and missing values, cover all steps at which the array was
-// written.
+// The range and the numbers of invalid and missing values cover all steps at which the array was written.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
     protocol::ArrayInfo info;
     info.name = array.name;

@@ -19,8 +19,7 @@ namespace {
 using nlohmann::json;
 using Outcome = engine::SlowCallQueue::Outcome;
 
-// Returns whether JSON text is nested deeper than `limit`. Checked before parsing, so that no parser or destructor
-// recurses deeper.
+// Checked before parsing, so that no parser or destructor recurses deeper.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
     std::size_t depth = 0;
     bool in_string = false;
@@ -42,11 +41,10 @@ bool is_deeper_than(std::string_view text, std::size_t limit) {
     return false;
 }
 
-// Returns an answer as text. Invalid UTF-8 is replaced, because a name from a file system may contain it.
+// Invalid UTF-8 is replaced, because a name from a file system may contain it.
 std::string text_of(const json& answer) { return answer.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Returns an answer as text. `id`: literal text of the request's id, which replaces the parsed id. It is empty if the
-// parser has not changed the id.
+// `id`: literal text that replaces the parsed id; empty if the parser has not changed the id.
 std::string text_of(const json& answer, const std::string& id) {
     if (id.empty() || !answer["id"].is_number()) return text_of(answer);
     json rest = answer;
@@ -54,7 +52,7 @@ std::string text_of(const json& answer, const std::string& id) {
     return text_of(rest).insert(1, "\"id\":" + id + ",");
 }
 
-// Returns whether the parser changes the id of a request. The parser changes -0 and all numbers except 64-bit integers.
+// The parser changes -0 and all numbers except 64-bit integers.
 bool changes_id(const json& request) {
     const auto id = request.is_object() ? request.find("id") : request.end();
     if (!request.is_object() || id == request.end()) return false;
@@ -66,8 +64,7 @@ struct Read { // NOLINT(bugprone-exception-escape): moving a string does not thr
     std::vector<std::string> ids; // result of raw_ids(); empty if the parser changed no id
 };
 
-// Handles the requests of one text in order. Quick requests run on the current thread, slow requests in the queue of
-// slow calls.
+// Quick requests run on the current thread, slow requests in the queue of slow calls.
 class Requests : public std::enable_shared_from_this<Requests> {
 public:
     Requests(engine::Server& server, std::shared_ptr<sessions::Connection> connection, Read read, Answer answer)
@@ -136,8 +133,7 @@ private:
         }
     }
 
-    // Adds an answer to text_. Converts the answer to text at once, so that a batch holds no second copy of its
-    // answers.
+    // Converts the answer to text at once, so that a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
         if (!one) return context_.making.note(0);
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
@@ -171,8 +167,7 @@ private:
         answer_(std::move(text_));
     }
 
-    // Replaces every answer by an error, because the text of all answers is too long for a WebSocket message. The error
-    // does not name the answer that made a batch too long, because this would not help the client.
+    // The error does not name the answer that made a batch too long, because this would not help the client.
     void refuse_as_too_long(std::size_t bytes) {
         const std::string reason = "the answer is " + std::to_string(bytes) +
                                    " bytes long, and a message on a WebSocket may have at most " +
@@ -212,7 +207,7 @@ void note_ids(Read& read, std::string_view text, const std::map<std::size_t, std
     for (const auto& [request, id] : large) read.ids.at(request) = id;
 }
 
-// Parses `text` into `read`. Throws the exceptions of json::parse, but accepts ids outside the range of a double.
+// Throws the exceptions of json::parse, but accepts ids outside the range of a double.
 void read_requests(const limits::Limits& limits, std::string_view text, Read& read) {
     try {
         read.requests = scene::read_json(text);
@@ -225,7 +220,6 @@ void read_requests(const limits::Limits& limits, std::string_view text, Read& re
     }
 }
 
-// Parses `text` into `read`. Returns the error of an invalid text, or nothing.
 std::optional<json> refusal(const limits::Limits& limits, std::string_view text, Read& read) {
     if (text.size() > limits.message_bytes)
         return limit_error("a message may have at most " + std::to_string(limits.message_bytes) +

@@ -1,5 +1,4 @@
-// Takes a JSON-RPC 2.0 text and returns the answer. All methods are called only through dispatch(): from WebSockets,
-// HTTP POST and tests.
+// Takes a JSON-RPC 2.0 text and returns the answer. All methods are called only through dispatch().
 #pragma once
 
 #include "sessions/connection.hpp"
@@ -18,12 +17,11 @@ namespace ciel::methods {
 // Callback for the answer. The answer is an empty text if the text has only notifications. Must not throw.
 using Answer = std::function<void(std::string text)>;
 
-// Handles a JSON-RPC text: a single request, a notification or a batch, as JSON-RPC 2.0 specifies. Thread-safe. Never
-// throws for any input. `answer` is called exactly once: before dispatch returns or, if the text calls a slow method,
-// possibly later from another thread. The requests of a batch are handled in order.
+// Handles a request, a notification or a batch. Thread-safe. Never throws. `answer` is called exactly once: before
+// dispatch returns or, if the text calls a slow method, possibly later from another thread.
 void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> connection, std::string_view text,
               Answer answer);
-// Handles a JSON-RPC text like the overload with a callback, but waits for the answer and returns it.
+// Waits for the answer and returns it.
 [[nodiscard]] std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text);
 
 } // namespace ciel::methods

@@ -20,8 +20,7 @@ public:
 [[nodiscard]] nlohmann::json invalid_request(const std::string& reason);
 [[nodiscard]] nlohmann::json limit_error(const std::string& reason);
 [[nodiscard]] nlohmann::json too_long_error(const std::string& reason);
-// Returns the error object of the exception that is being handled. Call it inside a catch block. Accepts every
-// exception.
+// Call it inside a catch block. Accepts every exception.
 [[nodiscard]] nlohmann::json error_of_current_exception();
 
 } // namespace ciel::methods

@@ -7,9 +7,8 @@
 
 namespace ciel::methods {
 
-// Returns the params by name. Params by position are named in the order that the contract declares. Throws
-// InvalidParams. `ignored`: if not null, unknown members are removed, and their JSON pointers are stored there.
-// REQUIRES: the contract has the method, and `params` is an object or an array.
+// Params by position get their names. Throws InvalidParams. `ignored`: if not null, unknown members are removed, and
+// their JSON pointers are stored there. REQUIRES: the contract has the method, and `params` is an object or an array.
 [[nodiscard]] nlohmann::json checked_params(const std::string& method, nlohmann::json params,
                                             std::vector<std::string>* ignored = nullptr);
 

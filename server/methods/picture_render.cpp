@@ -7,8 +7,7 @@
 namespace ciel::methods {
 
 namespace {
-// Memory for an answer, as a multiple of the size of the PNG file. It consists of the file itself, and three base64
-// copies (result, JSON, text), each 4/3 as large as the file.
+// The PNG file and three base64 copies (result, JSON, text), each 4/3 as large as the file.
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 

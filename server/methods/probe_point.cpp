@@ -17,7 +17,6 @@ geometry::ViewSize size_of(const CallContext& context, const protocol::ProbePoin
     return {static_cast<std::uint32_t>(*params.width), static_cast<std::uint32_t>(*params.height)};
 }
 
-// If the scene shows a layer at the pixel and position, sets the layer and the patch of the result.
 void name_what_is_there(protocol::ProbePointResult& result, const geometry::Geometry& geometry,
                         const scene::Scene& scene, geometry::ViewSize size, const protocol::ProbePointParams& params,
                         const store::Dataset& dataset) {

@@ -12,10 +12,8 @@ namespace ciel::methods {
 // Used by one thread at a time. A Progress without a name sends nothing.
 class Progress {
 public:
-    // `name`: the call's parameter `progress`, which the notifications repeat. `session`: the call's parameter
-    // `session`. A call on a WebSocket notifies its own connection. A call by POST notifies the connections of
-    // `session`; without a session it notifies no connection. Does not own `context`, which must outlive this object.
-    // Throws NotFound.
+    // `name`, `session`: params of the call. A call on a WebSocket notifies its own connection. A call by POST notifies
+    // the connections of `session`, if it is given. `context` must outlive this object. Throws NotFound.
     Progress(const CallContext& context, std::optional<std::string> name, const std::optional<std::string>& session);
 
     void begin(const char* stage); // one of the stages of call.progress in the contract

@@ -5,9 +5,8 @@
 
 namespace ciel::methods {
 
-// Returns whether the request was written for a higher minor version than the version of this server. If so, unknown
-// members of the request are ignored. Returns false if the request has no "protocol". Throws InvalidRequest for another
-// major version, and if "protocol" is malformed.
+// Returns whether the request declares a higher minor version than this server. Its unknown members are then ignored.
+// Returns false without "protocol". Throws InvalidRequest for another major version or a malformed "protocol".
 [[nodiscard]] bool is_of_later_minor(const nlohmann::json& request);
 
 } // namespace ciel::methods

@@ -41,8 +41,7 @@ public:
         return false;
     }
 
-    // Returns the id that stopped the parser because a double cannot hold the id: the offset of the id's end in the
-    // text, and the id as written. The second member is empty if there is no such id.
+    // An id that a double cannot hold: the offset of its end in the text, and the id as written (empty if none).
     [[nodiscard]] const std::pair<std::size_t, std::string>& large() const { return large_; }
     [[nodiscard]] std::size_t request() const { return ids_.size() - 1; }
 

@@ -9,16 +9,15 @@
 
 namespace ciel::methods {
 
-// Returns one entry per request of the text, in order. The entry is the literal text of the request's id if the id is a
-// number, else empty. REQUIRES: the text is JSON that nlohmann::json::parse accepts. Thread-safe.
+// Returns one entry per request, empty if its id is not a number. REQUIRES: json::parse accepts the text. Thread-safe.
 [[nodiscard]] std::vector<std::string> raw_ids(std::string_view text);
 
 struct IdsInRange {
     std::string text;                         // has 0.5 in place of each id beyond the range of a double
     std::map<std::size_t, std::string> large; // the replaced ids, by index of the request
 };
-// Replaces the ids in `text` that are beyond the range of a double, because the parser refuses a text with such
-// numbers. Returns nothing if such a number is not an id, or if there are more than `most` such ids. Thread-safe.
+// Replaces the ids beyond the range of a double, because the parser refuses such numbers. Returns nothing if such a
+// number is not an id, or if there are more than `most` such ids. Thread-safe.
 [[nodiscard]] std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most);
 
 } // namespace ciel::methods

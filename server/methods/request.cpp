@@ -25,7 +25,6 @@ json answer(const json& id, const char* member, json content) {
 
 bool is_id(const json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
-// Returns the id of a request if it is valid, else null.
 json id_of(const json& request) {
     if (!request.is_object()) return nullptr;
     const auto id = request.find("id");
@@ -45,8 +44,7 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// Calls the method of a request and returns its result. `ignored`: receives the JSON pointers of unknown members if the
-// request declares a later minor version.
+// `ignored` receives the JSON pointers of unknown members if the request declares a later minor version.
 json call(CallContext& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
@@ -64,15 +62,13 @@ json call(CallContext& context, const json& request, std::vector<std::string>& i
     }
 }
 
-// Returns the log level of an error. Failures of the server are warnings or errors. Mistakes of a client are
-// information.
+// Failures of the server are warnings or errors; mistakes of a client are information.
 logging::LogLevel level_of(int code) {
     if (code == internal_error) return logging::LogLevel::error;
     return code == protocol::Failed || code == protocol::Limit ? logging::LogLevel::warning : logging::LogLevel::info;
 }
 
-// Returns the method of a request for the log. Returns "unknown" for a name outside the contract, because such a name
-// is arbitrary text of the client.
+// Returns "unknown" for a name outside the contract, because such a name is arbitrary text of the client.
 std::string method_of(const json& request) {
     if (!is_request(request)) return {};
     const auto& name = request["method"].get_ref<const std::string&>();

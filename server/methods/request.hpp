@@ -14,12 +14,10 @@ struct CallContext; // methods/call_context.hpp
 // Counts and logs the error of a text without a valid request. Returns the answer to that text.
 [[nodiscard]] nlohmann::json refuse_text(CallContext& context, nlohmann::json error);
 
-// Calls the method of a request and returns the answer, or nothing for a notification. Never throws for any input. Logs
-// failures and slow calls. `waited`: seconds that the request waited in the queue.
+// Returns nothing for a notification. Never throws. Logs failures and slow calls. `waited`: seconds in the queue.
 [[nodiscard]] std::optional<nlohmann::json> handle(CallContext& context, const nlohmann::json& request,
                                                    double waited = 0);
-// Returns the error answer to a request for the current exception, or nothing for a notification. Call it inside a
-// catch block.
+// Answers the current exception. Returns nothing for a notification. Call it inside a catch block.
 [[nodiscard]] std::optional<nlohmann::json> refuse(CallContext& context, const nlohmann::json& request);
 
 } // namespace ciel::methods

@@ -9,15 +9,13 @@ namespace ciel::methods {
 
 class SceneSource {
 public:
-    // Uses `scene` if it is given, else the scene of the session. Throws InvalidParams if neither is given,
-    // scene::Invalid, NotFound. Does not own `context`, which must outlive this object.
+    // Prefers `scene`. Throws InvalidParams if neither is given, scene::Invalid, NotFound. `context` must outlive this.
     SceneSource(const CallContext& context, const std::optional<std::string>& session,
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
-    // Returns the geometry of the scene. The geometry of a session is shared with the views of the session. The
-    // geometry of a given scene is made for this call, and its memory is counted until the SceneSource is destroyed.
-    // `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection ends during the call.
+    // Views of a session share its geometry. The geometry of a given scene is counted until the SceneSource is
+    // destroyed. `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection ends.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const geometry::LayersMade& layers_made = {});
 
 private:

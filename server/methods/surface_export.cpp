@@ -37,8 +37,7 @@ Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& dra
     return shown;
 }
 
-// Joins the drawables of a layer to a single surface, in order. Throws LimitReached if the file would exceed
-// Limits::export_bytes.
+// Throws LimitReached if the file would exceed Limits::export_bytes.
 wire::JoinedSurface joined(const CallContext& context, const geometry::Geometry& geometry,
                            const store::Dataset& dataset, const std::string& layer, wire::SurfaceFormat format,
                            bool triangles) {
@@ -66,8 +65,7 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// Memory for an answer, as a multiple of the size of the file. It consists of the stream, the file, and three base64
-// copies (result, JSON, text), each 4/3 as large as the file.
+// The stream, the file and three base64 copies (result, JSON, text), each 4/3 as large as the file.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

@@ -29,17 +29,11 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
 // Results: the overlay of title, captions and legends, then the taken boxes (number, then each box).
 void lay_texts(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
 
-// In the comments of this file, a color scale consists of: lower end, upper end, log (0 or 1), steps. The comments
-// below have the form: arguments -> results.
-// color scale -> exponent. See annotations::exponent_of.
-void exponent_of(Reader& arguments, Writer& results);
-// color scale, value -> text. See annotations::label_on.
-void label_on(Reader& arguments, Writer& results);
-// value, digits -> text. See annotations::number_label.
-void number_alone(Reader& arguments, Writer& results);
-// exponent -> text. See annotations::times_power_of_ten.
-void times_power_of_ten(Reader& arguments, Writer& results);
-// text -> text. See annotations::pretty_units.
-void pretty_units(Reader& arguments, Writer& results);
+// A color scale consists of: lower end, upper end, log (0 or 1), steps. The comments below: arguments -> results.
+void exponent_of(Reader& arguments, Writer& results);        // color scale -> exponent
+void label_on(Reader& arguments, Writer& results);           // color scale, value -> text
+void number_alone(Reader& arguments, Writer& results);       // value, digits -> text
+void times_power_of_ten(Reader& arguments, Writer& results); // exponent -> text
+void pretty_units(Reader& arguments, Writer& results);       // text -> text
 
 } // namespace ciel::page

@@ -13,7 +13,6 @@ namespace {
 
 using ciel::annotations::FontMetrics;
 
-// Measures text in the font of the page.
 class PageText final : public ciel::annotations::TextMeasure {
 public:
     FontMetrics metrics(int pixels) override {

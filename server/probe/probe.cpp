@@ -10,8 +10,7 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-// `array`: a point array. If it was made from a cell array, returns whether the solver's result in `cell` is NaN or
-// infinite; else returns false. The values at the corners do not show this, because they may come from neighbor cells.
+// The values at the cell's corners do not show a wrong result, because they may come from neighbor cells.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
@@ -23,8 +22,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
            });
 }
 
-// Writes the scalars of an array to `out`. They are weighted sums over vertices, or the values of one cell with the
-// weight 1. If `is_wrong`, the scalars get no value.
+// The weights are over vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const VertexWeights& weights, bool is_wrong, Probed& out) {
     const store::PagedValues values = dataset.values_to_load(array.name, step);

@@ -16,9 +16,8 @@ struct Probed {
     std::map<std::string, std::optional<double>> values; // by scalar; nullopt if not written at this step or not finite
 };
 
-// Returns the ids and values at a position. Point scalars are interpolated in the cell; a cell scalar has the value of
-// the cell. Reads only the pages that have these values. `locator`: locator of the mesh with the coordinates of the
-// step. Throws Error when a file is damaged.
+// Point scalars are interpolated in the cell. Reads only the pages that have the values. `locator`: of the mesh with
+// the coordinates of the step. Throws Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

@@ -66,7 +66,6 @@ bool has_threshold(const scene::Layer& layer) {
         layer.kind);
 }
 
-// Returns whether the layer shows only a part of the mesh's boundary or points.
 bool shows_part(const scene::Layer& layer) {
     if (has_threshold(layer)) return true;
     return std::visit(
@@ -96,7 +95,7 @@ Box box_of(const geometry::Geometry& geometry, const scene::Scene& scene, Counts
     return box;
 }
 
-// Tests whether a picture of a given size shows a position. Positions are offsets from the geometry's origin.
+// Positions are offsets from the geometry's origin.
 class View {
 public:
     View(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size) {

@@ -1,5 +1,4 @@
-// Boxes to which a camera is fitted: around the part of the mesh that the clip planes keep, or around the drawn
-// geometry.
+// Boxes to which a camera is fitted.
 #pragma once
 
 #include "geometry/scene_geometry.hpp"
@@ -10,15 +9,13 @@
 namespace ciel::probe {
 
 // Returns the box of all visible layers together, cut by the clip planes. If every visible layer has a threshold, it is
-// the box of the cells that the thresholds keep. Otherwise it is the box of the mesh, because the view must not move
-// when an iso-surface or a plane moves. Outlines and clip layers are ignored. Returns the bounds of the mesh if nothing
-// is left. Reads all points of layers with thresholds.
+// the box of the kept cells. Otherwise it is the box of the mesh, because the view must not move when an iso-surface or
+// a plane moves. Ignores outlines. Returns the bounds of the mesh if nothing is left.
 [[nodiscard]] geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
-// Returns the box of the drawn geometry, cut by the clip planes. If some layers show only a part of the mesh (patches,
-// or the cells of a threshold), the box is around these layers and iso-surfaces. A slice through the far field is not
-// included, because a body would then be too small to see. A volume has the box of the mesh. If only outlines are
-// drawn, returns shown_bounds. Reads all drawn points.
+// Returns the box of the drawn geometry, cut by the clip planes. If some layers show only patches or the cells of a
+// threshold, it is the box of these layers and iso-surfaces: with a slice through the far field, a body would be too
+// small to see. A volume has the box of the mesh. If only outlines are drawn, returns shown_bounds.
 [[nodiscard]] geometry::BoundingBox drawn_bounds(const geometry::Geometry& geometry, const scene::Scene& scene);
 
 // Returns the box of the drawn points that are inside a picture of this size, including points that are hidden. Returns

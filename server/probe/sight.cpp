@@ -15,8 +15,7 @@
 namespace ciel::probe {
 namespace {
 
-// Positions within this distance are treated as the same; a fraction of the diagonal of the bounds. It covers the error
-// of the depth buffer, with a margin for surfaces that are seen at a grazing angle.
+// A fraction of the diagonal of the bounds. Covers the error of the depth buffer on surfaces at a grazing angle.
 constexpr double same_place = 2e-3;
 
 struct Ray { // from the near plane to the far plane; `from` is an offset from the geometry's origin
@@ -40,8 +39,7 @@ Ray ray_through(const annotations::Viewpoint& viewpoint, std::array<double, 2> p
 
 Vec3d between(const Vec3f& from, const Vec3d& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
 
-// Returns the parameter, from 0 to 1 along the ray, at which the ray meets the triangle. Returns nothing if the ray
-// misses the triangle (Moeller and Trumbore 1997).
+// Moeller and Trumbore 1997. The result is the parameter, from 0 to 1 along the ray.
 std::optional<double> met(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
     const Vec3d ab = arm(a, b);
     const Vec3d ac = arm(a, c);

@@ -23,12 +23,10 @@ struct Crossing {
 // the picture. Ignores lines, points, volumes and layers with opacity 0. Tests every triangle.
 [[nodiscard]] std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene::Scene& scene,
                                               geometry::ViewSize size, std::array<double, 2> pixel);
-// Returns the crossing nearest to `position`, which was read from the depth buffer. Returns nothing if none is within
-// 0.002 of the bounds' diagonal, for example if a line or a point is drawn at `position`.
+// `position`: from the depth buffer. Returns nothing if no crossing is within 0.002 of the bounds' diagonal.
 [[nodiscard]] std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings,
                                                   const geometry::Geometry& geometry, const Vec3d& position);
-// Returns the name of the patch that a surface layer shows at the crossing. Returns nothing for other layers, for caps,
-// and for faces that are in no patch.
+// Returns nothing for layers that are no surface layers, for caps, and for faces that are in no patch.
 [[nodiscard]] std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Geometry& geometry,
                                                   const scene::Scene& scene, const store::Dataset& dataset);
 

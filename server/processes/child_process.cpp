@@ -86,7 +86,7 @@ public:
         if (!reaped_) ::kill(pid_, number);
     }
 
-    // Waits for output for at most poll_milliseconds. Returns false at the end of both streams.
+    // Returns false at the end of both streams.
     bool read(std::string& output, std::string& errors) {
         std::array<pollfd, 2> polled{pollfd{output_.read.get(), POLLIN, 0}, pollfd{errors_.read.get(), POLLIN, 0}};
         if (::poll(polled.data(), polled.size(), poll_milliseconds) < 0 && errno != EINTR) return false;
@@ -95,8 +95,7 @@ public:
         return output_.read.get() >= 0 || errors_.read.get() >= 0;
     }
 
-    // Returns the number of bytes that the child has read and written so far (rchar and wchar of the kernel); 0 if the
-    // number is not available.
+    // Returns the bytes read and written by the child (rchar + wchar); 0 if they are not known.
     [[nodiscard]] std::uint64_t transferred() const {
         std::ifstream counters("/proc/" + std::to_string(pid_) + "/io");
         std::uint64_t total = 0, count = 0;
@@ -132,7 +131,6 @@ private:
 
 double seconds_since(Clock::time_point time) { return std::chrono::duration<double>(Clock::now() - time).count(); }
 
-// Ends the child if `cancel` is set, a time limit is over, or the child stalls.
 class Watch {
 public:
     Watch(const Child& child, const ChildLimits& limits, const std::atomic<bool>& cancel)

@@ -17,8 +17,7 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// Returns whether the plain program can draw the mesh. The plain program is faster, because a software rasterizer also
-// spends time on unused features of the full program.
+// The plain program is faster: a software rasterizer also spends time on unused features of the full program.
 bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
@@ -114,8 +113,7 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     return image;
 }
 
-// Switches the clip distances of the frame's clip planes on or off. They must be off for shaders that write no
-// gl_ClipDistance, for example the shader of the background.
+// Clip planes must be off for shaders that write no gl_ClipDistance.
 void Painter::enable_clip_planes(bool on) {
     for (std::size_t i = 0; i < clip_planes_; ++i) {
         const auto plane = static_cast<GLenum>(GL_CLIP_DISTANCE0 + i);
@@ -158,9 +156,7 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// Assigns buffers to each mesh, except to meshes of transparent triangles or transparent points. A mesh gets the
-// buffers that hold its identity, even if its index in the frame has changed. Other meshes get the buffers of meshes
-// that are no longer in the frame, or new buffers.
+// A mesh keeps its buffers if its index in the frame changes. Transparent triangles and points have buffers elsewhere.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -182,8 +178,7 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-// Returns the tiles on which the frame draws. Returns all tiles for frames with volumes or several samples, because
-// clearing and reading are only a small part of the time of such frames.
+// Frames with volumes or several samples touch all tiles: clearing and reading are a small part of their time.
 TouchedTiles Painter::touched_by(const Frame& frame) const {
     TouchedTiles touched(frame.width, frame.height);
     if (frame.samples > 1 || !frame.volumes.empty()) {
@@ -216,8 +211,7 @@ void Painter::use(const Program& program, const Frame& frame) {
     scales_.bind();
 }
 
-// Sets the plain program's uniforms for one mesh. The vertices of the plain program have only position and normal, so
-// color and lighting are uniforms.
+// Vertices of the plain program have only position and normal, so color and lighting are uniforms.
 void Painter::use_look(const Frame& frame, const Primitives& mesh) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
@@ -261,9 +255,8 @@ void Painter::use_line(const Program& program, const Primitives& mesh, float fac
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
-// Draws lines. If sorted transparent triangles are drawn after the lines, a partly covered pixel that wrote depth would
-// hide the triangles behind it. Therefore a pixel that a line covers by less than half writes no depth. All other
-// pixels of the line are drawn as fully covered.
+// Transparent triangles are drawn after lines, and a partly covered pixel that wrote depth would hide them. Therefore
+// only a pixel that a line covers by at least half writes depth, and is drawn as fully covered.
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {
@@ -288,7 +281,6 @@ void Painter::draw_opaque(const Frame& frame) {
     draw_meshes(frame, is_occluded ? occluded_ : triangles_);
 }
 
-// Finds the depth of opaque surfaces and the slopes of transparent surfaces, for lines and points that lie on them.
 void Painter::find_slopes(const Frame& frame) {
     slopes_.begin();
     if (std::ranges::none_of(frame.primitives, is_overlay)) return;

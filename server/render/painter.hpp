@@ -1,5 +1,4 @@
-// Draws frames with the GL objects of one context. The destructor does not delete the GL objects. They exist until the
-// GL context is destroyed.
+// Draws frames with the GL objects of one context, which exist until the GL context is destroyed.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -28,11 +27,9 @@ public:
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Draws the frame, and returns the picture, which is valid until the next draw. Throws the same errors as
-    // Renderer::draw, but does not check the memory. After an exception, the next draw works as usual.
+    // The picture is valid until the next draw. Throws the errors of Renderer::draw, but does not check the memory.
     const Image& draw(const Frame& frame, const AfterStage& after);
     bool pick(int x, int y, Vec3d& position);
-    // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }

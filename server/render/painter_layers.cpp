@@ -5,8 +5,7 @@
 namespace ciel::render {
 namespace {
 
-// Returns the uniform `line_reach` of point_shaders.cpp: half the width of the widest line plus half a pixel, in
-// framebuffer pixels; 0 without lines. `factor`: framebuffer pixels per picture pixel along a side.
+// The uniform `line_reach` of point_shaders.cpp. `factor`: framebuffer pixels per picture pixel along a side.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -14,8 +13,7 @@ float line_reach(const Frame& frame, float factor) {
 
 } // namespace
 
-// Draws opaque points before the lines, so that the soft edges of lines blend with the points. With volumes, the points
-// are also drawn into the opaque depth, because rays of volumes end on opaque points.
+// Points are drawn before lines, so that the soft edges of lines blend with them. Rays of volumes end on opaque points.
 void Painter::draw_opaque_points(const Frame& frame) {
     if (!has(frame, is_opaque_points) || has_overlays_in_layers(frame)) return;
     draw_points(frame, target_.sample_places());
@@ -42,14 +40,13 @@ void Painter::draw_points(const Frame& frame, const std::vector<std::array<float
     draw_opaque_points_with(frame);
 }
 
-// Draws the opaque points with the program in use.
 void Painter::draw_opaque_points_with(const Frame& frame) {
     for (std::size_t i = 0; i < frame.primitives.size(); ++i)
         if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
 }
 
-// Draws the volumes over the lines. Then draws the lines in front of the volumes again. Rays of volumes do not end on
-// lines, because then the soft edges of lines would have a border without volume.
+// Rays of volumes do not end on lines, because the soft edges of lines would have a border without volume. Therefore
+// the lines in front of the volumes are drawn again.
 void Painter::draw_volumes(const Frame& frame) {
     enable_clip_planes(false); // programs of volumes clip rays themselves and write no gl_ClipDistance
     volumes_.draw(frame, transform_, target_);
@@ -135,8 +132,7 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(true);
 }
 
-// Sets the uniforms of a peeling program of lines or points. Returns the number of layer pixels per picture pixel along
-// a side. The caller multiplies line widths and point sizes by this number.
+// Returns the factor for line widths and point sizes: layer pixels per picture pixel along a side.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);
@@ -147,8 +143,7 @@ float Painter::use_in_layers(const Frame& frame, const Program& program, bool jo
     return factor;
 }
 
-// Draws the lines of a layer. If lines were drawn before all layers, their soft edges would hide transparent surfaces
-// behind them.
+// If lines were drawn before all layers, their soft edges would hide transparent surfaces behind them.
 void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
@@ -161,8 +156,7 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     }
 }
 
-// Draws the opaque points. With volumes, also draws the transparent points. Without volumes,
-// draw_points_between_layers() blends the transparent points.
+// Without volumes, draw_points_between_layers() blends the transparent points.
 void Painter::draw_points_of_layer(const Frame& frame) {
     const Program& program = peeling_.points();
     use_for_points(frame, program);

@@ -13,17 +13,14 @@
 namespace ciel::render {
 namespace {
 
-// A limit for the number of pixels of a picture. If the last picture was larger, and the next picture has less than
-// half as many pixels, the context is destroyed to free its memory. Still pictures of a large screen are smaller, so
-// they do not wait for a new context.
+// A context that drew more pixels is destroyed before a picture of less than half as many, to free its memory. Still
+// pictures of a large screen have fewer pixels, so they do not wait for a new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
-// Bytes that must stay free for the rest of the process during a draw, and for shaders that are compiled for the
-// picture.
+// Bytes that must stay free during a draw, for the rest of the process and for shaders that are compiled.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// Returns the bytes of address space that a new llvmpipe context reserves, mostly for the stacks and heaps of its
-// threads. Only a small part of this space is used.
+// Bytes that a new llvmpipe context reserves, mostly for its threads. Only a small part of them is used.
 std::uint64_t addresses_of_a_context() {
     // MB, per context and per thread; 463 MB were measured with 2 threads.
     constexpr std::uint64_t whole = 240, of_thread = 136;
@@ -54,8 +51,7 @@ struct Renderer::State {
         start();
     }
 
-    // Creates a context and its painter. Later calls use the back end of the first call: a server must not silently
-    // fall back to software.
+    // Later calls use the back end of the first call: a server must not silently fall back to software.
     void start() {
         if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
             throw Error("drawing needs about " + megabytes(addresses_of_a_context()) + " of address space, but " +
@@ -85,8 +81,6 @@ struct Renderer::State {
         return !painter || !make_current(*context) ||
                (gl.GetGraphicsResetStatus != nullptr && gl.GetGraphicsResetStatus() != GL_NO_ERROR);
     }
-    // Returns whether the context must be recreated before this frame, to free the memory of a very large picture. GL
-    // objects exist until their context is destroyed.
     [[nodiscard]] bool is_much_larger_than(const Frame& frame) const {
         return drawn_pixels > most_kept_pixels && pixels_of(frame) < drawn_pixels / 2;
     }
@@ -112,7 +106,6 @@ struct Renderer::State {
             " of memory, but " + megabytes(lacks_memory ? left.memory : left.address_space) +
             " are left to the server; ask for a smaller picture, show fewer layers, or give the server more memory");
     }
-    // Returns whether the GL reported GL_OUT_OF_MEMORY since the last call.
     [[nodiscard]] bool ran_out_of_memory() const {
         bool failed = false;
         for (int i = 0; i < 8; ++i) { // a lost context may return errors forever

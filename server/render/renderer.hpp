@@ -19,15 +19,13 @@ struct Spare {
     std::uint64_t allowed = UINT64_MAX;       // left below a limit on what the program counts itself
 };
 
-// Owns one GL context. A Renderer must be created and used on the same thread. The constructor throws Error if no back
-// end can create a context, or if the address space does not suffice for a context. If the context is lost or runs out
-// of memory, the next draw creates a new context.
+// Owns one GL context. A Renderer must be created and used on the same thread. The constructor throws Error if no
+// context can be created. If the context is lost or runs out of memory, the next draw creates a new context.
 class Renderer {
 public:
-    // `spare` returns the memory left to the process. It is called before a context is created, and with a software GL
-    // also before a picture that needs more memory than the context keeps. A picture or context that does not fit is
-    // refused. Empty: nothing is refused. `on_kept` is called with kept_memory() whenever that changes, and before the
-    // memory is allocated.
+    // `spare` is called before a context is created, and with a software GL before a picture that needs more memory
+    // than the context keeps. What does not fit is refused. `on_kept` is called with kept_memory() whenever that
+    // changes, before the memory is allocated.
     explicit Renderer(Backend backend, std::function<Spare()> spare = {},
                       std::function<void(std::uint64_t)> on_kept = {});
     ~Renderer();
@@ -36,15 +34,13 @@ public:
     // Throws Error if the arrays of a mesh do not fit together, a color map does not exist, the camera is not usable,
     // there are too many clip planes, the GL cannot draw this size, or the memory does not suffice
     // (picture_memory.hpp). Propagates exceptions of check_wanted. After an exception, the next draw works as usual.
-    // `after`: called after each stage, for benchmarks, when the GL has finished the stage.
+    // `after`: called when the GL has finished a stage, for benchmarks.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
-    // Draws as the function above, but without a copy of the image. The renderer owns the image, which is valid until
-    // the next draw.
+    // Makes no copy of the image, which is valid until the next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const;
-    // Finds the world position of the nearest primitive at pixel (x, y) of the last picture, counted from the top left.
-    // Returns false if there is no primitive at this pixel.
+    // x and y are counted from the top left. Returns false if there is no primitive at this pixel.
     bool pick(int x, int y, Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;
@@ -53,7 +49,7 @@ public:
     [[nodiscard]] const std::string& selection() const;
     // Throws Error if there is not enough memory for this frame. Draws nothing.
     void check_memory(const Frame& frame) const;
-    // Returns the estimated memory in bytes that the context keeps allocated: the memory of its largest picture.
+    // In bytes: the estimated memory of the context's largest picture.
     [[nodiscard]] std::uint64_t kept_memory() const;
     void give_back_memory(); // destroys the context; the next draw creates a new one in a few tenths of a second
     // Destroys the GL context as a GPU reset would; for tests.

@@ -13,9 +13,7 @@ struct Check {
     const store::Dataset& dataset;
     std::string path; // JSON pointer of the layer
 
-    // Throws Invalid unless the layer can use the array. `why_points`: reason to refuse cell arrays; empty if cell
-    // arrays are allowed. `has_faces`: whether the layer shows boundary faces, so that arrays on boundary faces are
-    // allowed.
+    // `why_points`: reason to refuse cell arrays, or empty. `has_faces`: arrays on boundary faces are allowed.
     void scalar(const std::string& name, const std::string& place, const char* why_points,
                 bool has_faces = false) const {
         try {

@@ -8,12 +8,10 @@
 
 namespace ciel::scene {
 
-// A scene with its dataset at the time of the check. Immutable and therefore thread-safe. Steps that are appended later
-// are not visible in dataset().
+// Immutable and therefore thread-safe. Steps that are appended later are not visible in dataset().
 class CheckedScene {
 public:
-    // `loaded`: the dataset that the scene names, opened by the caller. Throws Invalid if the scene names an array,
-    // patch or color map that does not exist, or an array with an association that its layer cannot show.
+    // Throws Invalid if an array, patch or color map does not exist, or if a layer cannot show an array.
     CheckedScene(Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }

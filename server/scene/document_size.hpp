@@ -9,8 +9,7 @@ namespace ciel::scene {
 // Returns the bytes of a document as JSON text without white space.
 [[nodiscard]] std::size_t text_bytes(const nlohmann::json& document);
 
-// Returns an estimate of the heap bytes that a document holds, including the overhead of the allocator. The recursion
-// is as deep as the document, which Limits::json_depth limits.
+// Includes the overhead of the allocator. The recursion is as deep as the document (Limits::json_depth).
 [[nodiscard]] std::size_t heap_bytes(const nlohmann::json& document);
 
 } // namespace ciel::scene

@@ -26,8 +26,7 @@ struct Dropping {
     }
 
 private:
-    // Returns the option that the "type" of `value` names. Otherwise returns a schema with the members of all options,
-    // because a patch may omit the type.
+    // A patch may omit the "type". Then the schema has the members of all options.
     static json form_of(const json& options, const json& value) {
         json all{{"properties", json::object()}};
         for (const json& option : options) {

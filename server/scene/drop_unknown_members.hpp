@@ -7,9 +7,8 @@
 
 namespace ciel::scene {
 
-// Removes all unknown members from `value`, at all depths. Returns the JSON pointers (RFC 6901) of the removed members.
-// Keeps a value that is not in its enumeration, and an object of an unknown "type", because check_schema() refuses
-// them. Thread-safe.
+// Works at all depths. Returns the JSON pointers (RFC 6901) of the removed members. Keeps a value outside its
+// enumeration and an object of an unknown "type", because check_schema() refuses them. Thread-safe.
 [[nodiscard]] std::vector<std::string> drop_unknown_members(const nlohmann::json& schema, nlohmann::json& value);
 
 } // namespace ciel::scene

@@ -12,8 +12,7 @@ struct TwiceNamed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Parses JSON text. Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse.
-// Thread-safe.
+// Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse. Thread-safe.
 [[nodiscard]] nlohmann::json read_json(std::string_view text);
 
 } // namespace ciel::scene

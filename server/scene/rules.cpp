@@ -11,8 +11,7 @@
 namespace ciel::scene {
 namespace {
 
-// Throws Invalid if a name has more than most_name_bytes bytes. The contract's maxLength counts characters, which have
-// up to four bytes.
+// The contract's maxLength counts characters, which have up to four bytes.
 void check_name(const std::string& name, const std::string& path, const char* what) {
     if (name.size() > most_name_bytes)
         throw Invalid(path, std::string(what) + " may have at most " + std::to_string(most_name_bytes) +
@@ -102,7 +101,6 @@ void check_plane(const WithPlane& layer, const std::string& path) {
         throw Invalid(path + "/normal", std::string("a ") + layer.type + "'s normal must not be zero");
 }
 
-// The rules of a layer: one function per kind of layer.
 struct Rules {
     std::string path; // JSON pointer of the layer
 

@@ -11,17 +11,14 @@ struct Plane {
     Vec3 origin{}, normal{}; // the normal has length 1
 };
 
-// Returns the plane of a layer that has axis and value, or origin and normal. A clip layer's normal points to the
-// removed side. REQUIRES: apply_rules has accepted the layer's scene.
+// A clip layer's normal points to the removed side. REQUIRES: apply_rules has accepted the layer's scene.
 [[nodiscard]] Plane plane_of(const SliceLayer& slice);
 [[nodiscard]] Plane plane_of(const ClipLayer& clip);
 
-// Throws Invalid for a document with the member /legend, which annotations.legend has replaced. Must be called before
-// the schema is checked, because the error of the schema would not name the replacement.
+// annotations.legend has replaced /legend. Call this before the schema check, whose error would not name it.
 void refuse_old_legend(const nlohmann::json& document);
 
-// Sorts the layers by (order, id) and removes edges, contours and thresholds that are switched off. Throws Invalid when
-// the scene breaks a rule.
+// Sorts the layers by (order, id). Removes edges, contours and thresholds that are switched off. Throws Invalid.
 void apply_rules(Scene& scene);
 
 } // namespace ciel::scene

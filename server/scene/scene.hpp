@@ -1,6 +1,5 @@
-// The scene document: everything that a view shows, as one JSON document. components/schemas/Scene in
-// protocol/openrpc.json defines its form, defaults and limits. The structures are generated from this schema. A change
-// is an RFC 7396 merge patch.
+// The scene document: everything that a view shows. Its schema is components/schemas/Scene in protocol/openrpc.json,
+// from which the structures are generated. A change is an RFC 7396 merge patch.
 #pragma once
 
 #include "protocol/scene.hpp"
@@ -20,12 +19,10 @@ public:
     std::string path;
 };
 
-// Returns the scene of a document that satisfies its schema and the rules of rules.hpp. Its layers are sorted by
-// (order, id), without edges, contours and thresholds that are switched off. Throws Invalid. Does not check that arrays
-// exist, because this check needs the dataset (checked_scene.hpp).
+// The layers are sorted by (order, id), without edges, contours and thresholds that are switched off. Throws Invalid.
+// Does not check that arrays exist, because this check needs the dataset (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// Returns `document` with a merge patch (RFC 7396) applied. A null in the patch removes its member, because null and
-// absent mean the same in a scene. The caller must check the result with parse() before it replaces the scene.
+// A null removes its member, because null and absent mean the same in a scene. The caller must check the result.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
 // Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);

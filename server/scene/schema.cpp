@@ -15,8 +15,7 @@ namespace {
 using nlohmann::json;
 using Result = std::optional<Violation>;
 
-// Largest absolute value that is accepted as an integer. Browsers store integers as doubles, which are exact up to this
-// value. The limit also keeps the conversion of a double to std::int64_t defined.
+// Browsers store integers as doubles, which are exact up to this value. It also fits std::int64_t.
 constexpr double largest_integer = 9007199254740992.0; // 2^53
 
 bool is_integer(const json& value) {
@@ -25,8 +24,6 @@ bool is_integer(const json& value) {
     return std::trunc(number) == number && std::abs(number) <= largest_integer;
 }
 
-// Returns the reason for refusing a value that is not an integer. If the schema has both limits, the reason states
-// them.
 std::string whole_number(const json& schema) {
     if (schema.contains("minimum") && schema.contains("maximum"))
         return "must be a whole number from " + schema["minimum"].dump() + " to " + schema["maximum"].dump();
@@ -60,7 +57,6 @@ Result check_const(const json& rule, const json& value, const json&, const std::
     return Violation{path, "must be " + rule.dump()};
 }
 
-// Checks a limit on a number, or on the size of a string, array or object.
 template <class Applies, class Measure, class Compare>
 Result check_limit(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
                    Compare compare, const char* reason) {
@@ -68,8 +64,7 @@ Result check_limit(const json& rule, const json& value, const std::string& path,
     return Violation{path, reason + rule.dump()};
 }
 
-// Checks a limit on a size, like check_limit(). `things`: name of one counted item, in the singular; it ends the
-// reason.
+// `things`: name of one counted item, in the singular.
 template <class Applies, class Measure, class Compare>
 Result check_size(const json& rule, const json& value, const std::string& path, Applies applies, Measure measure,
                   Compare compare, const char* reason, const char* things) {
@@ -84,15 +79,13 @@ constexpr auto is_array = [](const json& v) { return v.is_array(); };
 constexpr auto is_object = [](const json& v) { return v.is_object(); };
 constexpr auto number_of = [](const json& v) { return v.get<double>(); };
 constexpr auto size_of = [](const json& v) { return static_cast<double>(v.size()); };
-// Returns the length of a string in code points, because JSON Schema counts code points. Counts all bytes except UTF-8
-// continuation bytes.
+// JSON Schema counts code points, that is, all bytes except UTF-8 continuation bytes.
 constexpr auto length_of = [](const json& v) {
     const auto& text = v.get_ref<const std::string&>();
     return static_cast<double>(
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 };
 
-// Returns the reason, in words, for refusing a text that does not match a pattern of the contract.
 std::string form_of(const std::string& pattern) {
     if (pattern == "^#[0-9a-fA-F]{6}$") return "must be a color of the form #rrggbb";
     if (pattern == "^[A-Za-z0-9_-]{1,64}$") return "must be 1 to 64 of the characters A-Z, a-z, 0-9, _ and -";
@@ -156,8 +149,7 @@ Result check_additional(const json& rule, const json& value, const json& schema,
     return {};
 }
 
-// Checks the member names of an object. The reason does not repeat a name, because a name may be as long as the
-// request.
+// The reason does not repeat a name, because a name may be as long as the request.
 Result check_names(const json& rule, const json& value, const json&, const std::string& path) {
     if (!value.is_object()) return {};
     for (const auto& [name, member] : value.items())
@@ -166,9 +158,8 @@ Result check_names(const json& rule, const json& value, const json&, const std::
     return {};
 }
 
-// Returns the violation to report if no option fits. `violations`: one for each option. If the constant "type" of an
-// option matches, or the option's violation lies inside the value, the client meant this option, and its violation is
-// returned. Otherwise returns a violation that lists all types or reasons.
+// The client meant an option if its constant "type" matches, or if its violation lies inside the value. If there is no
+// such option, the result lists all types or reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
                   const std::string& path) {
     static const json::json_pointer discriminator("/properties/type/const");

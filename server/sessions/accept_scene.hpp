@@ -25,8 +25,7 @@ struct SceneVersion {
     [[nodiscard]] const scene::Scene& scene() const { return checked.scene(); }
 };
 
-// Returns a version made from a document. Parses the document, opens its dataset, and checks the names in the document
-// against the dataset. Throws scene::Invalid, NotFound, LimitReached.
+// Opens the document's dataset, and checks the names against it. Throws scene::Invalid, NotFound, LimitReached.
 [[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const Services& services, nlohmann::json document,
                                                                std::uint64_t revision);
 

@@ -10,9 +10,8 @@
 
 namespace ciel::sessions {
 
-// A WebSocket sets both send functions. For an HTTP POST both are empty, and methods that need them answer with an
-// error. The callbacks never block and may be called from any thread until the Connection is destroyed. On a slow
-// socket, a newer frame of a view may replace a frame that is not sent yet.
+// A WebSocket sets both send functions, an HTTP POST neither. The callbacks never block and may be called from any
+// thread until the Connection is destroyed. On a slow socket, a newer frame may replace a frame that is not sent yet.
 struct Connection {
     std::uint64_t id = 0;
     std::string remote;     // address for logs

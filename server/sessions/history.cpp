@@ -62,8 +62,7 @@ void History::forget_oldest(Steps& of) {
     of.pop_front();
 }
 
-// Drops steps until the limits hold: the oldest undo steps first, then the redo steps at the front of redo_, which are
-// farthest from the current document.
+// First drops the oldest undo steps, then the redo steps that are farthest from the current document.
 void History::keep_limits() {
     while (undo_.size() + redo_.size() > steps_ || bytes_ > most_bytes_) forget_oldest(undo_.empty() ? redo_ : undo_);
 }

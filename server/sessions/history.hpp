@@ -14,19 +14,15 @@ using Document = std::shared_ptr<const nlohmann::json>;
 // History is not thread-safe; the session's mutex guards it. Copies share the documents.
 class History {
 public:
-    // The history keeps at most `steps` documents, which use at most `bytes` of heap memory. It drops the oldest
-    // documents.
+    // Keeps at most `steps` documents of at most `bytes` of heap memory, and drops the oldest.
     History(std::size_t steps, std::size_t bytes) : steps_(steps), most_bytes_(bytes) {}
 
-    // Adds `before`, the document that is about to be replaced, as an undo step and drops all redo steps. Consecutive
-    // changes with the same non-empty gesture are one step.
+    // `before` is about to be replaced. Drops all redo steps. Changes with the same non-empty gesture are one step.
     void record(Document before, const std::string& gesture);
-    // append_undo() adds a step before the oldest undo step. append_redo() adds a step after the last redo step. They
-    // return false if the limits leave no room.
+    // The new step is the farthest from the current document. Both return false if the limits leave no room.
     bool append_undo(Document document);
     bool append_redo(Document document);
-    // undo() and redo() take the current document `now` and return the document that replaces it. They return null if
-    // there is no step.
+    // Both return the document that replaces the current document `now`, or null if there is no step.
     [[nodiscard]] Document undo(Document now);
     [[nodiscard]] Document redo(Document now);
     [[nodiscard]] bool can_undo() const { return !undo_.empty(); }

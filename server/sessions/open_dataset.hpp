@@ -4,8 +4,7 @@
 
 namespace ciel::sessions {
 
-// Opens a dataset of the catalog. Throws NotFound when the catalog has no dataset of this name, Error when the dataset
-// cannot be opened.
+// Throws NotFound if the catalog has no such dataset, and Error if the dataset cannot be opened.
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> open_dataset(store::Catalog& catalog, const std::string& name);
 
 } // namespace ciel::sessions

@@ -20,8 +20,7 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     return notification_text(note);
 }
 
-// Applies the patches one after the other and passes each document to `take`. Stops when `take` returns false, or when
-// the text of a document has more than `most_bytes` bytes.
+// Stops when `take` returns false, or when the text of a document has more than `most_bytes` bytes.
 template <class Take>
 void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
     for (const nlohmann::json& patch : patches) {
@@ -31,8 +30,7 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
     }
 }
 
-// Sends a text to all connections of `to` except the connection `except` (0: no exception). Calls make_text() only if
-// one of these connections is open.
+// Calls make_text() only if one of the connections is open. `except`: 0 for no exception.
 void send(const OpenConnections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
           const std::function<std::string()>& make_text) {
     std::string text;
@@ -174,8 +172,7 @@ void Session::dataset_changed() {
     try {
         version_ = accept_scene(services_, *version_->document, version_->revision);
     } catch (const std::exception&) {
-        // The scene does not fit the changed dataset. The session keeps its version, because the data of this version
-        // is still mapped and can be shown. The next patch reports the error.
+        // The session keeps its version, whose data is still mapped and can be shown. The next patch reports the error.
     }
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
 }

@@ -1,9 +1,9 @@
 // A session is one scene with its history. It is kept between connections, and any number of connections may share it.
 #pragma once
 
+#include "sessions/accept_scene.hpp"
 #include "sessions/history.hpp"
 #include "sessions/services.hpp"
-#include "sessions/accept_scene.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -22,22 +22,19 @@ struct SessionStatus {
     bool can_undo = false, can_redo = false;
 };
 
-// Undo and redo steps of a new session, as merge patches. The first step of each list is the step next to the scene
-// (session.open in the contract).
+// Merge patches. The first step of each list is the step next to the scene (session.open in the contract).
 struct Steps {
     std::vector<nlohmann::json> undo, redo;
 };
 
-// A view that shows the session's scene. Both callbacks are called while the session is locked, and must not call the
-// session.
+// Both callbacks are called while the session is locked, and must not call the session.
 struct Viewer {
     std::uint64_t connection = 0;
     std::function<void(std::shared_ptr<const SceneVersion>)> offer; // gives the newest version to the view
     std::function<void()> close;                                    // closes the view; called last
 };
 
-// A Session is thread-safe and applies changes in order. A change of the document makes a new revision. The revision is
-// sent to all subscribed connections except the author of the change, and offered to all viewers.
+// Thread-safe. A change makes a new revision. It is sent to all subscribers but its author, and offered to all viewers.
 class Session {
 public:
     // Drops `steps` beyond the history's limits. Throws LimitReached if there is no memory for the documents.
@@ -48,9 +45,8 @@ public:
     [[nodiscard]] Clock::time_point opened() const { return opened_; }
     [[nodiscard]] SessionStatus status() const; // also marks the session as used
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
-    // patch, replace, undo and redo change the scene. `author`: connection that made the change; it gets the answer
-    // instead of a notification. They throw LimitReached and the exceptions of accept_scene(); the session is then
-    // unchanged.
+    // `author`: connection that made the change, which gets no notification. They throw LimitReached and the exceptions
+    // of accept_scene(); the session is then unchanged.
     SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
     SessionStatus replace(nlohmann::json document, std::uint64_t author);
     SessionStatus undo(std::uint64_t author); // returns the current status if there is nothing to undo
@@ -71,8 +67,7 @@ public:
 
 private:
     SessionStatus move_in_history(Document (History::*move)(Document), std::uint64_t author);
-    // change, tell_others and current require mutex_ to be held. If change throws LimitReached, the session is
-    // unchanged.
+    // change, tell_others and current require mutex_ to be held. If change throws LimitReached, nothing has changed.
     SessionStatus change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author);
     void tell_others(std::uint64_t author) const;
     [[nodiscard]] SessionStatus current() const;

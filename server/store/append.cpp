@@ -20,8 +20,7 @@ bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
     return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });
 }
 
-// Throws Error if a new array must not have this name. A misspelled name could not be removed, because arrays are never
-// deleted. Names of arrays that are already in the dataset are not checked.
+// Throws Error for a bad name of a new array. Arrays are never deleted, so that the name could not be corrected.
 void check_new_name(const std::string& name) {
     const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
     const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
@@ -76,8 +75,7 @@ PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedAr
     return planned;
 }
 
-// Returns the point array that an import would interpolate from the cell array `cells`. Returns nullopt if the step
-// itself has an array of that name, or if the dataset has the cell array but no such point array.
+// Returns the point array that an import would interpolate from `cells`; nullopt if there is none.
 std::optional<ArrayInfo> made_from(const Dataset& dataset, const StepPlan& plan, const ArrayInfo& cells) {
     if (cells.association != Association::cell || !cells.name.starts_with(cell_prefix)) return std::nullopt;
     ArrayInfo made = cells;
@@ -106,7 +104,6 @@ void check_time(const Dataset& dataset, double time) {
     throw Error(sentence.str());
 }
 
-// Reorders values from the order of the imported file to the stored order.
 Values to_stored_order(ValuesView values, std::span<const Index> original, std::size_t components) {
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> stored(original.size() * components);
@@ -141,7 +138,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
-// Returns whether both meshes have the same faces in the same order. The order matters for arrays on boundary faces.
+// The order of the faces matters for arrays on boundary faces.
 bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
     bool same = std::ranges::equal(a.owner, b.owner);
     for (Index face = 0; same && face < a.face_count(); ++face) same = std::ranges::equal(a.loop(face), b.loop(face));
@@ -157,8 +154,7 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t
                 "; only steps on the same mesh can be appended");
 }
 
-// Returns the index of the coordinate set of `mesh` that has the positions of `wanted`. If there is no such set, adds a
-// new set with these positions.
+// Adds a coordinate set if no set of the mesh has the positions of `wanted`.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
     const FaceMeshView known = writer.before()->points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);

@@ -1,5 +1,4 @@
-// Appends steps to a dataset. `ciel append` and uploads to a server both use it, so that they make the same checks and
-// report the same errors.
+// Appends steps to a dataset, with the same checks and errors for `ciel append` and for uploads to a server.
 #pragma once
 
 #include "store/dataset.hpp"
@@ -36,14 +35,12 @@ struct StepPlan {
     std::uint64_t stored_bytes = 0;   // size of the step's values on the disk
 };
 
-// Checks a step before its values are known. Throws Error when `time` is not later than the last step, when a new array
-// has a forbidden name, when an array has another number of components than in the dataset, or when an array is given
-// twice. Also throws Error when the last step is not on the mesh of the imported file, because values are in the order
-// of that file.
+// Checks a step before its values are known. Throws Error when the time, a name or a number of components is not
+// allowed. Also throws Error when the last step is not on the mesh of the imported file, because values are in the
+// order of that file.
 [[nodiscard]] StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted);
 
-// Returns the values of plan.arrays[i] in the order of the imported file. The values must stay valid until the next
-// call.
+// Returns the values of plan.arrays[i] in the order of the imported file, valid until the next call.
 using ValuesOf = std::function<ValuesView(std::size_t i)>;
 
 struct AppendedStep {

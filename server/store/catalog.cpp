@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Inode, size and modification time of a dataset's commit marker. The stamp changes whenever the marker is replaced.
+// Inode, size and modification time of a commit marker, which change whenever the marker is replaced.
 using Stamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
 
 Stamp stamp_of(const fs::path& dataset) {
@@ -79,8 +79,7 @@ struct Catalog::State {
         return known[name];
     }
 
-    // Adds datasets that are new on the disk to `known`, and removes datasets that no longer exist. A directory keeps
-    // its name in `known` as long as it exists.
+    // A directory keeps its name in `known` as long as it exists.
     void scan() {
         std::erase_if(known, [](const auto& entry) {
             return !entry.second.failed && !looks_like_dataset(entry.second.directory);
@@ -176,7 +175,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         directory = found->second.directory;
         opening = found->second.opening;
     }
-    // Opening may take long. Meanwhile other datasets can be opened; calls for the same dataset wait here.
+    // Opening may take long. Meanwhile other datasets can be opened.
     const std::lock_guard one_at_a_time(*opening);
     {
         const std::lock_guard lock(state_->mutex);

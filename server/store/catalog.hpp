@@ -1,5 +1,4 @@
-// Catalog: the datasets that a server offers, by name. A name in a request is never used as a path. Instead, the
-// catalog looks the name up in a table of the datasets at the paths that were given on the command line.
+// Catalog: the datasets that a server offers. A name in a request is looked up in a table and never used as a path.
 #pragma once
 
 #include "store/loaded.hpp"
@@ -15,20 +14,17 @@ struct CatalogEntry {
     std::string problem; // why the dataset cannot be opened; empty if it can
 };
 
-// Thread-safe. Opens a dataset at the first call of open() and keeps one LoadedDataset per name for all sessions, until
-// give_back() drops it.
+// Thread-safe. Keeps one LoadedDataset per name for all sessions, from the first open() until give_back() drops it.
 class Catalog {
 public:
     // Each path is a NAME.ciel directory, or a folder that every list() searches for such directories. Throws Error for
-    // a path that does not exist or is a file. If several datasets have the same name, numbers are appended: NAME-2,
-    // NAME-3. field_budget_bytes: size of each dataset's cache of fields. most_bytes: if all datasets together need
-    // more memory, unused datasets are dropped. access: as for Dataset::open.
+    // a path that does not exist or is a file. Datasets with the same name get numbers: NAME-2, NAME-3.
+    // field_budget_bytes: for each dataset. most_bytes: if all datasets need more memory, unused datasets are dropped.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
                      std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt);
     ~Catalog();
 
-    // Adds a dataset that could not be imported to the list, with the reason `problem`. open() refuses it until another
-    // dataset is written to `directory`.
+    // Lists a dataset that could not be imported. open() refuses it until another dataset is written to `directory`.
     void add_failed(const std::filesystem::path& directory, const std::string& problem);
 
     [[nodiscard]] std::vector<CatalogEntry> list() const;
@@ -43,9 +39,8 @@ public:
     std::size_t give_back(Clock::time_point unused_since);
 
     // Starts a thread that checks once a second whether other processes have appended steps or replaced datasets. For
-    // each dataset that changed, the thread calls on_change(dataset name). If the dataset was replaced, open() then
-    // opens the new dataset. The thread ends when the returned handle is destroyed. Destroy the handle before the
-    // catalog, and not within on_change. on_change must not throw.
+    // each such dataset, it calls on_change(dataset name), which must not throw. open() then opens the new dataset.
+    // Destroy the returned handle to end the thread: before the catalog, and not within on_change.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

@@ -3,7 +3,6 @@
 namespace ciel::store {
 namespace {
 
-// Returns the entry `row` of ArrayStep::extremes with the values of both cells.
 std::optional<LowestAndHighest> extremes_in(const store::Dataset& dataset, const std::string& array, std::size_t row,
                                             std::size_t step) {
     const store::Step& at = dataset.steps().at(step);

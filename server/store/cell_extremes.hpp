@@ -1,5 +1,4 @@
-// Finds the cells with the lowest and the highest value of an array. Point values that are interpolated from cell
-// values lie between these two values.
+// Finds the cells with the lowest and the highest value. Interpolated point values lie between these two values.
 #pragma once
 
 #include "store/dataset.hpp"
@@ -19,13 +18,11 @@ struct LowestAndHighest {
     CellValue lowest, highest;
 };
 
-// Returns the lowest and the highest value of a scalar on cells, and their cells. If `scalar` is a point scalar that
-// was interpolated from a scalar on cells, uses that scalar on cells. Returns nullopt if the cells are not known.
+// For a point scalar interpolated from cells, uses the scalar on cells. Returns nullopt if the cells are not known.
 [[nodiscard]] std::optional<LowestAndHighest> cell_extremes(const store::Dataset& dataset, const std::string& scalar,
                                                             std::size_t step);
-// Return the lowest and the highest value of an array (ArrayStep::range), and their cells. The values are magnitudes,
-// or all components if the array has no magnitude. The second overload searches all steps. Both return nullopt if the
-// cells are not known.
+// Return the cells at the ends of ArrayStep::range: of the magnitudes, or of all components if the array has no
+// magnitude. The second overload searches all steps. Both return nullopt if the cells are not known.
 [[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,
                                                              const store::ArrayInfo& array, std::size_t step);
 [[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,

@@ -7,9 +7,8 @@
 
 namespace ciel::store {
 
-// Returns for each cell of `cells` the mean position of its corners, in dataset coordinates. points: positions of the
-// topology's vertices. Reads only the blocks of these cells. Throws Error when the mesh has no such cell, or when a
-// record is damaged.
+// Returns the mean position of each cell's corners, in dataset coordinates. Reads only the blocks of these cells.
+// Throws Error when the mesh has no such cell, or when a record is damaged.
 [[nodiscard]] std::map<Index, Vec3d> cell_places(const Topology& topology, const FaceMeshView& points,
                                                  const std::vector<Index>& cells);
 

@@ -1,5 +1,4 @@
-// Commits the steps of a dataset that is being written. Replaces the commit marker, and moves steps from the marker to
-// the table of steps.
+// Commits the steps of a dataset that is being written: replaces the marker, and moves steps to the table of steps.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -15,7 +14,6 @@ struct Commit {
     std::string dataset_id;
     bool is_appending = false; // false: the dataset is new, and its files are flushed later
 
-    // Replaces the marker. Throws FileError when it cannot be written.
     void put(const Marker& marker) const;
     // If the marker has more than 64 steps, moves all of them to the table and replaces the marker. Returns true if it
     // moved steps. Throws Error when a file cannot be written; `marker` is then unchanged.

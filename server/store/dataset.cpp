@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns `id`, or nullopt if it is negative: -1 in the file means that the solver gave no id.
+// -1 in the file means that the solver gave no id.
 std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id && *id >= 0 ? id : std::nullopt; }
 
 class MappedDataset final : public Dataset {
@@ -81,8 +81,7 @@ public:
         try {
             return at(mesh)->all_faces(view);
         } catch (const Error&) {
-            // The message of the kernel names no file. If a file has changed, check_unchanged throws an Error that
-            // names the file.
+            // The message of the kernel names no file. check_unchanged names the file if a file has changed.
             check_unchanged();
             throw;
         }
@@ -192,8 +191,7 @@ private:
         return view;
     }
 
-    // Returns the loader of a coordinate set. All fields on the same positions share one loader, because the loader
-    // records which blocks are loaded.
+    // All fields on the same positions share one loader, because the loader records which blocks are loaded.
     std::shared_ptr<const PositionsLoader> loader_of(const PagedValues& positions, std::size_t mesh,
                                                      std::size_t coordinates) const {
         const std::lock_guard lock(loaders_mutex_);
@@ -233,7 +231,6 @@ private:
         return static_cast<std::size_t>(std::ranges::find(scalars, scalar) - scalars.begin());
     }
 
-    // Returns the ranges that are stored beside an array's values at a step; nullopt if there are none.
     std::optional<ValueRanges> value_ranges(const std::string& array, std::size_t step) const {
         const MarkedStep at = marked(step);
         const auto entry = at.arrays.find(array);
@@ -264,8 +261,7 @@ private:
         return fs::exists(layouts_[step.mesh].at(array).chunk(step.arrays.at(array).chunk), error);
     }
 
-    // Returns the checksums of the mesh's coordinate sets. A refresh reads the mesh's attributes again, because new
-    // coordinate sets may have been added.
+    // A refresh reads the attributes again, because new coordinate sets may have been added.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
             return meshes_[mesh]->attributes().coordinate_checksums;
@@ -273,7 +269,6 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
-    // Returns a step as it is stored in the commit marker or in the table of steps.
     MarkedStep marked(std::size_t step) const {
         return step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
     }

@@ -20,8 +20,7 @@ namespace ciel::store {
 
 struct PagedValues; // cache/paged_file.hpp
 
-// What Dataset::open does if the commit marker has no ranges of an array, as for steps that were appended with plain
-// Zarr.
+// What Dataset::open does if the commit marker has no ranges, as for steps that were appended with plain Zarr.
 enum class LackingRanges {
     computed, // reads the chunks of these arrays and computes their ranges
     left_out  // leaves the ranges empty; for writers that append to a dataset
@@ -37,16 +36,14 @@ struct ScalarName {
     [[nodiscard]] bool operator==(const ScalarName&) const = default;
 };
 
-// An immutable view of the steps that were committed when the dataset was opened or refreshed. Spans and mesh views
-// that its functions return are valid as long as the Dataset exists. Files are mapped. Therefore writers must replace
-// files instead of truncating or rewriting them. If a file is nevertheless truncated or rewritten, reads do not crash:
-// views check each index, and check_intact throws. Thread-safe.
+// An immutable view of the steps that were committed when the dataset was opened or refreshed. Its spans and mesh views
+// are valid as long as it exists. Files are mapped. Therefore writers must replace files instead of truncating or
+// rewriting them. After such a change, reads do not crash, and check_intact throws. Thread-safe.
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
-    // Throws Error that names the file when a file is missing, damaged, truncated or of a newer version, or when
-    // `directory` is not a dataset. Does not read arrays and records, nor the arrays of a step in the table of steps.
-    // They are read and verified when they are first used. `access`: how records, values and positions are read;
-    // nullopt: as access_to(directory) returns. The numbered faces are always mapped.
+    // Throws Error that names the file when a file is missing, damaged, truncated or of a newer version. Arrays,
+    // records, and steps in the table of steps are read and verified when they are first used. `access`: for records,
+    // values and positions; nullopt: access_to(directory). The numbered faces are always mapped.
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed,
                                                        std::optional<FileAccess> access = std::nullopt);
@@ -55,28 +52,24 @@ public:
     [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
     [[nodiscard]] virtual const DatasetInfo& info() const = 0;
     [[nodiscard]] virtual const Steps& steps() const = 0;
-    // Returns a Dataset that also has the steps that were committed since this Dataset was opened or refreshed. Returns
-    // nullptr if there are no new steps. Both objects share the mapped files. Checks the mapped files and the files of
-    // the new steps. Throws Error when a file is damaged, or when the dataset was replaced by another dataset.
+    // Returns a Dataset that also has the steps that were committed since; nullptr if there are none. Both objects
+    // share the mapped files. Throws Error when a file is damaged, or when the dataset was replaced by another dataset.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
-    // Throws Error that names a mapped file if the file was found to be truncated or rewritten since it was opened.
-    // Call it after reading: if it throws, results made from the dataset must be discarded. Costs one atomic read if no
-    // mapping is lost.
+    // Throws Error if a mapped file was found to be truncated or rewritten. Call it after reading: results made from
+    // the dataset must then be discarded. Costs one atomic read if no mapping is lost.
     virtual void check_intact() const = 0;
     [[nodiscard]] bool is_intact() const; // false if check_intact would throw
-    // Reads and checks all files of the dataset. Throws Error that names the first damaged file.
+    // Reads all files. Throws Error that names the first damaged file.
     virtual void verify() const = 0;
-    // Like check_intact, but first checks whether topology files were truncated or rewritten. Calls stat once for each
-    // of these files.
+    // Like check_intact, but first calls stat for each topology file to detect changes.
     virtual void check_unchanged() const = 0;
 
     // Size of copied values and positions; 0 with FileAccess::mapped.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 
-    // Returns the mesh with all faces (all_faces in ciel/numbered_faces.hpp). Pictures do not need all faces. All faces
-    // are kept in memory until the last view of them is destroyed; in format 1 they are mapped. Throws Error that names
-    // the file when a file is damaged.
+    // Returns the mesh with all faces (all_faces in ciel/numbered_faces.hpp). They are kept in memory until the last
+    // view of them is destroyed; in format 1 they are mapped. Throws Error that names a damaged file.
     [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the mesh without faces: face_count() is 0. Reads only positions.
     [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
@@ -89,32 +82,28 @@ public:
     [[nodiscard]] virtual FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
     // Like numbered_faces, but returns only the boundary faces, which are the first numbered faces.
     [[nodiscard]] virtual FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the topology of a mesh. The topology reads a record when the record is first used, and keeps the files of
-    // records open. If the mesh was stored without blocks, builds the topology.
+    // The topology keeps the files of records open, and reads a record when the record is first used.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     // Return for each vertex or cell of the dataset its id in the imported file.
     [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
-    // Return the ids that the solver gave to the vertices and cells. An id of -1 means that the solver gave no id.
-    // Empty if the imported file has no solver ids. A solver id can be any number and must not be used as an index.
+    // An id of -1 means that the solver gave no id. Empty if the imported file has none. A solver id must not be used
+    // as an index.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // Return the same ids for one vertex or cell; nullopt if the solver gave no id. Each call reads one page. The
-    // vertex or cell must exist.
+    // Return nullopt if the solver gave no id. Each call reads one page. The vertex or cell must exist.
     [[nodiscard]] virtual Index original_vertex(std::size_t mesh, Index vertex) const = 0;
     [[nodiscard]] virtual Index original_cell(std::size_t mesh, Index cell) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, Index cell) const = 0;
-    // Returns the array's values at a step: `components` numbers for each vertex, cell or boundary face, interleaved.
-    // They are doubles if ArrayInfo::doubles. Empty if the array was not written at this step. Throws Error for an
-    // unknown array or a damaged chunk.
+    // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
+    // written at this step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
     // Like values, but reads no page. Pages are read and checked when the caller loads them (PagedFile::load).
     [[nodiscard]] virtual PagedValues values_to_load(const std::string& array, std::size_t step) const = 0;
 
-    // Returns the ranges of a scalar on points in each block of the mesh. Returns nullopt for other scalars, and if no
-    // ranges are stored, as for a step that was appended with plain Zarr. Throws Error when the ranges are damaged.
+    // Returns nullopt if no ranges are stored or the scalar is not on points. Throws Error when they are damaged.
     [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;
 
     // Returns the stored histogram of a scalar. It has stored_bins bins over the range of the finite values. Returns
@@ -133,14 +122,13 @@ public:
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
 // tuple: the components of one vertex, cell or boundary face.
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, ValuesView tuple);
-// Set out[i] to the scalar of tuple i. `tuples`: the components of all tuples, interleaved. A magnitude is no_value
-// (no_value.hpp) if one of the components is no_value.
+// `tuples`: components, interleaved. A magnitude is no_value (no_value.hpp) if one of the components is no_value.
 void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
 void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
                 std::span<double> out);
-// Returns the scalar of each tuple, in the type of `values`. `values`: the components of all tuples, interleaved.
+// Returns the scalar of each tuple, in the type of `values`.
 [[nodiscard]] Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar);
-// Returns the scalars of an array, in the order of scalar_names.
+// The scalars are in the order of scalar_names.
 [[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);
 // Parses the name of a scalar. Throws Error that lists the existing names when there is no scalar `name`.
 [[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);

@@ -6,8 +6,7 @@ namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
-// Name of the file that marks a copy. The file is beside the dataset and not inside, so that it is not copied with the
-// dataset: steps may be appended to a dataset that a user has copied.
+// The file is beside the dataset, not inside, so that a user who copies the dataset does not copy the file.
 constexpr const char* sign = ".imported-by-ciel-serve";
 constexpr std::size_t longest_sign = 1 << 16;
 

@@ -10,8 +10,7 @@ namespace ciel::store {
 // Writes a file beside `dataset` that marks it as a copy of `input`. Throws Error when the file cannot be written.
 void mark_as_copy(const std::filesystem::path& dataset, const std::filesystem::path& input);
 
-// Returns the input that `dataset` is a copy of; empty if it is not marked as a copy. Throws Error when the mark cannot
-// be read.
+// Returns an empty text if `dataset` is not marked as a copy. Throws Error when the mark cannot be read.
 [[nodiscard]] std::string input_of_copy(const std::filesystem::path& dataset);
 
 } // namespace ciel::store

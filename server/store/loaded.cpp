@@ -12,14 +12,13 @@
 namespace ciel::store {
 namespace {
 
-// A cached Field and its topology. The topology must outlive the field.
+// The topology must outlive the field.
 struct KeptField {
     std::shared_ptr<const Topology> topology;
     Field field;
 };
 
-// Estimates the size of a Field in bytes: the gradients, and the values in block order, in which a vertex of several
-// blocks is repeated.
+// An estimate: the gradients, and the values in block order, in which a vertex of several blocks is repeated.
 std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
     return vertices * (2 * value_bytes + sizeof(Vec3f));
 }
@@ -36,8 +35,7 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
-// Returns the cell array that belongs to a point array or to an array on patches; null if there is none. The values of
-// the cell array show which cells have NaN or infinite results.
+// The values of the returned array on cells show which cells have NaN or infinite results. It can be null.
 const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
     constexpr std::string_view patch = "patch:";
     const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
@@ -88,8 +86,7 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // Largest number of cached planes. A slice that turns needs another plane for each picture, and earlier planes are
-    // rarely needed again. A plane that a picture uses exists as long as the picture, even if it is not cached.
+    // A slice that turns needs another plane for each picture, and earlier planes are rarely needed again.
     static constexpr std::size_t most_planes = 4;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget)
@@ -116,8 +113,6 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // Returns the values of an array at a step. Throws NotWritten when the array has no values at this step, and Error
-    // when its association is not `wanted`.
     [[nodiscard]] static PagedValues written(const Dataset& dataset, const std::string& array, std::size_t step,
                                              Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
@@ -139,8 +134,6 @@ struct LoadedDataset::State {
         return dataset.steps()[step];
     }
 
-    // Returns the vertices at which slices in any direction can begin (GeometricVertices). They are found once for each
-    // coordinate set.
     [[nodiscard]] std::shared_ptr<const GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
                                                                      const Step& at) {
         const auto kept = slot(at.mesh);
@@ -158,7 +151,6 @@ struct LoadedDataset::State {
         return found;
     }
 
-    // Returns the boxes of the mesh's blocks. They are read or computed once for each coordinate set.
     [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(const Dataset& of, const Step& at, const Topology& topology) {
         const auto kept = slot(at.mesh);
         const std::lock_guard making(kept->making);
@@ -169,8 +161,7 @@ struct LoadedDataset::State {
         return found = std::make_shared<const BlockBoxes>(*std::move(stored));
     }
 
-    // Returns the fits (CellFits) that the fields on one coordinate set share. Discards the fits of the previous
-    // coordinate set, because a moving mesh would otherwise keep fits for each step.
+    // Discards the fits of the previous coordinate set, because a moving mesh would otherwise keep fits for each step.
     [[nodiscard]] std::shared_ptr<CellFits> cell_fits(const Step& at, const std::shared_ptr<const Topology>& topology) {
         const std::lock_guard lock(mutex);
         const std::array<std::size_t, 2> place{at.mesh, at.coordinates};
@@ -181,8 +172,7 @@ struct LoadedDataset::State {
         return fits = std::make_shared<CellFits>(*topology, most_fit_bytes);
     }
 
-    // Returns the cached field of `key`. If there is none, makes and caches it. `bytes`: size of the field and of all
-    // data that it keeps alive.
+    // `bytes`: size of the field and of all data that it keeps alive.
     [[nodiscard]] static ScalarField field(Cache& cache, const std::shared_ptr<Dataset>& of, std::size_t step,
                                            const std::string& key, const std::shared_ptr<const Topology>& topology,
                                            std::size_t bytes, const std::function<Field()>& make) {
@@ -191,7 +181,7 @@ struct LoadedDataset::State {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
-        // Returns kept->topology, not `topology`, because the field may have been cached before a refresh.
+        // Does not return `topology`, because the field may have been cached before a refresh.
         return {kept->topology, {kept, &kept->field}, of->points_to_load(at.mesh, at.coordinates), of, step};
     }
 
@@ -238,8 +228,7 @@ std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
     try {
         made = std::make_shared<const Topology>(of->topology(mesh));
     } catch (const Error&) {
-        // The message of the kernel names no file. If a file has changed, check_unchanged throws an Error that names
-        // the file.
+        // The message of the kernel names no file. check_unchanged names the file if a file has changed.
         of->check_unchanged();
         throw;
     }
@@ -375,7 +364,7 @@ std::size_t LoadedDataset::memory_bytes() const {
     const std::lock_guard lock(state_->mutex);
     if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {
-        // Uses try_lock, so that it does not wait while a topology is made. Such a topology is not counted.
+        // Does not wait while a topology is made. Such a topology is not counted.
         const std::unique_lock made(slot->making, std::try_to_lock);
         if (made && slot->topology) bytes += slot->topology->memory_bytes();
     }

@@ -7,7 +7,7 @@
 
 namespace ciel::store {
 
-// Input of a Query for one scalar at one step. Keeps all data alive that its members refer to.
+// Keeps all data alive that its members refer to.
 struct ScalarField {
     std::shared_ptr<const Topology> topology;
     std::shared_ptr<const Field> field;
@@ -15,8 +15,7 @@ struct ScalarField {
     std::shared_ptr<const Dataset> dataset;
     std::size_t step = 0;
 
-    // Returns the boundary faces with the surface_origin of `points`. Positions are loaded as in
-    // Dataset::points_to_load. The faces are read and checked at the first call for the mesh.
+    // Reads and checks the faces at the first call for the mesh. Positions are loaded as in Dataset::points_to_load.
     [[nodiscard]] FaceMeshView boundary() const;
 };
 
@@ -42,31 +41,28 @@ public:
     bool refresh(); // adds new steps from the disk; returns whether there were any
 
     [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
-    // Returns the field of a scalar on points. Throws NotWritten when the scalar's array was not written at the step,
-    // and Error when the scalar does not exist or is not on points.
+    // Throws NotWritten when the array was not written at the step, and Error when `name` is not a scalar on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
-    // Returns a scalar whose values are read when they are needed. Throws like scalar(), and Error when the scalar is
-    // not on `items`.
+    // The values are read when they are needed. Throws like scalar(), and Error when the scalar is not on `items`.
     [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,
                                                                     Association items = Association::point);
-    // Returns all values of a scalar on points in the dataset's type. The values are cached. Throws like scalar().
+    // The values are cached. Throws like scalar().
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
     // Returns the histogram of any scalar. `range`: the range of the bins; nullopt: the range of the finite values.
     // Throws like scalar(). If no range is given and `bins` is a power of two of at most stored_bins, reads one small
     // file. Otherwise reads all values of the step.
     [[nodiscard]] Histogram histogram(const std::string& name, std::size_t step, std::size_t bins,
                                       std::optional<std::array<double, 2>> range = std::nullopt);
-    // Returns which cells are sound at the step; null if all cells are sound. A cell is not sound if one of its values
-    // is a NaN or infinite result of the solver, in any component of the scalar's array. For a point array that was
-    // interpolated from a cell array, the values of the cell array are examined. For an array on patches, the values on
-    // the cells and the values on the patch faces are examined.
+    // Returns null if all cells are sound. A cell is not sound if one of its values, in any component, is a NaN or
+    // infinite result of the solver. For an interpolated point array, these are the values of the cell array. For an
+    // array on patches, these are the values on the cells and on the patch faces.
     [[nodiscard]] std::shared_ptr<const SoundCells> sound_cells(const std::string& name, std::size_t step);
     // Returns the number of cells that have a NaN or infinite result at a corner. Surfaces and slices leave these cells
     // out. Only for a scalar that the imported file has on points; returns 0 for other scalars.
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
-    // Returns the locator of the cells at a step. The locator keeps all data alive that it reads.
+    // The locator keeps all data alive that it reads.
     [[nodiscard]] std::shared_ptr<const CellLocator> locator(std::size_t step);
-    // Returns the bounding boxes of the vertices of each block of the mesh at a step. Reads one small file.
+    // Reads one small file.
     [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);

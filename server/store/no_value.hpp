@@ -14,7 +14,7 @@ inline constexpr float no_value = std::bit_cast<float>(std::uint32_t{0x7fc0ce1e}
 inline constexpr std::uint64_t no_value_bits = 0x7ff819c3c0000000;
 
 [[nodiscard]] inline bool is_no_value(double value) { return std::bit_cast<std::uint64_t>(value) == no_value_bits; }
-// Returns whether the value is a NaN or infinite result of the solver, and not a missing value.
+// Returns true for a NaN or infinite result of the solver, but not for a missing value.
 [[nodiscard]] inline bool went_wrong(double value) { return !std::isfinite(value) && !is_no_value(value); }
 
 } // namespace ciel::store

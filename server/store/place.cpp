@@ -77,8 +77,7 @@ void Place::commit() {
     const auto rename = [&](unsigned flags) {
         return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags) == 0;
     };
-    // Some file systems do not support the flags of renameat2. A rename without flags never replaces a directory that
-    // is not empty.
+    // Some file systems do not support the flags of renameat2. A rename without flags replaces only an empty directory.
     const bool exists = fs::exists(target_);
     bool done = rename(exists ? RENAME_EXCHANGE : RENAME_NOREPLACE);
     if (!done && errno == EINVAL) {

@@ -6,19 +6,16 @@
 
 namespace ciel::store {
 
-// Removes the temporary directories that killed writers of `target` have left. The temporary directories of running
-// writers are locked and are not removed.
+// Removes the temporary directories of killed writers. Those of running writers are locked and are not removed.
 void remove_left_behind(const std::filesystem::path& target);
 
-// Throws Error if the constructor of Place would throw. Leaves no temporary directory. Lets a caller detect a bad
-// target before a long computation.
+// Throws Error if the constructor of Place would throw. Allows a check before a long computation.
 void check_place(const std::filesystem::path& target, bool overwrite);
 
 class Place {
 public:
-    // Makes the temporary directory, and removes those that killed writers of the same target have left. Throws Error
-    // when the target exists and `overwrite` is false, or when the target is neither a dataset nor an empty directory.
-    // Also throws Error when the target's parent directory does not exist or cannot be written.
+    // Also removes the temporary directories of killed writers. Throws Error when the target exists and `overwrite` is
+    // false, when it is neither a dataset nor an empty directory, or when its parent directory cannot be written.
     Place(const std::filesystem::path& target, bool overwrite);
     ~Place(); // without commit(): removes the temporary directory
     Place(const Place&) = delete;
@@ -26,9 +23,8 @@ public:
 
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
     [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
-    // Flushes the temporary directory to the disk and renames it to the target. If a dataset exists at the target, both
-    // directories are exchanged and the old dataset is deleted. Programs that have mapped files of the old dataset can
-    // still read them. Throws Error when the rename fails.
+    // Flushes the temporary directory and renames it to the target. A dataset at the target is deleted, but programs
+    // that have mapped its files can still read them. Throws Error when the rename fails.
     void commit();
 
 private:

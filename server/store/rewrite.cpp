@@ -25,7 +25,6 @@ FaceMesh copy_of(const FaceMeshView& view) {
     return mesh;
 }
 
-// Returns a key of a face inside the mesh: its two cells, and its vertices in ascending order.
 std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& mesh, Index face) {
     const Ids loop = mesh.loop(face);
     std::pair<std::array<Index, 2>, std::vector<Index>> key{{mesh.owner[face], mesh.neighbour[face]},
@@ -34,10 +33,9 @@ std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& m
     return key;
 }
 
-// Returns for each numbered face its id in the list of all faces. The boundary faces have the same order in both lists.
+// The boundary faces have the same order in both lists.
 std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& numbered) {
     std::vector<Index> ids;
-    // Result of key_of for a face inside the mesh -> number of the face.
     std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner;
     for (Index number = 0; number < numbered.face_count(); ++number)
         if (numbered.neighbour[number] != none) inner.emplace(key_of(numbered, number), number);
@@ -90,7 +88,6 @@ private:
 
     void add_step(std::size_t index) {
         const Step& step = from_.steps()[index];
-        // Number of coordinate sets of the mesh that are written.
         std::size_t& sets = sets_.try_emplace(step.mesh, 1).first->second;
         for (; sets <= step.coordinates; ++sets)
             (void)to_.add_coordinates(step.mesh, from_.points(step.mesh, sets).positions);

@@ -1,5 +1,4 @@
-// Rewrites a dataset of an earlier version in the current format. Earlier versions stored the faces of all cells, but
-// no blocks and no ranges.
+// Rewrites a dataset of an earlier version, which has all faces but no blocks and no ranges, in the current format.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +8,11 @@
 
 namespace ciel::store {
 
-// Returns whether `path` is a directory that holds a dataset of any format version.
 [[nodiscard]] bool is_dataset(const std::filesystem::path& path);
 
-// Reads the dataset `from` and writes it to the path `to`, which may be the same. Returns a sentence about each array
-// that is left out because its values are not in `from`. The new dataset has another id. Throws Error as Dataset::open
-// and Writer do; no new dataset exists then. `progress` is called with the completed share, 0 to 1, and may throw to
-// cancel.
+// `to` may be the same path. Returns a sentence about each array that is left out because its values are not in `from`.
+// The new dataset has another id. Throws Error as Dataset::open and Writer do; no new dataset exists then. `progress`
+// is called with the completed share, 0 to 1, and may throw to cancel.
 [[nodiscard]] std::vector<std::string> rewrite(const std::filesystem::path& from, const std::filesystem::path& to,
                                                bool overwrite, const std::function<void(double share)>& progress);
 

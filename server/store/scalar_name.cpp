@@ -1,5 +1,4 @@
-// Makes and parses the names of scalars. A scalar is an array of one component, or one component or the magnitude of a
-// vector or tensor.
+// Makes and parses the names of scalars.
 #include "ciel/printable.hpp"
 #include "store/dataset.hpp"
 #include "store/no_value.hpp"
@@ -15,8 +14,7 @@ std::string component_name(const ArrayInfo& array, int component) {
     return std::to_string(component);
 }
 
-// Parses the part of a scalar's name after the colon. Components that have names cannot be chosen by number, because
-// file formats order the components of tensors differently.
+// Components with names cannot be chosen by number, because file formats order the components differently.
 std::optional<ScalarName> parse_suffix(const ArrayInfo& array, const std::string& suffix) {
     if (suffix == "magnitude" && has_magnitude(array)) return ScalarName{array.name, std::nullopt, true};
     for (int c = 0; c < array.components; ++c)
@@ -31,8 +29,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-// Splits "NAME:SUFFIX" into the array NAME and the suffix. Returns a null array if there is no array NAME with several
-// components.
+// Returns a null array unless `name` is "NAME:SUFFIX" and the array NAME has several components.
 std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std::string& name) {
     if (const auto colon = name.rfind(':'); colon != std::string::npos)
         if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
@@ -40,8 +37,7 @@ std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std
     return {nullptr, {}};
 }
 
-// Returns the weight of a component's square in the Frobenius norm. A symmetric tensor is stored in six components. The
-// weight of an off-diagonal component is 2, because it appears twice in the matrix.
+// A symmetric tensor has six components. An off-diagonal component appears twice in the matrix.
 double weight(const ArrayInfo& array, std::size_t component) {
     if (array.component_names.size() != 6) return 1;
     const std::string& name = array.component_names[component];
@@ -117,7 +113,7 @@ std::vector<std::string> scalar_names(const ArrayInfo& array) {
 
 ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
     if (const ArrayInfo* array = dataset.find(name)) {
-        // The name of a vector without a suffix means its magnitude.
+        // A vector's name without a suffix means its magnitude.
         if (array->components == 1 || has_magnitude(*array)) return {array->name, std::nullopt, array->components > 1};
         throw Error("'" + printable(name) + "' has " + std::to_string(array->components) +
                     " components and no magnitude; choose one of " + listed(scalar_names(*array)));

@@ -9,7 +9,7 @@
 namespace ciel::store {
 namespace {
 
-// [min, max] of the added values. For each end, also the first item with this value.
+// For each end of the range, also keeps the first item with this value.
 class Range {
 public:
     void add(double value, Index item) {
@@ -31,9 +31,7 @@ private:
     Index lowest_ = 0, highest_ = 0;
 };
 
-// Returns the extremes of all values. If there are several components, the extremes of each component follow. Returns
-// an empty list if a component has no finite value, because entries are identified by their index and none can be left
-// out.
+// Returns no extremes if a component has no finite value, because entries are identified by their index.
 std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>& of_component) {
     const auto is_empty = [](const Range& range) { return range.empty(); };
     if (all.empty() || std::ranges::any_of(of_component, is_empty)) return {};

@@ -1,5 +1,4 @@
-// StoredScalar: a scalar at one step. Its values are read from the dataset when they are needed. It has one value for
-// each item. An item is a vertex, a cell or a boundary face, as in the scalar's array.
+// StoredScalar: a scalar at one step, with one value for each vertex, cell or boundary face, read when needed.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -33,11 +32,9 @@ public:
     [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
     [[nodiscard]] Values of(std::span<const Index> items) const;
     [[nodiscard]] Values all() const;
-    // Splits all values into pieces and calls f(piece) for one piece after another. Only one piece is in memory at a
-    // time. Throws Error when the file was truncated meanwhile.
+    // Only one piece of the values is in memory at a time. Throws Error when the file was truncated meanwhile.
     void for_pieces(const std::function<void(ValuesView)>& f) const;
-    // Returns the histogram of all values. `range`: the range of the bins. nullopt: the range of the finite values; all
-    // values are then read twice.
+    // `range`: the range of the bins. nullopt: the range of the finite values; all values are then read twice.
     [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const;
 
 private:

@@ -13,7 +13,6 @@ namespace {
 
 std::size_t aligned(std::size_t bytes) { return (bytes + record_alignment - 1) / record_alignment * record_alignment; }
 
-// Writes the records of one kind one after another. Begins a new file when the current file would get too long.
 class RecordFiles {
 public:
     RecordFiles(std::filesystem::path mesh, RecordKind kind, const std::string& dataset_id, std::uint64_t most_bytes)

@@ -10,9 +10,8 @@
 
 namespace ciel::store {
 
-// Writes the files to the directory `mesh`, which must exist. bounds: bounds of the first coordinate set, xmin xmax
-// ymin ymax zmin zmax. most_file_bytes: largest size of a file of records. A file is longer only if a single record is
-// longer. Throws Error when a file cannot be written.
+// `mesh`: an existing directory. bounds: xmin xmax ymin ymax zmin zmax of the first coordinate set. A file of records
+// is longer than most_file_bytes only if a single record is longer. Throws Error when a file cannot be written.
 void write_blocks(const std::filesystem::path& mesh, const Topology& topology, const std::string& dataset_id,
                   const std::array<double, 6>& bounds, std::uint64_t most_file_bytes = std::uint64_t{1} << 30);
 

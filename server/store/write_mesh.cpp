@@ -21,7 +21,6 @@ void write_group(const fs::path& directory) {
     write_file(directory / layout::group_document, bytes_of(group_text()));
 }
 
-// Writes an array of one chunk. Returns the checksum of `bytes`.
 std::string write_whole(const fs::path& directory, ElementType type, std::span<const std::byte> bytes) {
     make_directory(directory);
     write_file(directory / layout::array_document,

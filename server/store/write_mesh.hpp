@@ -8,15 +8,14 @@
 
 namespace ciel::store {
 
-// Writes the faces, the blocks, the groups and the positions of a mesh to `directory`. Returns the mesh's attributes
-// with the checksums. The caller must write the attributes, and the .zarray of the positions. Throws Error when an
-// array has a wrong size, when a group has an id out of range, or when a coordinate is not finite.
+// The caller must write the returned attributes, and the .zarray of the positions. Throws Error when an array has a
+// wrong size, when a group has an id out of range, or when a coordinate is not finite.
 [[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const FaceMesh& mesh,
                                         std::span<const Index> original_vertex, std::span<const Index> original_cell,
                                         std::span<const NamedGroup> groups, const SolverIds& solver,
                                         const std::string& dataset_id);
 
-// Writes the bounding boxes of the blocks for one coordinate set to `directory`, the directory of the mesh.
+// `directory`: the directory of the mesh.
 void write_boxes(const std::filesystem::path& directory, const Topology& topology, const std::string& dataset_id,
                  std::size_t coordinates, ValuesView positions);
 

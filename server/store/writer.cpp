@@ -55,7 +55,6 @@ struct WrittenMesh {
     }
 };
 
-// The step that is being written, between begin_step and end_step.
 struct StepUnderWay {
     MarkedStep step;
     std::vector<ArrayInfo> arrays;
@@ -70,7 +69,6 @@ ArrayInfo with_valid_text(const ArrayInfo& info) {
     return valid;
 }
 
-// Calls f(extreme) for each CellExtreme of the step's arrays.
 template <class F>
 void for_extremes(MarkedStep& step, F&& f) {
     for (auto& [name, array] : step.arrays) {
@@ -82,7 +80,7 @@ void for_extremes(MarkedStep& step, F&& f) {
     }
 }
 
-// Adds the checksums of coordinate sets that were written with plain Zarr and have none.
+// Coordinate sets that were written with plain Zarr have no checksums.
 void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std::size_t mesh) {
     const auto document = layout::mesh(dataset.directory(), mesh) / "positions" / layout::array_document;
     auto& sums = attributes.coordinate_checksums;
@@ -122,7 +120,7 @@ struct Writer::State {
         appending() ? replace_file(file, bytes) : write_file(file, bytes);
     }
 
-    // When appending, skips a file that has this content already, because replacing it would flush it to the disk.
+    // Skips a file that has this content already, because replacing it would flush it to the disk.
     void put_text(const fs::path& file, const std::string& text) const {
         if (appending() && fs::exists(file) && read_text(file, layout::marker_bytes) == text) return;
         put(file, bytes_of(text));
@@ -164,14 +162,12 @@ struct Writer::State {
                         "' has another association or number of components than at earlier steps; use a new name");
     }
 
-    // Returns the array of this name from an earlier step; null if no earlier step has it.
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const {
         for (const WrittenMesh& mesh : meshes)
             if (const auto known = mesh.arrays.find(array); known != mesh.arrays.end()) return &known->second;
         return nullptr;
     }
 
-    // Returns the array with the type in which its values are stored.
     [[nodiscard]] ArrayInfo with_type(const ArrayInfo& array, ValuesView values) const {
         ArrayInfo typed = with_valid_text(array);
         const ArrayInfo* known = find(typed.name);
@@ -205,7 +201,6 @@ struct Writer::State {
     [[nodiscard]] bool has_blocks(std::size_t mesh) const {
         return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
     }
-    // Returns the topology of a mesh of the dataset. If the mesh was stored without blocks, builds the topology.
     [[nodiscard]] const Topology& topology_of(std::size_t mesh) {
         std::optional<Topology>& found = topologies[mesh];
         const bool is_ours = !appending() || mesh >= marker.meshes;
@@ -220,7 +215,6 @@ struct Writer::State {
         if (info_changed) put_root();
     }
 
-    // Sets CellExtreme::place of all extremes of a step.
     void place_extremes(MarkedStep& step) {
         std::vector<Index> cells;
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
@@ -236,7 +230,7 @@ struct Writer::State {
         ++written.steps;
     }
 
-    // Drops the step that is being written and deletes its chunks, which no reader has seen.
+    // Deletes the chunks of the step that is being written, which no reader has seen.
     void take_back() noexcept {
         std::error_code ignored;
         if (under_way)
@@ -247,8 +241,7 @@ struct Writer::State {
 
 namespace {
 
-// Checks that the new dataset can be opened before it is renamed. An error names files by their final paths, because
-// the temporary directory will be deleted.
+// An error names files by their final paths, because the temporary directory will be deleted.
 void read_again(const Place& place) {
     try {
         const auto dataset = Dataset::open(place.temporary());
@@ -466,7 +459,7 @@ void Writer::end_step() {
         throw;
     }
     state.last_time = time;
-    // The step is committed. Therefore errors from here on are ignored. The next step tries again to move the steps.
+    // The step is committed. Therefore errors are ignored. The next step tries again to move the steps.
     try {
         (void)state.commit().move_steps_to_table(state.marker);
     } catch (const std::exception&) {

@@ -20,8 +20,7 @@ struct DatasetHeader {
     std::vector<std::string> notes;
 };
 
-// Ids that the solver gave to vertices and cells, in stored order. An id of -1 means that the solver gave no id. Empty
-// if the source has no solver ids.
+// The ids are in stored order. An id of -1 means that the solver gave no id. Empty if the source has no solver ids.
 struct SolverIds {
     std::span<const std::int64_t> vertex, cell;
 };
@@ -35,32 +34,28 @@ class Writer {
 public:
     // Throws Error when `directory` exists and `overwrite` is false, or when `directory` cannot be written.
     Writer(const std::filesystem::path& directory, const DatasetHeader& header, bool overwrite = false);
-    // Opens an existing dataset to append steps to it, and locks it until the Writer is destroyed. Removes temporary
-    // files of killed writers. Throws Error when another writer has the lock, when the dataset is damaged, or when the
-    // dataset is a copy that `ciel serve` made for itself (imported_copy.hpp).
+    // Locks the dataset until the Writer is destroyed. Removes temporary files of killed writers. Throws Error when the
+    // dataset is locked, damaged, or a copy that `ciel serve` made for itself (imported_copy.hpp).
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
-    // Appends to a dataset that is open already. Reads only the steps that were committed since it was opened.
+    // Reads only the steps that were committed since the dataset was opened.
     [[nodiscard]] static Writer append(std::shared_ptr<Dataset> dataset);
     ~Writer(); // without finish(): deletes the temporary directory
     Writer(Writer&&) noexcept;
 
-    // Writes a mesh with its counts, bounds and checksums. Returns the mesh's index. Throws Error as write_mesh does.
+    // Returns the mesh's index. Throws Error as write_mesh does.
     std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
     // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
     // were floats, else doubles.
     [[nodiscard]] bool holds(std::size_t mesh, ValuesView positions) const;
-    // Adds a coordinate set to a mesh: new positions of all vertices, as offsets from the mesh's origin. Returns the
-    // index of the set. Throws Error when the number of positions is wrong, when a position is not finite, or when the
-    // mesh cannot store the positions without rounding.
+    // `positions`: offsets of all vertices from the mesh's origin. Returns the index of the set. Throws Error when
+    // their number is wrong, when a position is not finite, or when the mesh cannot store them without rounding.
     std::size_t add_coordinates(std::size_t mesh, ValuesView positions);
-    // Returns the index of the last coordinate set of the mesh that is bitwise equal to `positions`; nullopt if there
-    // is none.
+    // Returns the index of the last coordinate set that is bitwise equal to `positions`; nullopt if there is none.
     [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ValuesView positions) const;
-    // Adds a step with its arrays. When appending, readers see the step as soon as the call returns. If an array has
-    // values at earlier steps, the new values are converted to the type of the earlier values. Throws Error when an
-    // array has a wrong size, or when `time` is not later than the last step.
+    // When appending, readers see the step as soon as the call returns. The values are converted to the type of earlier
+    // steps. Throws Error when an array has a wrong size, or when `time` is not later than the last step.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
     // Add a step array by array, so that only one array must be in memory. Call begin_step, then add_values for each
     // array, then end_step. If add_values or end_step throws, the whole step is dropped.

@@ -10,8 +10,7 @@
 
 namespace ciel::store {
 
-// Only for a dataset that this process writes or has locked, because no other process changes its files meanwhile.
-// `mesh`: directory of the mesh.
+// Only for a dataset that this process writes or has locked: no other process changes its files meanwhile.
 class WrittenPoints {
 public:
     WrittenPoints(const std::filesystem::path& mesh, const MeshAttributes& attributes, std::size_t coordinates)

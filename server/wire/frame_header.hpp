@@ -6,8 +6,7 @@
 
 namespace ciel::wire {
 
-// Maximum number of bytes of a WebSocket message from the server, including the header. Proxies close a socket on
-// longer messages.
+// Most bytes of a WebSocket message from the server, with the header. Proxies close a socket on longer messages.
 inline constexpr std::size_t longest_message = 512 << 10;
 
 // Returns the header of the piece that begins at byte `offset` of the whole payload and has at most `most` payload

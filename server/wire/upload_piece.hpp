@@ -17,8 +17,7 @@ struct UploadPiece {
 };
 
 inline constexpr std::size_t upload_header_bytes = 40;
-// Parses an upload piece. The result refers to the bytes of `message`. Throws Error on a wrong magic number, version,
-// kind or length, and if a reserved byte is not zero.
+// The result refers to `message`. Throws Error on a wrong magic number, version, kind, length or reserved byte.
 [[nodiscard]] UploadPiece read_upload_piece(std::span<const std::uint8_t> message);
 
 } // namespace ciel::wire

@@ -1,5 +1,4 @@
-// Threads that draw frames. Each thread has its own GL context, and a context never moves to another thread. Sessions
-// have no context.
+// Threads that draw frames. Each thread has its own GL context, which never moves to another thread.
 #pragma once
 
 #include "frames/picture.hpp"
@@ -24,14 +23,12 @@ using Clock = std::chrono::steady_clock;
 
 class FrameWorkers;
 
-// Resources of a worker thread, for the jobs that run on this thread.
 class Worker {
 public:
     Worker(const FrameWorkers& all, render::Backend backend, limits::Memory& memory, int still_samples)
         : all_(all), backend_(backend), still_samples_(still_samples), memory_(memory),
           drawing_(memory, limits::Held::drawing) {}
-    // Returns the renderer of the thread. The first call makes the renderer, so that jobs without pictures need no GL.
-    // Throws Error if the renderer cannot be made; the next call then tries again.
+    // The first call makes the renderer, because some jobs need no GL. After an Error, a later call tries again.
     [[nodiscard]] render::Renderer& renderer();
     [[nodiscard]] const FrameWorkers& all() const { return all_; }
     [[nodiscard]] int still_samples() const { return still_samples_; } // per pixel
@@ -56,15 +53,14 @@ public:
                  int still_samples = frames::default_still_samples);
     ~FrameWorkers(); // waits for running jobs; drops waiting jobs
 
-    // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits. A
-    // job of post_later() that has waited for a second after `due` overtakes the jobs of post() that wait. The next job
-    // of post_later() may overtake only after all these jobs have run. After drain(), both functions drop the job and
-    // return false.
+    // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits.
+    // After waiting for a second, it overtakes the jobs of post() that wait; the next one may overtake only after all
+    // these have run. After drain(), both functions drop the job and return false.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
 
-    // Runs `function(worker)` on a worker, after interactive frames. Waits for the end, and returns the result of the
-    // function or throws its exception. Must not be called from a job. Throws Error after drain().
+    // Runs `function(worker)` after interactive frames. Waits for its end, and returns its result or throws its
+    // exception. Must not be called from a job. Throws Error after drain().
     template <class Function>
     auto run(Function function) {
         using Result = decltype(function(std::declval<Worker&>()));
@@ -87,8 +83,7 @@ public:
 
 private:
     void work(const std::stop_token& stop);
-    // Waits for a job and returns it. Returns an empty job if `stop` was requested. `rests`: number of rest() calls
-    // that this worker has followed. If `rests` differs from rests_, an idle worker rests before it waits.
+    // Returns an empty job if `stop` was requested. `rests`: number of rest() calls that this worker has followed.
     [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
                            std::uint64_t& rests);
 

@@ -13,12 +13,10 @@
 
 namespace ciel::engine {
 
-// SlowCallQueue is thread-safe. Connections take turns, so that a connection with many calls does not delay other
-// connections.
+// Thread-safe. Connections take turns, so that a connection with many calls does not delay the others.
 class SlowCallQueue {
 public:
-    // run: the job runs now. cancelled: the job must not run, because its connection has ended or the server is about
-    // to stop.
+    // cancelled: the job must not run, because its connection has ended or the server is about to stop.
     enum class Outcome { run, cancelled };
     using Job = std::function<void(Outcome)>; // called exactly once; must not throw
 
@@ -27,8 +25,7 @@ public:
 
     // Queues a job of a connection. Throws LimitReached if too many jobs wait already, and Error after drain().
     void post(std::uint64_t connection, Job job);
-    // Queues the next job of a request; the previous job of the request calls this function. The limits on waiting jobs
-    // do not apply. Throws Error after drain().
+    // Queues the next job of a request without the limits on waiting jobs. Throws Error after drain().
     void post_next(std::uint64_t connection, Job job);
     // Calls the waiting jobs of a connection with Outcome::cancelled on the calling thread.
     void drop(std::uint64_t connection);

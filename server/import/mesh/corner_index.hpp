@@ -24,12 +24,10 @@ class CornerIndex {
 public:
     explicit CornerIndex(const FaceMeshView& mesh) : mesh_(mesh) {}
 
-    // Registers the positions of vertices of the mesh. Returns the vertices as Corners: each vertex is replaced by the
-    // first vertex that was registered at the same position.
+    // Replaces each vertex of the mesh by the first vertex that was registered at the same position.
     [[nodiscard]] Corners learn(std::span<const Index> vertices);
-    // Returns the corners of a cell of the input, as vertices that learn() has registered. Skips points at positions
-    // without such a vertex, for example mid-side nodes. Returns an empty list if points were skipped and fewer than
-    // three corners are left.
+    // Returns the corners of a cell of the input. Skips points without a registered vertex, for example mid-side nodes.
+    // Returns an empty list if points were skipped and fewer than three corners are left.
     [[nodiscard]] Corners find(vtkDataSet* data, vtkIdType cell);
 
 private:

@@ -9,9 +9,8 @@
 namespace ciel::importer {
 
 InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh) {
-    // A pyramid is inverted if the cosine of the angle between the outward normal of its face and the direction from
-    // the cell's center to the face's center is smaller than this value. The value is below 0, because the pyramids of
-    // collapsed cells are flat, but not inverted.
+    // Smallest cosine of the angle between a face's outward normal and the direction from the cell's center to the
+    // face's center. It is below 0, because the pyramids of collapsed cells are flat, but not inverted.
     constexpr double least_cosine = -1e-6;
     const std::vector<FaceShape> faces = face_shapes(mesh);
     const std::vector<Vec3d> centres = cell_centres(mesh, faces);

@@ -1,6 +1,5 @@
-// Finds inverted face pyramids. The base of a face pyramid is a face of a cell, and the apex is the center of the cell.
-// An inverted pyramid has negative volume. The import keeps cells with inverted pyramids, because the winding of these
-// cells is consistent.
+// Finds inverted face pyramids. A face is the base and the cell's center is the apex. An inverted pyramid has negative
+// volume. The import keeps cells with inverted pyramids, because their winding is consistent.
 #pragma once
 
 #include "ciel/face_mesh.hpp"

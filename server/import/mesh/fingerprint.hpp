@@ -1,5 +1,4 @@
-// Checksums of the mesh of a step in the input. A step with the same checksum `cells` as the previous step reuses the
-// mesh of the previous step.
+// Checksums of the mesh of a step. A step with the same checksum `cells` as the previous step reuses its mesh.
 #pragma once
 
 #include "import/source/data_sets.hpp"

@@ -27,8 +27,7 @@ namespace {
 
 constexpr std::uint64_t max_count = none - 1ULL;
 
-// Appends the cells of one block to the joined mesh. Checks all point ids from the file, because later code does not
-// check them.
+// Checks all point ids from the file, because later code does not check them.
 class BlockJoiner {
 public:
     BlockJoiner(JoinedMesh& mesh, std::size_t part)
@@ -84,8 +83,7 @@ private:
         add_standard(shape.type, std::span<const Index>(corners.data(), shape.corners), cell);
     }
 
-    // `stream`: VTK's face stream. It begins with the number of faces. For each face follow the number of points and
-    // the point ids.
+    // VTK's face stream: the number of faces, then for each face the number of points and the point ids.
     void add_polyhedron(std::span<const vtkIdType> stream, vtkIdType cell) {
         const auto damaged = [&] { fail("the face list of polyhedron " + std::to_string(cell) + " is damaged"); };
         if (stream.empty() || stream[0] < 0) damaged();
@@ -101,13 +99,11 @@ private:
         close_cell(type_of_last_faces(static_cast<std::size_t>(stream[0])), cell);
     }
 
-    // Returns the type of the cell that consists of the last `faces` faces. Six quadrilaterals with eight corners are a
-    // hexahedron, even if the file calls the cell a polyhedron.
+    // Six quadrilaterals with eight corners are a hexahedron, even if the file calls the cell a polyhedron.
     [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
         return type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
     }
 
-    // Returns whether the cell is a ghost (a copy of another piece's cell), hidden (blanked) or refined.
     [[nodiscard]] bool is_ghost(vtkIdType cell) const {
         const vtkUnsignedCharArray* ghosts = data_->GetCellGhostArray();
         constexpr int left_out =
@@ -198,8 +194,7 @@ private:
                 }
     }
 
-    // Returns for each point whether it is a hole: PLOT3D's iblank is 0. Other values, such as 2 (wall) or negative
-    // values (interpolated points), do not mark a hole. Returns an empty list if the block has no iblank.
+    // In PLOT3D, iblank 0 marks a hole. Other values, such as 2 (wall) and negative values (interpolated), do not.
     std::vector<bool> hole_points() {
         vtkDataArray* iblank = data_->GetPointData()->GetArray("IBlank");
         blank_points_known_ = iblank != nullptr;
@@ -289,8 +284,7 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
             }
         }
     };
-    // A bucket holds the edges with the same lower vertex id. Buckets are short, so that sorting all buckets takes
-    // linear time.
+    // A bucket has the edges with the same lower vertex id. Buckets are short, so that sorting takes linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
     for_each_edge([&](Index low, Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];

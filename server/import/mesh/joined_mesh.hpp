@@ -46,18 +46,17 @@ struct JoinedMesh {
     }
 };
 
-// Returns the numbers of running points and cells. Throws Error if one of the numbers exceeds 2^32 - 2.
+// Throws Error if one of the numbers exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<DataSet>& volumes);
 
 // Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a coordinate
 // that is not finite, or more than 2^32 - 2 points or cells.
 [[nodiscard]] JoinedMesh join_data_sets(const std::vector<DataSet>& volumes);
 
-// Returns x, y, z of each running point. The result has floats if floats equal all numbers of the input, else doubles.
-// `parts`: the blocks of the mesh, with the data of any step.
+// Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
 [[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count);
 
-// Counts the distinct edges of the cells. Ignores edges from a vertex to itself, which collapsed cells have.
+// Ignores edges from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);
 
 } // namespace ciel::importer

@@ -11,13 +11,11 @@ namespace ciel::importer {
 
 namespace {
 
-// Finds boundary faces by their corners. Several surfaces may claim the same face. If several faces have the same
-// corners (the two sides of a baffle), claim() returns the face with the fewest claims.
+// The two sides of a baffle have the same corners. claim() returns the side that fewer surfaces have claimed.
 class BoundaryFaces {
 public:
     void add(Corners corners, Index face) { faces_[std::move(corners)].push_back({face, 0, none}); }
 
-    // Returns a face with these corners that `surface` has not claimed yet, or `none`.
     Index claim(const Corners& corners, Index surface) {
         const auto found = faces_.find(corners);
         if (found == faces_.end()) return none;
@@ -46,7 +44,6 @@ void add_boundary(const FaceMeshView& mesh, BoundaryFaces& faces, Corner&& corne
         if (mesh.neighbour[face] == none) faces.add(corners_of(mesh.loop(face).unchecked()), face);
 }
 
-// Finds boundary faces by the coordinates of a cell's corners.
 class ByPlace {
 public:
     explicit ByPlace(const FaceMeshView& mesh) : index_(mesh) {
@@ -61,7 +58,7 @@ private:
     BoundaryFaces faces_;
 };
 
-// Finds boundary faces by the running point ids of a cell's corners. A welded point is replaced by its representative.
+// A welded point is replaced by its representative.
 class ById {
 public:
     ById(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)

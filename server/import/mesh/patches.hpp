@@ -15,8 +15,7 @@ struct Patch {
     static constexpr std::size_t none_of_them = ~std::size_t{0};
 };
 
-// A cell of a surface matches a boundary face if both have the same corners after welding. A surface gets each face at
-// most once. `representative`: Welds::representative.
+// Corners are compared after welding. A surface gets each face at most once. `representative`: Welds::representative.
 [[nodiscard]] std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
                                                const std::vector<Index>& representative,
                                                const std::vector<DataSet>& surfaces);

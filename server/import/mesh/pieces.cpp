@@ -65,8 +65,7 @@ std::size_t part_of_cell(const std::vector<JoinedMesh::Member>& parts, Index joi
     return static_cast<std::size_t>(next - parts.begin()) - 1;
 }
 
-// Maps a running point to its part. The map sorts the parts by first_point. Parts are not always in this order, because
-// blocks may share points.
+// Sorts the parts by first_point, because parts that share points can be in another order.
 class PartsByPoint {
 public:
     explicit PartsByPoint(const std::vector<JoinedMesh::Member>& parts) {
@@ -80,7 +79,6 @@ private:
     std::map<Index, const JoinedMesh::Member*> by_first_;
 };
 
-// Finds and joins coincident boundary faces of different parts with the same `whole`.
 class PartMatcher {
 public:
     PartMatcher(const Assembled& pieces, const JoinedMesh& joined)
@@ -115,8 +113,7 @@ private:
             here.erase(other);
     }
 
-    // Joins the points of two coincident faces. Returns false and joins nothing if a point has no equal point on the
-    // other face, or if the faces do not belong to two parts with the same `whole`.
+    // Returns false and joins nothing unless the faces coincide and belong to two parts with the same `whole`.
     bool join(Index a, Index b) {
         if (!are_of_one_whole(a, b)) return false;
         const JoinedMesh::Member &part_a = joined_.parts[part_of(a)], &part_b = joined_.parts[part_of(b)];

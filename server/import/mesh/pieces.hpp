@@ -17,12 +17,10 @@ struct PieceJoins {
     std::uint64_t apart = 0;  // faces that coincide with a face of another piece but differ in ids or values
 };
 
-// Compares the boundary faces of parts with the same `whole`. `pieces`: the mesh assembled from `joined` before any
-// points are joined.
+// `pieces`: the mesh assembled from `joined` before any points are joined.
 [[nodiscard]] PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
 
-// Returns whether the two points of each joined pair are still the same at a later step. `parts`: the blocks with the
-// data of the later step.
+// `parts`: the blocks with the data of the later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts);
 
 } // namespace ciel::importer

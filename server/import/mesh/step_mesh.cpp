@@ -111,8 +111,7 @@ void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
     }
 }
 
-// Makes one zone for each block name, if there are at least two names. The zone has the cells of all blocks with this
-// name. Unnamed pieces of one mesh share one name.
+// A zone has the cells of all blocks with its name. If all blocks have the same name, makes no zone.
 void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
     std::map<std::string, std::vector<Index>> ids;
     std::vector<std::string> names; // in order of first use
@@ -141,8 +140,7 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-// Adds the zones that the source gives as lists of running cell ids. Ghost, blanked and bad cells are not in the mesh,
-// so that they are counted as unmatched.
+// Ghost, blanked and bad cells are not in the mesh, so that they are counted as unmatched.
 void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
     if (zones.empty()) return;
     std::vector<Zone> found;

@@ -29,15 +29,13 @@ struct StepMesh {
 // Throws Error if no volume cell is usable, and for the errors of join_data_sets().
 [[nodiscard]] StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference);
 
-// Replaces the data of the blocks by the data of another step that has the same cells. If `moved` is true, also
-// replaces the positions of the mesh.
+// `data_sets`: another step with the same cells. If `moved` is true, also replaces the positions of the mesh.
 void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved);
 
-// Reorders values from running ids to stored ids of vertices or cells. `running`: `components` values per running point
-// or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
+// `running`: `components` values per running point or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
 [[nodiscard]] store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components);
 
-// Reorders one solver id per running point or cell in the same way. Returns an empty list if `running` is empty.
+// One solver id per running point or cell. Returns an empty list if `running` is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
                                                   std::span<const Index> stored_to_running);
 

@@ -13,8 +13,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Largest difference between the coordinates of two copies of a point, as a share of the diagonal of the block's
-// bounding box. Rounding in a file makes smaller differences.
+// A share of the diagonal of the block's bounding box. Rounding in a file makes smaller differences.
 constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
@@ -39,7 +38,6 @@ private:
     std::vector<Index> parent_;
 };
 
-// Finds the seams of one structured block: pairs of coincident points on the faces of the block.
 class SeamFinder {
 public:
     SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
@@ -94,9 +92,8 @@ private:
         return pairs;
     }
 
-    // Returns the wake cut of a C-grid: pairs of coincident points on the face of the block at index `plane` of `axis`.
-    // Along the axis `fold` with n points, a pair has the indices i and n - 1 - i. Returns an empty list for a face
-    // that is collapsed to a line or a point (a polar axis).
+    // The wake cut of a C-grid: along the axis `fold` with n points, the points i and n - 1 - i coincide. Returns no
+    // pairs for a face that is collapsed to a line or a point (a polar axis).
     [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
         const int along = 3 - axis - fold;
         PointPairs pairs;
@@ -166,7 +163,6 @@ void join_cut(const PieceJoins& cut, DisjointSets& sets, Welds& welds) {
                               " have no counterpart on another piece and stay boundary faces.");
 }
 
-// Returns the center of the bounding box of the points for which looked_at is true.
 Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
     Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -181,9 +177,7 @@ Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
     return middle;
 }
 
-// Calls visit(first, point) for each point that coincides with an earlier point. `first` is the first point at this
-// position. Skips points for which looked_at is false. Compares coordinates as floats relative to the center of the
-// mesh, because programs round the copies of a point differently.
+// Compares floats relative to the center of the mesh, because programs round the copies of a point differently.
 template <typename Visit>
 void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked_at, Visit&& visit) {
     struct Hash {
@@ -215,7 +209,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     if (mode == Weld::seams) weld_seams(mesh, difference, sets, welds);
     std::uint64_t coincident = 0;
     const bool look = mode == Weld::all || mesh.parts.size() > 1;
-    // Points that no cell uses belong to ghost cells, which were left out. Only --weld also compares these points.
+    // Points without cells belong to ghost cells, which were left out. Only --weld also compares these points.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)
         for (const Index point : mesh.face_vertex) looked_at[point] = true;

@@ -1,5 +1,4 @@
-// Finds the cells of zones in the mesh, by the coordinates of the corners. A zone is a named copy of cells in the
-// input.
+// Finds the cells of zones, which are named copies of cells in the input, by the coordinates of the corners.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"

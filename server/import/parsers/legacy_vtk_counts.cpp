@@ -34,8 +34,7 @@ const ValueType* find_type(std::string_view word) {
     return found == std::end(value_types) ? nullptr : found;
 }
 
-// Parses a whole number. Returns infinity if the number does not fit in 64 bits, and nullopt if the word is not a whole
-// number.
+// Returns infinity if the number does not fit in 64 bits, and nullopt if the word is not a whole number.
 std::optional<double> to_count(std::string_view word) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -45,7 +44,7 @@ std::optional<double> to_count(std::string_view word) {
     return static_cast<double>(value);
 }
 
-// Splits a file into words. Converts the words to lower case, because VTK ignores case.
+// Converts the words to lower case, because VTK ignores case.
 class Words {
 public:
     explicit Words(std::istream& file) : buffer_(*file.rdbuf()) {}
@@ -65,7 +64,6 @@ public:
         while (after_ != '\n' && after_ != end);
     }
 
-    // Skips the rest of the current line, then `bytes` bytes.
     void skip_values(std::uint64_t bytes) {
         if (after_ != '\n' && after_ != end) skip_line();
         buffer_.pubseekoff(static_cast<std::streamoff>(bytes), std::ios::cur, std::ios::in);
@@ -83,8 +81,7 @@ class Check {
 public:
     Check(std::uint64_t file_size, const std::string& name) : size_(static_cast<double>(file_size)), name_(name) {}
 
-    // Takes the next word of the file. If the word ends a declaration, checks the counts in the declaration. Returns
-    // the size in bytes of the binary values that follow; 0 if no values follow or the size is not known.
+    // Returns the size of the binary values after the word in bytes; 0 if none follow or the size is not known.
     std::uint64_t take(std::string&& word) {
         std::rotate(words_.begin(), words_.begin() + 1, words_.end());
         words_.back() = std::move(word);
@@ -96,8 +93,7 @@ private:
         return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
     }
 
-    // Throws Error unless `count` is between 0 and per_byte times the size of the file. The message quotes the
-    // declaration, which consists of the last `length` words.
+    // The error quotes the declaration, which consists of the last `length` words.
     void require(double count, double per_byte, std::size_t length) const {
         if (count >= 0 && count <= size_ * per_byte) return;
         std::string declaration;

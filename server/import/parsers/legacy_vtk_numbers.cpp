@@ -14,7 +14,6 @@ bool is_equal(std::string_view word, std::string_view lower_case) {
     return std::ranges::equal(word, lower_case, {}, lower);
 }
 
-// Returns the stand-in for a word that means NaN or an infinity; null for other words.
 const StandIn* stand_in_for(std::string_view word) {
     const bool is_negative = word.starts_with('-');
     if (is_negative || word.starts_with('+')) word.remove_prefix(1);

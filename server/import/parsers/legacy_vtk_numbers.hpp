@@ -1,5 +1,4 @@
-// Replaces NaN and infinities in a legacy VTK text file by finite numbers, because VTK's reader stops at "nan" and
-// "inf".
+// Replaces NaN and infinities in a legacy VTK text file, because VTK's reader stops at "nan" and "inf".
 #pragma once
 
 #include <array>
@@ -9,8 +8,7 @@
 
 namespace ciel::importer {
 
-// A finite number that replaces NaN or an infinity while VTK reads the file. The number fits in a float, and solvers do
-// not write it.
+// A finite number that VTK reads instead of NaN or infinity. It fits in a float, and solvers do not write it.
 struct StandIn {
     const char* text;
     double number;
@@ -25,7 +23,6 @@ inline constexpr std::array<StandIn, 3> stand_ins{
 // 1.#QNAN. Ignores a line with any other word that is not a number, because "nan" can be the name of an array there.
 [[nodiscard]] bool holds_no_numbers(std::istream& file);
 
-// Returns the text of the file, with NaN and infinities replaced by stand-ins.
 [[nodiscard]] std::string with_stand_ins(std::istream& file);
 
 } // namespace ciel::importer

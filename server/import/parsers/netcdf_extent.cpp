@@ -11,8 +11,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Largest accepted number of entries in a list, and of characters in a name. A larger number means that the header is
-// damaged.
+// More entries in a list, or characters in a name, mean that the header is damaged.
 constexpr std::uint64_t most_entries = 10'000'000;
 constexpr std::uint64_t unlimited = 0; // length that the header declares for the record dimension
 constexpr std::uint32_t dimension_tag = 10, variable_tag = 11, attribute_tag = 12;
@@ -66,8 +65,7 @@ private:
         skip(padded(length));
     }
 
-    // Calls entry() for each entry of a list. A list starts with its tag and the number of entries. An empty list may
-    // start with two zeros instead.
+    // A list starts with its tag and the number of entries. An empty list may start with two zeros instead.
     template <class F>
     void for_list(std::uint32_t tag, F&& entry) {
         const std::uint64_t found = big_endian(4), entries = count();
@@ -76,7 +74,7 @@ private:
     }
 
     std::uint64_t type_bytes() {
-        // Size of one value in bytes, indexed by the number of the type in the netCDF format. NC_BYTE has the number 1.
+        // The index is the number of the type in the netCDF format. NC_BYTE has the number 1.
         constexpr std::array<std::uint64_t, 12> bytes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
         const std::uint64_t type = big_endian(4);
         if (type == 0 || type >= bytes.size()) fail("is damaged");

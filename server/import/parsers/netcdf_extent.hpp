@@ -21,8 +21,7 @@ struct NetcdfExtent {
     [[nodiscard]] std::uint64_t records_within(std::uint64_t bytes) const;
 };
 
-// Returns nullopt for a file in another format, such as HDF5. Throws Error if the header is damaged or cut off. Error
-// texts start with `name`.
+// Returns nullopt for a file in another format, such as HDF5. Throws Error if the header is damaged or cut off.
 [[nodiscard]] std::optional<NetcdfExtent> read_netcdf_extent(std::istream& file, const std::string& name);
 
 } // namespace ciel::importer

@@ -14,8 +14,6 @@ constexpr std::uint32_t max_grids = 10'000;
 constexpr std::uint32_t max_dimension = 1U << 20;
 constexpr std::uint64_t padding_block = 512; // bytes; tapes and some file systems pad files to a multiple of this size
 
-// Returns whether a file of `size` bytes consists of `needed` bytes of data, with or without padding to the next
-// multiple of 512 bytes.
 bool fits(std::uint64_t needed, std::uint64_t size) {
     return needed == size || (size % padding_block == 0 && needed < size && size - needed < padding_block);
 }
@@ -49,8 +47,7 @@ bool plausible(const Plot3dLayout& layout, std::uint64_t most_points) {
     });
 }
 
-// Returns the size of the data after the header: in bytes for a binary file, in numbers for a text file. `real`,
-// `integer`: size of one real or integer value in the same unit.
+// Returns bytes for a binary file, numbers for a text file. `real`, `integer`: sizes of one value in this unit.
 std::uint64_t body_size(const Plot3dLayout& layout, Plot3dKind kind, std::uint64_t real, std::uint64_t integer) {
     const std::uint64_t marks = layout.byte_counts ? 8 : 0;
     std::uint64_t size = 0;

@@ -28,14 +28,12 @@ struct Plot3dLayout {
     }
 };
 
-// Returns every layout for which a binary file with this header has `file_size` bytes, with or without padding to the
-// next multiple of 512 bytes. Single precision comes before double precision, and layouts without iblank come before
-// layouts with iblank. `head`: the first plot3d_head_bytes of the file, or the whole file if it is shorter.
+// Single precision comes before double precision, and layouts without iblank come before layouts with iblank. `head`:
+// the first plot3d_head_bytes of the file, or the whole file if it is shorter.
 inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_binary_layouts(std::span<const std::byte> head, std::uint64_t file_size,
                                                               Plot3dKind kind);
 
-// Returns every layout for which a text file with this header has `number_count` numbers. `head`: as above.
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_text_layouts(std::string_view head, std::uint64_t number_count,
                                                             Plot3dKind kind);
 
@@ -43,7 +41,7 @@ inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 // single, records, stream, iblank, no-iblank, float32, float64, text. Throws Error for an unknown word.
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_restrict(std::vector<Plot3dLayout> layouts, const std::string& words);
 
-// Returns whether a grid and a solution can belong together: both have the same dimensions and encoding.
+// Both must have the same dimensions and encoding.
 [[nodiscard]] bool plot3d_match(const Plot3dLayout& grid, const Plot3dLayout& solution);
 
 } // namespace ciel::importer

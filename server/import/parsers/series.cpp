@@ -11,7 +11,6 @@ namespace {
 
 constexpr int max_depth = 16; // largest accepted nesting depth; the format needs a depth of 3
 
-// Refuses JSON that is nested deeper than max_depth, because such JSON cannot be a file series.
 nlohmann::json parse_shallow(std::string_view text, const std::string& name) {
     bool too_deep = false;
     const auto callback = [&too_deep](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {

@@ -18,8 +18,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Calls require_regular for each word in a line of a case file, because any word may be a file name. In a file name,
-// "*" means the digits of a time step.
+// Any word may be a file name. In a file name, "*" means the digits of a time step.
 void require_regular_words(const std::string& line, const std::filesystem::path& directory) {
     std::istringstream words(line);
     for (std::string word; words >> word;) {
@@ -33,8 +32,7 @@ void require_regular_words(const std::string& line, const std::filesystem::path&
     }
 }
 
-// Returns the name of the tensor in a line such as "tensor symm per node: 1 stress stress.***": the second to last
-// word. Returns "" for a line that does not declare a tensor.
+// The name is the second to last word, as in "tensor symm per node: 1 stress stress.***".
 std::string tensor_in(const std::string& line) {
     if (!line.starts_with("tensor")) return "";
     std::istringstream words(line.substr(std::min(line.find(':'), line.size() - 1) + 1));
@@ -62,8 +60,7 @@ Case read_case(const std::string& input) {
     return found;
 }
 
-// Sets the component names of tensors. VTK's reader does not set them, and swaps the last two components of a symmetric
-// tensor.
+// VTK's reader does not name components, and swaps the last two components of a symmetric tensor.
 void name_components(vtkDataSetAttributes& arrays, const std::set<std::string>& tensors) {
     constexpr const char* symmetric[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
     constexpr const char* full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};

@@ -41,9 +41,7 @@ struct Steps {
     std::uint64_t declared = ~std::uint64_t{0}, complete = ~std::uint64_t{0};
 };
 
-// Counts the steps of a classic netCDF file, which has one record per step. For an HDF5 file, returns default Steps,
-// which are no limit. The HDF5 library itself detects a file that was cut off. Throws Error if the mesh is incomplete
-// or no step is complete.
+// For an HDF5 file, returns default Steps, which are no limit: the HDF5 library itself detects a cut-off file.
 Steps count_steps(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     const auto extent = read_netcdf_extent(stream, file);
@@ -75,8 +73,7 @@ public:
         if (!set_ids_.empty()) sets_ = read_element_sets(file, block_ids_, set_ids_);
     }
 
-    // Adds the cells of element sets. VTK's reader returns the sets without cells, because it looks for 32-bit
-    // connectivity but stores 64-bit connectivity.
+    // VTK's reader returns sets without cells, because it looks for 32-bit connectivity but stores 64-bit.
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         auto data = ReaderSource::read(step, progress);
         auto* root = vtkMultiBlockDataSet::SafeDownCast(data);

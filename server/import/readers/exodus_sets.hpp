@@ -10,8 +10,7 @@
 
 namespace ciel::importer {
 
-// One pair per element of the set: the index of the element's block in `block_ids`, and the cell id of the element in
-// this block.
+// For each element of the set: the index of its block in `block_ids`, and its cell id in this block.
 using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
 
 // Returns the sets in the order of `set_ids`. Leaves out elements of blocks that are not in `block_ids`. Throws Error
@@ -20,8 +19,7 @@ using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
                                                         const std::vector<std::int64_t>& block_ids,
                                                         const std::vector<std::int64_t>& set_ids);
 
-// Copies the cells of the set as convex point sets. The points of a cell are enough to find the cell in the mesh
-// (mesh/zones.hpp).
+// The cells are convex point sets. Points are enough to find a cell in the mesh (mesh/zones.hpp).
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* data_sets, const ElementSet& set);
 
 } // namespace ciel::importer

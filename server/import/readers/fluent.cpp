@@ -1,5 +1,4 @@
-// Fluent writes a case in one of two formats: a legacy .cas file with a .dat file, or an HDF5 .cas.h5 file ("CFF") with
-// a .dat.h5 file.
+// Fluent: a legacy .cas file with a .dat file, or an HDF5 .cas.h5 file ("CFF") with a .dat.h5 file.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/reader_source.hpp"

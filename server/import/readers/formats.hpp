@@ -11,7 +11,6 @@ namespace ciel::importer {
 
 using Inputs = std::vector<std::string>;
 
-// The facts about an input that Format::probe examines.
 struct Head {
     std::filesystem::path path;
     std::string extension; // lower case, with the dot
@@ -23,7 +22,6 @@ struct Head {
 struct Format {
     std::string_view name;
     std::vector<std::string_view> extensions;
-    // Returns whether the input has this format, by its content or name.
     bool (*probe)(const Head& head);
     bool several_inputs; // true: `open` takes all inputs; false: each input is opened alone, as a part of one mesh
     std::unique_ptr<Source> (*open)(const Inputs& inputs, const SourceOptions& options);

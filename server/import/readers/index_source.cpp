@@ -58,8 +58,7 @@ public:
     }
 
 private:
-    // Opens a data file. A data file is opened only when its step is read, so that a damaged or missing file affects
-    // only this step.
+    // A data file is opened only when its step is read, so that a damaged file affects only this step.
     std::unique_ptr<Source> opened(const std::string& file) const {
         if (!std::filesystem::exists(file))
             throw Error(file_ + ": names " + file + ", which does not exist; correct the path or copy the file");

@@ -39,8 +39,7 @@ void put_back(vtkDataArray* array) {
     put_back<vtkDoubleArray>(array);
 }
 
-// Replaces stand-ins by NaN and infinities in arrays and in coordinates. The import refuses a mesh with a point that is
-// not finite. Without the replacement, it would accept a point at 3e38.
+// Also in coordinates: the import refuses points that are not finite, but would accept a stand-in such as 3e38.
 void put_back(vtkDataSet& set) {
     for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set.GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(set.GetCellData())})
@@ -52,7 +51,7 @@ void put_back(vtkDataSet& set) {
             put_back(axis);
 }
 
-// Source for a text file with NaN or infinities. VTK reads stand-ins instead (parsers/legacy_vtk_numbers.hpp).
+// Reads a text file with NaN or infinities. VTK gets stand-ins instead of them.
 class StandInSource : public ReaderSource {
 public:
     StandInSource(const std::string& file, vtkSmartPointer<vtkAlgorithm> reader)
@@ -65,8 +64,7 @@ public:
             return data;
         } catch (const Error& error) {
             const std::string what = error.what();
-            // In an array of integers, VTK reads only the first digit of a stand-in. VTK's error then quotes the rest
-            // of the stand-in.
+            // In an array of integers, VTK reads only the first digit of a stand-in. VTK's error quotes the rest.
             for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
                     throw Error(file_ + ": holds nan or inf where whole numbers are declared");
@@ -78,7 +76,6 @@ private:
     std::string file_;
 };
 
-// Returns whether the third line contains the word ASCII. Rewinds the stream.
 bool is_ascii(std::istream& stream) {
     std::string line;
     for (int i = 0; i < 3; ++i) std::getline(stream, line);

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A temporary directory with a link to the only file of a family, and an empty second file. VTK's reader closes the
-// last file of a family at the end marker. If this file is the only file, the reader does not open it again.
+// Adds an empty second file to a family of one file. VTK's reader closes the last file at the end marker. If the last
+// file is the only file, the reader does not open it again.
 class PairedFamily {
 public:
     explicit PairedFamily(const fs::path& only) {
@@ -57,7 +57,7 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) {
-    // Checks the files whose names start with the name of the input. For an XML file, checks all files in its folder.
+    // For an XML file, checks all files in its folder.
     const fs::path input = inputs.front();
     require_regular_files(input.parent_path(), input.extension() == ".lsdyna" ? "" : input.filename().string());
     auto family = is_alone(inputs.front()) ? std::make_unique<PairedFamily>(inputs.front()) : nullptr;

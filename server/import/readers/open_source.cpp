@@ -15,7 +15,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Several inputs that are parts of one mesh. A step has the blocks of all inputs. All inputs must have the same times.
+// The inputs are parts of one mesh and must have the same times. A step has the blocks of all inputs.
 class SeveralInputs : public Source {
 public:
     SeveralInputs(std::vector<std::unique_ptr<Source>> parts, const std::vector<std::string>& inputs)

@@ -13,7 +13,6 @@ namespace ciel::importer {
 
 namespace {
 
-// Returns a partitioned data set if all pieces are data sets, else a multi-block data set.
 vtkSmartPointer<vtkDataObject> together(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces,
                                         const std::vector<std::string>& names) {
     vtkNew<vtkPartitionedDataSet> partitions;

@@ -101,7 +101,6 @@ private:
     std::vector<double> times_;
 };
 
-// Returns the grid layouts that match a layout of the solution.
 std::vector<Plot3dLayout> agreeing(std::vector<Plot3dLayout> grids, const std::vector<Plot3dLayout>& solutions) {
     std::erase_if(grids, [&](const Plot3dLayout& grid) {
         return std::none_of(solutions.begin(), solutions.end(),
@@ -117,7 +116,6 @@ std::vector<Plot3dLayout> grid_layouts(const std::string& grid, const std::strin
                 ": the size of the file does not match the dimensions in the file");
 }
 
-// Returns the first grid layout that matches all solutions.
 Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     std::vector<Plot3dLayout> grids = grid_layouts(inputs[0], words);
     for (std::size_t i = 1; i < inputs.size(); ++i) {
@@ -133,9 +131,7 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     return grids.front();
 }
 
-// Appends the solution file in the directory of the grid to `inputs`, and returns a note. If there are two such files,
-// for example "a.q" and "a.Q", or if the file does not match the grid, only returns a note. Returns an empty string if
-// there is no such file.
+// If there are two solutions, or if the solution does not match the grid, adds no input but returns a note.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
     for (const auto& file : importing::plot3d_solutions(inputs[0])) beside.push_back(file.string());
@@ -152,8 +148,7 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
-// If the only input is a solution and its grid is in the same directory, prepends the grid to `inputs` and returns a
-// note. Otherwise returns an empty string.
+// Returns a note if it adds the grid, else an empty string.
 std::string take_grid_beside(Inputs& inputs) {
     if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
     const std::filesystem::path grid = importing::plot3d_grid(inputs[0]);
@@ -174,7 +169,7 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
     Inputs ordered = inputs;
     for (const std::string& input : inputs)
         if (!std::filesystem::is_regular_file(input)) throw Error(input + ": there is no such file");
-    // Moves the grid files to the front. The user may give grids and solutions in any order.
+    // The user may give grids and solutions in any order.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
     std::vector<std::string> notes;

@@ -18,8 +18,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Stores the exception of a progress callback until Update() has returned, because VTK's pipeline is not
-// exception-safe.
+// An exception must not pass through VTK's pipeline, which is not exception-safe.
 struct Watch {
     const ReadProgress& progress;
     std::exception_ptr thrown;

@@ -11,9 +11,8 @@ class ReaderSource : public Source {
 public:
     using ListArrays = std::function<std::vector<ArrayName>()>;
 
-    // The file name of `reader` must be set. `file`: path for error texts. Calls UpdateInformation() of the reader,
-    // then `list_arrays`. `list_arrays` is null if the reader cannot list the names of its output arrays. `most_steps`:
-    // number of steps to use; later steps are ignored.
+    // The file name of `reader` must be set. `file`: path for error texts. `list_arrays`: null if the reader cannot
+    // list the names of its output arrays. `most_steps`: later steps are ignored.
     ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
                  const ListArrays& list_arrays = nullptr, std::uint64_t most_steps = ~std::uint64_t{0});
 
@@ -31,10 +30,10 @@ private:
     std::optional<std::vector<ArrayName>> arrays_;
 };
 
-// Returns a shallow copy of a reader's output, because the reader writes its next step into the same object.
+// A shallow copy, because the reader writes its next step into the same object.
 [[nodiscard]] vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output);
 
-// Lists the arrays of a VTK reader. Calls GetNumberOfPointArrays() and similar functions, which most VTK readers have.
+// Calls GetNumberOfPointArrays() and similar functions, which most VTK readers have.
 template <typename Reader>
 std::vector<ArrayName> arrays_of(Reader& reader) {
     std::vector<ArrayName> arrays;

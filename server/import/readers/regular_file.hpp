@@ -6,14 +6,12 @@
 
 namespace ciel::importer {
 
-// Throws Error that names the file if the file exists and is neither a regular file nor a directory. Does not open the
-// file.
+// Throws Error that names the file if the file exists and is neither a regular file nor a directory.
 void require_regular(const std::filesystem::path& file);
 
-// Calls require_regular for the entries of a directory, but not of its subdirectories. The directory need not exist.
+// Checks the entries of a directory, but not of its subdirectories. The directory need not exist.
 void require_regular_files(const std::filesystem::path& directory);
 
-// Calls require_regular for the entries of a directory whose names start with `beginning`.
 void require_regular_files(const std::filesystem::path& directory, std::string_view beginning);
 
 } // namespace ciel::importer

@@ -58,8 +58,6 @@ std::string type_in(const std::string& file) {
     return std::regex_search(head, match, element) ? match[1].str() : "";
 }
 
-// Calls require_regular for each file that an index of pieces or blocks lists. If a listed file is an index itself,
-// does the same for the files in it.
 void require_regular_references(const std::filesystem::path& file, const std::string& type, int depth = 0) {
     constexpr std::uintmax_t most_bytes = 256U << 20;
     constexpr int deepest = 8; // ends the recursion if an index lists itself
@@ -76,8 +74,7 @@ void require_regular_references(const std::filesystem::path& file, const std::st
     }
 }
 
-// Reads the pieces of a PVTU separately, so that the import can join them along their cuts. VTK's reader would append
-// all pieces to one grid without marking the pieces.
+// The import joins the pieces along their cuts. VTK's reader would append them to one grid without marking them.
 class PiecesSource : public ReaderSource {
 public:
     PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)

@@ -14,21 +14,17 @@ struct ArrayName {
     std::string name; // name in the file
 };
 
-// Returns the name of the array in the dataset. ':' becomes '_', because "U:x" means component x of the array U.
-// Control characters also become '_'.
+// ':' becomes '_', because "U:x" means component x of the array U. Control characters also become '_'.
 [[nodiscard]] std::string stored_name(const std::string& name);
 
 class ArraySelection {
 public:
-    // `selected`: the values of --array; empty: all arrays. "p" selects the point array p, the cell array cell:p and
-    // the array patch:p on boundary faces.
+    // `selected`: empty for all arrays. "p" selects the point array p, the cell array cell:p and the array patch:p.
     explicit ArraySelection(std::vector<std::string> selected) : selected_(std::move(selected)) {}
 
-    // Returns whether the array with the dataset name `stored` is selected. `cell_only`: "cell:" + stored selects it
-    // too.
+    // `cell_only`: "cell:" + stored selects the array too.
     [[nodiscard]] bool wants(const std::string& stored, bool cell_only) const;
     void saw(const ArrayName& array);
-    // Returns whether saw() was called for each selected array.
     [[nodiscard]] bool complete() const;
     // Throws Error if saw() was not called for a selected array. The text lists all arrays that were seen.
     void check() const;

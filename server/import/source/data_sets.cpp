@@ -24,12 +24,11 @@ namespace ciel::importer {
 
 namespace {
 
-// A zone is a named copy of cells of the mesh. Readers put zones into blocks with these names: "cellZones" in OpenFOAM
-// cases, "Element Sets" in Exodus files.
+// Readers put zones, which are copies of cells, into blocks with these names (OpenFOAM cases, Exodus files).
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
 constexpr std::string_view face_zones = "faceZones"; // the solver gives no values on these surfaces
 
-// Readers insert these container blocks. The name of a data set does not include them.
+// Blocks that readers insert. The name of a data set does not include them.
 constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",
                                            "Patches",  "Side Sets", "Element Blocks", "Element Sets"};
 constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // blocks that get their parent's name
@@ -107,7 +106,7 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
     }
 }
 
-// Appends the data sets of all pieces to `leaves`. An unnamed piece gets the path of the partitioned data set.
+// An unnamed piece gets the path of the partitioned data set.
 void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
     const auto first = static_cast<std::ptrdiff_t>(leaves.size());
     for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
@@ -139,8 +138,7 @@ bool is_one_of(const std::string& name, const std::string_view (&names)[n]) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Returns the names on the path of the leaf, outermost first. Leaves out containers. If the leaf's own name is in
-// `interiors`, leaves it out too, unless no other name remains.
+// The outermost name is first. The leaf's own name is left out if it is in `interiors` and another name remains.
 std::vector<std::string> names_of(const Leaf& leaf) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i + 1 < leaf.path.size(); ++i)
@@ -159,7 +157,6 @@ std::string joined(const std::vector<std::string>& names, std::size_t depth) {
     return name;
 }
 
-// Unnamed pieces of the same partitioned data set share a name.
 bool share_a_name(const Leaf& a, const Leaf& b) {
     return a.whole >= 0 && a.whole == b.whole && !a.has_name && !b.has_name;
 }

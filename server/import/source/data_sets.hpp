@@ -47,7 +47,6 @@ struct DataSets {
 // Collects the data sets in the output of a reader. Leaves out data sets without cells of dimension 2 or 3. Makes equal
 // names unique: first it adds the names of parent blocks, then a number. Unnamed pieces of one mesh share one name.
 [[nodiscard]] DataSets collect_data_sets(vtkDataObject* data);
-// Throws Error if there are no volumes.
 void require_volumes(const DataSets& data_sets);
 
 } // namespace ciel::importer

@@ -35,12 +35,11 @@ public:
     // surfaces. `first`: running ids (joined_mesh.hpp) of the first point and the first cell of this source.
     virtual void add_known(DataSets&, const RunningCounts& /*first*/) const {}
 
-    // Lists the arrays of a step without reading its data. May list arrays that the step lacks. Returns nullopt if the
-    // reader cannot list arrays.
+    // Reads no data. May list arrays that the step lacks. Returns nullopt if the reader cannot list arrays.
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
         return std::nullopt;
     }
-    // Returns the file that contains the array, such as "0.5/p"; empty if the file is not known.
+    // Returns a path such as "0.5/p"; empty if the file is not known.
     [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
     // Returns whether the reader computes the array from other quantities in the file.
     [[nodiscard]] virtual bool is_derived(const ArrayName& /*array*/) const { return false; }

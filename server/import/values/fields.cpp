@@ -58,8 +58,7 @@ bool have_equal_components(const std::vector<FieldName>& fields) {
     return std::ranges::all_of(fields, [&](const FieldName& field) { return components_text(field) == first; });
 }
 
-// Returns the permutation p with wanted[i] == own[p[i]]. Returns an empty list if the lists are equal or contain
-// different names.
+// Returns p with wanted[i] == own[p[i]]; empty if the lists are equal or contain different names.
 std::vector<std::size_t> permutation(const std::vector<std::string>& own, const std::vector<std::string>& wanted) {
     if (own == wanted || !std::ranges::is_permutation(own, wanted)) return {};
     std::vector<std::size_t> from;

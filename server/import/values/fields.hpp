@@ -25,16 +25,13 @@ struct FieldName : ArrayName {
 // Returns a sentence on arrays that are left out because their components differ between blocks.
 [[nodiscard]] std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Member>& parts);
 
-// Returns field.components values per running point or cell. Blocks without the array get store::no_value. Throws Error
-// if the array of a block has a wrong size.
+// Blocks without the array get store::no_value. Throws Error if the array of a block has a wrong size.
 [[nodiscard]] store::Values gather_field(const std::vector<JoinedMesh::Member>& parts, const FieldName& field);
 
-// Returns a text such as "3 components" or "6 components (xx, xy, xz, yy, yz, zz)". Two blocks or steps have the same
-// components of an array if their texts are equal.
+// Returns a text such as "6 components (xx, xy, xz, yy, yz, zz)". Equal texts mean equal components.
 [[nodiscard]] std::string components_text(const FieldName& field);
 
-// Returns the values of one array of one data set. The components of a tensor are in the order of
-// field.component_names. Returns no values if the array is missing or does not have field.components components.
+// Tensor components are in the order of field.component_names. Returns no values if the array does not fit `field`.
 [[nodiscard]] store::Values array_values(vtkDataSet* data, const FieldName& field);
 
 } // namespace ciel::importer

@@ -10,8 +10,7 @@ class PatchFaces {
 public:
     PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // Returns `components` values per boundary face. Faces without values get store::no_value. Returns an empty list if
-    // no patch has values. T: type of the patches' values, float or double.
+    // Faces without values get store::no_value. Returns an empty list if no patch has values. T: float or double.
     template <class T>
     [[nodiscard]] std::vector<T> values(const std::vector<PatchValues>& of_patches, int components) const;
 

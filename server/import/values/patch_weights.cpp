@@ -19,8 +19,7 @@ struct Around { // the patch's faces around one vertex
     double area = 0;
 };
 
-// Adds the directions across the border of the patch to `around`. At the border all faces lie on one side, so that no
-// weights can be exact across the border.
+// At the border all faces lie on one side, so that no weights can be exact across the border.
 void add_borders(const FaceMeshView& mesh, const std::vector<Index>& faces, const std::vector<Vec3d>& areas,
                  std::map<Index, Around>& around) {
     struct Side {

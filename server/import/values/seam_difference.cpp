@@ -10,8 +10,7 @@
 namespace ciel::importer {
 namespace {
 
-// Largest difference between two copies of a value, as a share of the field's range. Rounding in a file makes smaller
-// differences.
+// A share of the field's range. Rounding in a file makes smaller differences.
 constexpr double field_tolerance = 1e-4;
 
 bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>& seams) {

@@ -5,8 +5,7 @@
 
 namespace ciel::importer {
 
-// Returns the name of a quantity that differs between the two sides of a seam: "position" or the name of a point field.
-// Returns an empty string if the sides of all seams agree.
+// Returns "position" or the name of a point field that differs; empty if the sides of all seams agree.
 [[nodiscard]] std::string difference_across(const std::vector<Seam>& seams,
                                             const std::vector<JoinedMesh::Member>& parts);
 

@@ -13,8 +13,7 @@ namespace ciel::importer {
 // VTK's pedigree ids, the array PedigreeNodeId or PedigreeElementId. Returns null if none of them holds integers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
-// Returns the solver's id of each running point or cell (joined_mesh.hpp). Points and cells of blocks without ids get
-// -1. Returns an empty list if no block has ids.
+// Points and cells of blocks without ids get -1. Returns an empty list if no block has ids.
 [[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& parts, FieldOf of);
 
 } // namespace ciel::importer

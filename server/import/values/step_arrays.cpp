@@ -8,8 +8,7 @@ namespace ciel::importer {
 
 namespace {
 
-// Returns the role of a patch for a field. The boundary condition for the field determines the role. If the condition
-// is not known, the type of the patch determines it (OpenFOAM User Guide, "Boundary conditions").
+// The patch type matters only if the boundary condition is not known (OpenFOAM User Guide, "Boundary conditions").
 PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
     constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
@@ -21,7 +20,7 @@ PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
 }
 
-// Marks no-slip walls: patches on which a vector is zero on every face, although it is not zero in all cells.
+// On a no-slip wall, a vector is zero on every face, although it is not zero in all cells.
 std::vector<bool> find_no_slip(const StepMesh& mesh, const DataSets& data_sets, const std::vector<FieldName>& fields) {
     std::vector<bool> no_slip(mesh.patches.size(), false);
     for (const FieldName& field : fields) {
@@ -63,7 +62,6 @@ std::vector<PatchRole> patch_roles(const StepMesh& mesh, const DataSets& data_se
 
 } // namespace
 
-// Adds a note that lists the patches for which the files of the field give no boundary condition.
 void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
     std::string names;
     for (const Patch& patch : mesh.patches) {
@@ -82,8 +80,7 @@ store::Origin StepArrays::origin_of(const FieldName& field) const {
     return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
 }
 
-// Returns false, and adds a sentence to lost_, if the array does not have the chosen components at this step. Gives a
-// tensor the component order of the first step.
+// Gives a tensor the component order of the first step.
 bool StepArrays::accept(FieldName& field, const std::string& stored) {
     const std::string components = components_text(field);
     if (components_.accept(stored, components)) {

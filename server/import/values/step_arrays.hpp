@@ -17,8 +17,7 @@
 
 namespace ciel::importer {
 
-// Interpolates from cells and patches to points. Created when it is first needed. Valid for one mesh and one set of
-// coordinates.
+// Interpolates from cells and patches to points, for one mesh and one set of coordinates.
 struct PointMaker {
     PointInterpolation interpolation;
     WallValues walls;
@@ -31,13 +30,11 @@ public:
     StepArrays(ArraySelection& selection, const Source& source, FieldComponents components)
         : selection_(selection), source_(source), units_(source.units()), components_(std::move(components)) {}
 
-    // Returns the arrays of the step that the source has read last. The result is valid until the next call. If `maker`
-    // is null and needed, creates it.
+    // Makes the arrays of the step that was read last, valid until the next call. Creates `maker` if it is needed.
     [[nodiscard]] const std::vector<store::ArrayValues>&
     make(std::size_t step, const StepMesh& mesh, const DataSets& data_sets, std::unique_ptr<PointMaker>& maker);
 
-    // Returns notes on the steps so far: arrays that were left out, patches without a known boundary condition, and
-    // values that the stored type changes.
+    // Returns notes on arrays left out, unknown boundary conditions, and values that the stored type changes.
     [[nodiscard]] std::vector<std::string> notes() const;
     // Returns sentences on arrays that should be in the dataset but are not.
     [[nodiscard]] std::vector<std::string> lost() const { return {lost_.begin(), lost_.end()}; }

@@ -10,8 +10,7 @@
 namespace ciel::importer {
 namespace {
 
-// Counts the values that differ from the previous value of the same component, but are equal to the previous value
-// after conversion to float.
+// Counts values that differ from the previous value of the same component, but not after conversion to float.
 std::uint64_t equal_as_floats(vtkDataArray* array) {
     std::uint64_t count = 0;
     for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
@@ -25,8 +24,7 @@ std::uint64_t equal_as_floats(vtkDataArray* array) {
     return count;
 }
 
-// Counts the integers that change when they are converted to T. T: floating-point type of the dataset. Whole: integer
-// type of the array.
+// T: floating-point type of the dataset. Whole: integer type of the array.
 template <class T, class Whole>
 std::uint64_t unlike_integers(vtkDataArray* array) {
     const auto* begin = static_cast<const Whole*>(array->GetVoidPointer(0));

@@ -1,5 +1,4 @@
-// Counts values that change when they are stored, because the dataset stores them in another type. A picture does not
-// show this loss.
+// Counts values that change because the dataset stores them in another type. A picture does not show this loss.
 #pragma once
 
 #include "import/values/fields.hpp"
@@ -14,12 +13,10 @@ namespace ciel::importer {
 // Adds up the counts of each array over all steps.
 class ValueLoss {
 public:
-    // Adds two counts for an array, over all parts. The first counts values that differ from the previous value in the
-    // input but equal the previous value in the dataset. The second counts integers that the type in the dataset cannot
-    // hold exactly. `doubles`: whether the dataset stores the array as float64. If not, it stores float32, the type of
-    // the array's first step, even if this step has a larger type.
+    // Counts values that differ from the previous value in the input but not in the dataset, and integers that the type
+    // in the dataset cannot hold exactly. `doubles`: whether the dataset stores the array as float64. If not, it stores
+    // float32, the type of the array's first step, even if this step has a larger type.
     void look_at(const std::vector<JoinedMesh::Member>& parts, const FieldName& field, bool doubles);
-    // Returns sentences on the arrays with changed values.
     [[nodiscard]] std::vector<std::string> notes() const;
 
 private:

@@ -18,8 +18,7 @@ bool holds_one_value(ValuesView values, std::size_t width) {
     return true;
 }
 
-// Returns whether the value of a face is finite. overlay() ignores other values, because the solution has diverged on
-// these faces.
+// overlay() ignores values that are not finite, because the solution has diverged on these faces.
 bool is_finite(ValuesView values, std::size_t begin, std::size_t width) {
     for (std::size_t i = begin; i < begin + width; ++i)
         if (!std::isfinite(values[i])) return false;
@@ -86,8 +85,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
     if (components == 3) put_into_planes(roles, kinds, points);
 }
 
-// Makes vectors tangential on patches with the role `plane`, except at vertices of no-slip walls and of patches with a
-// fixed value.
+// Vertices of no-slip walls and of patches with a fixed value keep their vectors.
 template <class T>
 void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                                  std::vector<T>& points) const {

@@ -10,7 +10,7 @@
 
 namespace ciel::importer {
 
-// The values of one array on one patch: one tuple per cell of the patch's surface; nullopt if the patch has no values.
+// One tuple per cell of the patch's surface; nullopt if the patch has no values.
 using PatchValues = std::optional<store::Values>;
 
 enum class PatchRole : std::uint8_t {
@@ -55,7 +55,6 @@ private:
     std::vector<std::vector<Plane>> planes_;  // per patch
 };
 
-// Returns whether there is at least one value and all values are zero.
 [[nodiscard]] bool holds_only_zero(ValuesView values);
 
 } // namespace ciel::importer

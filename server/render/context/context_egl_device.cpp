@@ -1,5 +1,4 @@
-// Creates contexts with EGL on a device, without a window system (EGL_EXT_platform_device). Tries GPUs before software
-// devices.
+// Creates contexts with EGL on a device, without a window system (EGL_EXT_platform_device).
 #include "ciel/types.hpp"
 #include "render/context/egl.hpp"
 
@@ -38,7 +37,7 @@ std::vector<Device> list_devices(const Egl& egl) {
         if (file != nullptr) name += " (" + std::string(file) + ")";
         devices.push_back({handle, is_software, std::move(name)});
     }
-    // Puts hardware first, because EGL may list the software device before GPUs.
+    // EGL may list the software device before GPUs.
     std::stable_partition(devices.begin(), devices.end(), [](const Device& device) { return !device.is_software; });
     return devices;
 }

@@ -1,5 +1,4 @@
-// Creates contexts with EGL on Mesa's surfaceless platform (EGL_MESA_platform_surfaceless). Without a GPU, Mesa draws
-// with llvmpipe.
+// Creates contexts with EGL on Mesa's surfaceless platform (EGL_MESA_platform_surfaceless).
 #include "ciel/types.hpp"
 #include "render/context/egl.hpp"
 

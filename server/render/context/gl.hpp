@@ -1,5 +1,4 @@
-// Table of OpenGL 3.3 core functions. Gl::load() gets their addresses from the library of the context. The program does
-// not link to GL. Therefore it starts on machines without GL, and contexts of different libraries can coexist.
+// Table of OpenGL 3.3 core functions. They are loaded at run time, so that the program starts on machines without GL.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -7,8 +6,7 @@
 
 namespace ciel::render {
 
-// Calls X(NAME, TYPE) for each function. NAME: the name of the function without "gl". TYPE: the type of the function
-// pointer.
+// Calls X(NAME, TYPE) for each function. NAME: its name without "gl". TYPE: the type of its pointer.
 #define CIEL_GL_FUNCTIONS(X)                                                                                           \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
     X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
@@ -101,8 +99,7 @@ struct Gl {
     Pacing* pacing = nullptr; // null: draws and uploads are not divided into pieces (pacing.hpp)
 
     using Loader = std::function<void (*(const char* name))()>;
-    // Loads all functions. Throws Error with the name of the first missing function. `loader`: returns the address of a
-    // GL function, or null.
+    // Throws Error with the name of the first missing function. `loader`: returns the address of a function, or null.
     [[nodiscard]] static Gl load(const Loader& loader);
 };
 

@@ -9,8 +9,7 @@
 
 namespace ciel::render {
 
-// Use a context only on the thread that created it. A context has no default framebuffer to draw to, only framebuffer
-// objects.
+// Use a context only on the thread that created it. It has no default framebuffer, only framebuffer objects.
 class GlContext {
 public:
     GlContext() = default;
@@ -37,8 +36,7 @@ struct ChosenContext {
     Backend backend;
     std::string selection; // for logs: the chosen back end and device, and the reasons why earlier back ends failed
 };
-// Creates a context and makes it current. `automatic` tries the back ends in the order of the enumeration. If all fail,
-// throws Error with the name of each tried back end and the reason of its failure.
+// Makes the context current. `automatic` tries the back ends in the order of the enumeration. Throws Error if all fail.
 [[nodiscard]] ChosenContext make_context(Backend backend);
 
 // Makes `context` current on this thread. Releases the previous context first, even if it is from another library. Two

@@ -5,8 +5,7 @@
 
 namespace ciel::render {
 
-// A Library is never closed, because Mesa and drivers leave thread-local data and exit handlers that point into the
-// library.
+// Never closed, because drivers leave thread-local data and exit handlers that point into the library.
 class Library {
 public:
     explicit Library(const char* name); // throws Error with the message of the dynamic loader

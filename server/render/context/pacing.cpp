@@ -7,10 +7,8 @@
 namespace ciel::render {
 namespace {
 
-// Target time between two waits for the GL; a cancelled picture stops after about this time.
-constexpr std::chrono::duration<double> between_waits{0.1};
-// Number of indices in the first piece. It is a multiple of 2 and 3, so that the piece has whole lines and triangles.
-constexpr std::size_t first_piece = 1536;
+constexpr std::chrono::duration<double> between_waits{0.1}; // a cancelled picture stops after about this time
+constexpr std::size_t first_piece = 1536;                   // indices, a multiple of 6 as in piece_of()
 constexpr std::size_t most_growth = 4;
 constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes per glBufferSubData
 
@@ -45,7 +43,6 @@ std::size_t Pacing::piece_of(std::size_t count) const {
     return std::min(count, left);
 }
 
-// Adapts the number of indices until the next wait, so that the GL needs about between_waits to draw them.
 void Pacing::drawn(std::size_t count) {
     drawn_ += count;
     if (drawn_ >= until_wait_) {

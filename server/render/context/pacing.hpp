@@ -1,6 +1,5 @@
-// Cancels a picture that is no longer wanted. Drawing code calls Frame::check_wanted regularly, and divides large draws
-// and uploads into pieces. The GL accepts commands much faster than it executes them. Without waits, all checks would
-// come before the GL has drawn anything. Therefore Pacing waits for the GL at regular intervals.
+// Cancels a picture that is no longer wanted: draws and uploads are divided into pieces, and Frame::check_wanted is
+// called between them. The GL accepts commands much faster than it executes them, so Pacing also waits for the GL.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -18,8 +17,7 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // Starts a picture. `check_wanted`: Frame::check_wanted of the picture. If it is empty, Pacing does not check, wait
-    // or divide until end(). begin(), pass() and drawn() propagate exceptions of check_wanted.
+    // If `check_wanted` is empty, Pacing does not check, wait or divide. Exceptions of check_wanted are propagated.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
     // Call between two drawing passes. The next piece is small again, because the next pass may be much slower.
@@ -40,11 +38,9 @@ private:
     std::size_t drawn_ = 0, until_wait_ = 0;
 };
 
-// Calls Pacing::pass() if `gl.pacing` is set.
 void next_pass(const Gl& gl);
 
-// Divides [0, count) into consecutive pieces. Calls work(begin, end) and then next_pass() for each piece. A piece takes
-// a few milliseconds. With this function, copies and sorts on the CPU can be cancelled.
+// Calls work(begin, end) and next_pass() for pieces of a few milliseconds, so that work on the CPU can be cancelled.
 template <typename Work>
 void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     constexpr std::size_t piece = std::size_t{1} << 16U;
@@ -54,11 +50,9 @@ void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     }
 }
 
-// Fills the buffer bound to `target`, as glBufferData with GL_STREAM_DRAW does. If Pacing::is_asking(), uploads large
-// buffers in pieces. A cancelled upload leaves only a part of the data in the buffer.
+// Works like glBufferData with GL_STREAM_DRAW, in pieces if Pacing::is_asking(). Cancelling leaves incomplete data.
 void fill_buffer(const Gl& gl, GLenum target, std::size_t bytes, const void* data);
-// Draws as glDrawElementsBaseVertex does, with indices of type Index. If Pacing::is_asking(), draws in pieces. `first`:
-// position of the first index in the bound index buffer.
+// Works like glDrawElementsBaseVertex, in pieces if Pacing::is_asking(). `first`: position in the bound index buffer.
 void draw_elements(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base = 0);
 
 // Occlusion query. It finds whether any sample passes the depth test between the constructor and passed().
@@ -68,7 +62,6 @@ public:
     ~AnySamples() { end(); }
     AnySamples(const AnySamples&) = delete;
     AnySamples& operator=(const AnySamples&) = delete;
-    // Ends the query and waits for its result.
     [[nodiscard]] bool passed();
 
 private:

@@ -49,8 +49,7 @@ private:
 
 // The make functions throw Error with the compiler's or the linker's message.
 [[nodiscard]] ShaderProgram make_shader_program(const Gl& gl, const std::string& vertex, const std::string& fragment);
-// The program runs `fragment` for every pixel of the viewport. To draw, call glDrawArrays with three vertices and no
-// attributes.
+// The program runs `fragment` for every pixel of the viewport. Draw three vertices without attributes.
 [[nodiscard]] ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment);
 
 } // namespace ciel::render

@@ -17,12 +17,10 @@ namespace ciel::render {
 
 inline constexpr std::size_t most_clip_planes = 6;
 
-// Triangles, lines or points with attributes per vertex. Does not own the arrays, which must exist until the draw call
-// returns.
+// Does not own the arrays, which must exist until the draw call returns.
 struct Primitives {
     std::span<const Vec3f> positions; // offsets from the frame's origin
-    // One normal per vertex; empty: flat shading. A triangle is counterclockwise seen from the side to which its
-    // normals point.
+    // One per vertex; empty: flat shading. Normals point to the side from which the triangle is counterclockwise.
     std::span<const Vec3f> normals;
     ValuesView scalars; // one per vertex; empty: solid color
     // A number near the scalars, used if the scalars are doubles. Floats relative to this number are precise.
@@ -55,22 +53,19 @@ struct Occlusion {
 };
 
 struct Frame : annotations::AnnotatedPicture { // positions of primitives and volumes are offsets from `origin`
-    // Drawing order: opaque triangles, opaque points, lines, and then the transparent triangles of all meshes, sorted
-    // from back to front. In frames with several samples, volumes, transparent lines or transparent points, the
-    // transparent triangles are drawn by depth peeling instead. Then lines and points may be in the peeled layers, too
-    // (depth_peeling.hpp).
+    // Drawing order: opaque triangles, opaque points, lines, then transparent triangles from back to front. In frames
+    // with several samples, volumes, transparent lines or transparent points, transparent triangles are peeled instead,
+    // and lines and points may be in the peeled layers, too (depth_peeling.hpp).
     std::vector<Primitives> primitives;
-    // Volumes and primitives are drawn in depth order. Overlapping volumes are blended slab by slab. All volumes must
-    // have the same normal.
+    // Overlapping volumes are blended slab by slab. All volumes must have the same normal.
     std::vector<Volume> volumes;
     int samples = 1; // samples per pixel; usually 4 in still pictures
     // Clip planes (xyz, w), at most most_clip_planes. Only positions with dot(xyz, position) + w >= 0 for every plane
-    // are drawn. pick() finds only these positions.
+    // are drawn and found by pick().
     std::vector<std::array<float, 4>> clip;
     Lighting lighting;   // lights of `lit` primitives
     Occlusion occlusion; // ambient occlusion of `lit` opaque triangles
-    // Called regularly while the picture is drawn, on the drawing thread. May throw to cancel the picture;
-    // Renderer::draw propagates the exception.
+    // Called regularly on the drawing thread. May throw to cancel the picture; Renderer::draw propagates the exception.
     std::function<void()> check_wanted;
 };
 

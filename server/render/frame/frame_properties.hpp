@@ -11,7 +11,6 @@ namespace ciel::render {
 // per pixel that have no volumes or that have transparent points. most_layers is for all other frames.
 inline constexpr int most_layers = 32, most_moving_layers = 8;
 
-// Returns the number of indices per primitive.
 [[nodiscard]] inline std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
 [[nodiscard]] bool is_transparent(const Primitives& mesh); // triangles or points of opacity < 1
 [[nodiscard]] bool is_opaque(const Primitives& mesh);      // at least one triangle, and opacity 1
@@ -27,12 +26,10 @@ template <typename Is>
 [[nodiscard]] float widest_line(const Frame& frame); // width in pixels; 0 without lines
 [[nodiscard]] bool has_transparent_lines(const Frame& frame);
 [[nodiscard]] bool has_transparent_overlays(const Frame& frame);
-// Returns whether transparent primitives are drawn by depth peeling: in frames with several samples, with volumes, or
-// with transparent lines or points. Triangles sorted by their centers are in the wrong order where they cross or
-// enclose each other. Without peeling, joints of transparent lines would be blended twice, and transparent points would
-// have no order.
+// Several samples, volumes, and transparent lines or points need depth peeling. Triangles sorted by their centers are
+// in the wrong order where they cross. Without peeling, joints of transparent lines would be blended twice, and
+// transparent points would have no order.
 [[nodiscard]] bool is_peeled(const Frame& frame);
-// Returns whether lines and points are drawn in the peeled layers.
 [[nodiscard]] bool has_overlays_in_layers(const Frame& frame);
 
 } // namespace ciel::render

@@ -1,5 +1,4 @@
-// A volume to draw: the space between the boundary faces of a mesh, which emits and absorbs light. It is divided into
-// parallel slabs.
+// A volume to draw: the space inside a mesh, which emits and absorbs light. It is divided into parallel slabs.
 #pragma once
 
 #include "ciel/slab.hpp"
@@ -23,18 +22,17 @@ struct Volume {
     std::size_t stride = 1; // odd; only every stride-th slice is drawn, and each drawn slab is thicker by this factor
 
     color::ColorScale scale; // maps the property to colors
-    // Pairs (position in the scale's range, from 0 to 1; opacity of a piece of a ray of length unit_length), sorted by
-    // position.
+    // Pairs (position in the scale's range, from 0 to 1; opacity per unit_length of a ray), sorted by position.
     std::vector<std::array<double, 2>> opacity_points{{0, 0}, {1, 1}};
     double unit_length = 1;
     bool shaded = true;
-    // Opacity of the whole volume. The picture of all volumes is multiplied by the largest `opacity` of them. The
-    // opacity points of each volume are multiplied by its `opacity` divided by the largest `opacity`.
+    // Opacity of the whole volume. The picture of all volumes is multiplied by the largest `opacity` of them, and the
+    // opacity points of each volume by its `opacity` divided by the largest.
     float opacity = 1;
     // Picture pixels per ray along a side. All volumes use the largest coarseness among them.
     int coarseness = 1;
-    // Blends slabs with 8 bits per channel instead of floats, if it is true for all volumes of the frame. Used for
-    // comparisons in benchmarks. With 8 bits, slabs that absorb less than half of 1/255 have no effect.
+    // For benchmarks: blends with 8 bits per channel if it is true for all volumes of the frame. Slabs that absorb less
+    // than half of 1/255 then have no effect.
     bool in_bytes = false;
     std::uint64_t identity = 0, revision = 0; // as in Primitives
 };

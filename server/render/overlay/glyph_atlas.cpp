@@ -32,8 +32,6 @@ bool GlyphAtlas::clear() {
     return can_grow;
 }
 
-// Reserves a position in the texture for a glyph. Rows are filled from left to right, and each row is as high as its
-// highest glyph. Returns nothing if the texture is full.
 std::optional<AtlasGlyph> GlyphAtlas::placed(const fonts::GlyphImage& image) {
     if (image.width > side_) return {};
     if (shelf_x_ + image.width > side_) {

@@ -18,11 +18,9 @@ class GlyphAtlas {
 public:
     GlyphAtlas(const Gl& gl, fonts::Font& font);
 
-    // Returns the glyph. Rasterizes it first if it is new. `pixels`: font size. Returns null if the texture is full.
-    // Then call clear(), and find all glyphs of the frame again.
+    // Returns null if the texture is full. Then call clear(), and find all glyphs again. `pixels`: font size.
     [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
-    // Removes all glyphs. Then doubles the side of the texture and returns true, or returns false if the texture has
-    // the largest size.
+    // Doubles the side of the texture and returns true, or returns false if the texture has the largest size.
     bool clear();
     // Uploads new glyphs, and binds the texture to the active unit.
     void bind();

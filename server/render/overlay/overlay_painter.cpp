@@ -88,7 +88,6 @@ void OverlayPainter::add_quad(const Vertex& vertex, const annotations::Box& box,
     }
 }
 
-// Adds the box of the plate, and around the box four sides and four corners that fade out.
 void OverlayPainter::add(const annotations::Plate& back) {
     const annotations::Box& box = back.box;
     const std::array<double, 4> xs{box.left - back.edge, box.left, box.right, box.right + back.edge};
@@ -162,8 +161,7 @@ void OverlayPainter::build(const annotations::Overlay& overlay) {
     for (const annotations::Stroke& stroke : overlay.strokes) add(stroke, stroke.width, stroke.ink);
     for (const annotations::Triangle& triangle : overlay.triangles) add(triangle);
     const std::size_t marks = vertices_.size();
-    // If the atlas is full, all labels are added again with a larger atlas. If the atlas has the largest size, labels
-    // that do not fit are not drawn.
+    // A full atlas grows, and all labels are added again. If it cannot grow, labels that do not fit are not drawn.
     while (!add_labels(overlay)) {
         const bool may_fit = atlas_.clear();
         vertices_.resize(marks);

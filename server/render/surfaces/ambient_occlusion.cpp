@@ -8,9 +8,7 @@
 namespace ciel::render {
 namespace {
 
-// Largest radius on the screen, as a share of the picture's height. With a larger radius, samples would be too far
-// apart.
-constexpr double most_reach = 0.25;
+constexpr double most_reach = 0.25; // of the picture's height; with a larger radius, samples would be too far apart
 
 enum Unit : int { found_unit = 0, depth_unit = 1, normals_unit = 2 };
 

@@ -1,12 +1,9 @@
 // Screen-space ambient occlusion of opaque surfaces, from the depth and normal of each pixel. Finds the horizon along
 // some lines through the pixel, and integrates the light above the horizon in closed form. After Jimenez, Wu, Pesce,
 // Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016 courses.
-// The integral is divided by the integral for an unoccluded plane. Therefore an unoccluded plane is fully lit, at any
-// angle and with any number of lines.
-//
-// The lines are rotated by an angle that depends on the pixel's position in a fixed pattern of 4 x 4 pixels. The result
-// is averaged over 4 x 4 pixels of the same surface. Therefore the result has no noise, and does not change from frame
-// to frame.
+// The integral is divided by the integral for an unoccluded plane, which is therefore fully lit at any angle.
+// The lines are rotated in a fixed pattern of 4 x 4 pixels, and the result is averaged over 4 x 4 pixels of the same
+// surface. Therefore it has no noise, and does not change from frame to frame.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -16,22 +13,19 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
-// reallocates the textures.
+// The GL objects exist until the GL context is destroyed.
 class AmbientOcclusion {
 public:
     explicit AmbientOcclusion(const Gl& gl);
     AmbientOcclusion(const AmbientOcclusion&) = delete;
     AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-    // Computes the texture light(). `opaque` must have the depth and normals of this frame, at the frame's size. For a
-    // frame with one sample per pixel, the texture has half the resolution and the same mean brightness. Throws Error
-    // if the GL cannot draw to this size.
-    // Blending must be off. Binds another framebuffer, changes the viewport, and leaves the depth test on.
+    // `opaque` must have the depth and normals of this frame. For a frame with one sample per pixel, the texture has
+    // half the resolution. Throws Error if the GL cannot draw to this size. Blending must be off. Binds another
+    // framebuffer, changes the viewport, and leaves the depth test on.
     void find(const Frame& frame, const annotations::ViewTransform& transform, const OpaqueDepth& opaque);
 
-    // Texture for make_occluded_program() (shaders.hpp), RG32F. R: share of the light that reaches the surface. G:
-    // depth in units of the radius. stride() returns the number of picture pixels per texel along a side.
+    // RG32F. R: share of the light that reaches the surface. G: depth / radius. stride(): picture pixels per texel.
     [[nodiscard]] GLuint light() const { return even_.texture; }
     [[nodiscard]] int stride() const { return stride_; }
 

@@ -3,8 +3,6 @@
 namespace ciel::render {
 namespace {
 
-// In each block of 4 x 4 pixels, every pixel uses a different angle for its lines and a different distance to its first
-// samples.
 constexpr const char* occlusion_fragment = R"(#version 330 core
 uniform sampler2D depths;  // window depths of opaque surfaces, 1 where there is none
 uniform sampler2D normals; // in eye space, facing the viewer

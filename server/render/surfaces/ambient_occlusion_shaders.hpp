@@ -11,8 +11,7 @@ namespace ciel::render {
 // The program writes R: mean share of the light over 4 x 4 texels of the same surface, G: depth.
 [[nodiscard]] ShaderProgram make_even_light_program(const Gl& gl);
 
-// GLSL for a fragment shader. light_from_everywhere(depth) returns the factor by which a lit color at that depth is
-// multiplied. The caller sets the uniforms `occlusion`, `occlusion_stride` and `occlusion_strength`.
+// light_from_everywhere(depth) returns a factor for a lit color. The caller sets the uniforms.
 extern const char* const occluded_glsl;
 
 } // namespace ciel::render

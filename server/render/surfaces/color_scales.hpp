@@ -9,8 +9,7 @@
 
 namespace ciel::render {
 
-// The color scale of a mesh. `origin` is subtracted from the values of the vertices before the GL interpolates them.
-// Otherwise floats would have too few digits for a small range at a large offset, such as 101,325 to 101,326.
+// `origin` is subtracted from the values, because floats have too few digits for a range such as 101,325 to 101,326.
 struct ScaleRow {
     float row = -1; // row in the textures of ColorScales; -1: the mesh has a solid color
     float origin = 0;

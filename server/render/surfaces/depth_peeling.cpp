@@ -10,20 +10,16 @@
 namespace ciel::render {
 namespace {
 
-// Number of pixels of the largest picture whose layers have twice the resolution of the picture. Layers take up to 32
-// bytes per layer pixel (without records), which is 1.06 GB for such a picture.
+// Layers of this picture at twice its resolution take 1.06 GB: up to 32 bytes per layer pixel, without records.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Returns whether the volumes in front of this layer are drawn for it. For other layers, the last picture of the
-// volumes is used again, because little light from these layers reaches the eye. `layer`: counted from 0.
+// Other layers use the last picture of the volumes again, because little light from these layers reaches the eye.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
 }
 
-// Texture units. In programs of surfaces, lines and points, color scales use the units 0 and 1, and surface_slopes.cpp
-// uses 4 and 5. Full-screen programs have no color scales, so layer_unit and opaque_unit are only for full-screen
-// programs.
+// The units 0 and 1 are free only in full-screen programs; surface_slopes.cpp uses 4 and 5.
 enum Unit : int {
     layer_unit = 0,
     opaque_unit = 1,
@@ -180,8 +176,7 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     put_on(scene, target, volumes(0, 0));
 }
 
-// Returns a texture of the opaque depths in the middle of each layer pixel. The samples of a multisampled target are
-// not in these positions.
+// The samples of a multisampled target are not in the middles of layer pixels, so the depths are drawn there.
 GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     if (scene.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -195,8 +190,7 @@ GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
     return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
 }
 
-// Returns a texture of opaque depths in which all layer pixels of a picture pixel are on the same side of an outline,
-// as draw_per_sample() requires.
+// All layer pixels of a picture pixel must be on the same side of an outline, as draw_per_sample() requires.
 GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);
@@ -254,7 +248,6 @@ void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
     gl_.BlendEquation(GL_FUNC_ADD);
 }
 
-// Binds the framebuffer of the sum, and sets blending of premultiplied colors from front to back.
 void DepthPeeling::begin_sum() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
@@ -262,8 +255,7 @@ void DepthPeeling::begin_sum() const {
     gl_.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-// Blends the points between the previous layer and `layer` into the sum. The depth texture of the previous layer is
-// still bound to nearer_unit.
+// The depth texture of the previous layer is still bound to nearer_unit.
 void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
     begin_sum();
     bind(gl_, farther_unit, layer.depth);

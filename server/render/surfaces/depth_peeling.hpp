@@ -1,7 +1,6 @@
-// Depth peeling of transparent surfaces, and of the lines and points among them. The order is correct at every pixel,
-// even where surfaces cross or enclose each other. Layers are drawn from front to back. At every pixel, a layer has the
-// nearest fragment behind the previous layer. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
-// Each layer is blended with the volumes in front of it, so that layers and volumes are in depth order, too.
+// Depth peeling of transparent surfaces, and of the lines and points among them. Layers are drawn from front to back.
+// At every pixel, a layer has the nearest fragment behind the previous layer. After Everitt, "Interactive
+// order-independent transparency", NVIDIA 2001. Each layer is blended with the volumes in front of it.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -16,8 +15,7 @@ namespace ciel::render {
 // Returns whether layers have twice the picture's resolution: with several samples, up to 3840 x 2160 pixels.
 [[nodiscard]] bool has_finer_layers(int width, int height, int samples);
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
-// reallocates the textures.
+// The GL objects exist until the GL context is destroyed.
 class DepthPeeling {
 public:
     explicit DepthPeeling(const Gl& gl);
@@ -27,25 +25,22 @@ public:
     struct Scene {
         int width = 0, height = 0; // size of the picture in pixels
         int samples = 1;           // samples per pixel of the picture; see has_finer_layers()
-        // Draws the transparent lines of a layer again, after set_nearer(program, true). This joins the segments of the
-        // lines. Empty if there are no transparent lines.
+        // Draws the transparent lines of a layer again, after set_nearer(program, true). Empty without such lines.
         std::function<void()> join_lines;
         int most_layers = 32; // layers beyond this count are dropped
         // True: there are many small layers, so volumes are drawn only for the 1st, 2nd, 3rd, 5th, 9th, ... layer.
         bool dense = false;
-        // Texture of the opaque window depths in the middle of each pixel, if the frame has volumes and opaque
-        // surfaces. Otherwise 0. Used for smooth outlines (per_sample.hpp).
+        // Texture of opaque window depths in the middle of each pixel, for outlines in volumes (per_sample.hpp); or 0.
         GLuint outlines = 0;
         // Draws all opaque surfaces. Only their depth, at the resolution of the layers, is used.
         std::function<void()> draw_opaque;
         // Draws transparent surfaces, and the lines and points among them, with the peeling programs.
         std::function<void()> draw_surfaces;
-        // Draws the transparent points from front to back, with the program between(). Empty if there are no
-        // transparent points, or if draw_surfaces draws them.
+        // From front to back, with the program between(). Empty if there are no such points or draw_surfaces draws
+        // them.
         std::function<void()> draw_between;
         // Returns a texture (premultiplied RGBA) of the volumes in front of a layer, valid where the layer has colors.
-        // `depth`, `color`: textures of the layer. For (0, 0), returns the volumes in front of the opaque surfaces,
-        // valid everywhere. Empty if there are no volumes.
+        // For (0, 0), they are those in front of the opaque surfaces, valid everywhere. Empty if there are no volumes.
         std::function<GLuint(GLuint depth, GLuint color)> volumes;
     };
     // The peeling programs. set_nearer() sets their uniforms for peeling. The caller sets all other uniforms.
@@ -54,14 +49,12 @@ public:
     [[nodiscard]] const Program& points() const { return programs().points; }
     // The program of points between layers; `on_surfaces`: the points may lie on surfaces.
     [[nodiscard]] const Program& between(bool on_surfaces) const { return on_surfaces ? between_ : free_between_; }
-    // Sets the uniforms for peeling. `program`: a peeling program, in use. `joining`: the call is for
-    // Scene::join_lines.
+    // `program`: a peeling program, in use. `joining`: the call is for Scene::join_lines.
     void set_nearer(const Program& program, bool joining) const;
     // Layer pixels per picture pixel along a side; valid in the callbacks of draw().
     [[nodiscard]] int layer_pixels() const { return factor_; }
-    // Draws the layers and volumes onto the target, over its opaque surfaces. Leaves depth test and blending on. Throws
-    // Error if the GL cannot draw layers of this size. Afterwards was_cut() returns whether visible layers were
-    // dropped.
+    // Draws over the opaque surfaces of the target. Leaves depth test and blending on. Throws Error if the GL cannot
+    // draw layers of this size. Afterwards was_cut() returns whether visible layers were dropped.
     void draw(const Scene& scene, Target& target);
     [[nodiscard]] bool was_cut() const { return was_cut_; }
 

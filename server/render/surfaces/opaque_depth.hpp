@@ -6,16 +6,14 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
-// reallocates the textures under the same GL names.
+// The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class OpaqueDepth {
 public:
     explicit OpaqueDepth(const Gl& gl);
     OpaqueDepth(const OpaqueDepth&) = delete;
     OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
-    // Binds and clears the framebuffer. Until another framebuffer is bound, the caller draws to it. Throws Error if the
-    // GL cannot draw to this size.
+    // The caller draws to the bound framebuffer. Throws Error if the GL cannot draw to this size.
     void begin(int width, int height, bool with_normals);
     void go_on() const;                                       // binds the framebuffer again without clearing
     [[nodiscard]] GLuint texture() const { return texture_; } // window depths, GL_DEPTH_COMPONENT24

@@ -6,9 +6,7 @@
 namespace ciel::render {
 namespace {
 
-// Puts all layer pixels of a picture pixel on the same side of an outline. `rise` estimates the change of the surface's
-// depth within the pixel. Along each axis, it uses the smaller of the two depth differences to the neighbors. At an
-// outline, the larger difference is between two surfaces.
+// At an outline, the larger of two depth differences is between two surfaces, so `rise` uses the smaller one.
 constexpr const char* kept_to_outlines_fragment = R"(#version 330 core
 uniform sampler2D opaque;
 uniform sampler2D middles; // window depths at the middles of picture pixels

@@ -39,9 +39,7 @@ uniform vec2 viewport;
 float depth_of_disc(vec2 place) { return gl_FragCoord.z - 2.0 * least; }
 )";
 
-// Lines on a surface are moved nearer to the eye than the surface. A point on the surface is moved nearer than the
-// lines that meet in the point, so that the point covers the ends of these lines.
-// `line_reach`: half the width of the widest line plus half a pixel, in framebuffer pixels; 0 without lines.
+// A point on a surface is moved nearer to the eye than the lines that meet in it, so that it covers their ends.
 constexpr const char* lying_glsl = R"(
 uniform float point_pixels;
 uniform float line_reach; // half the width of the widest line and half a pixel; 0 without lines
@@ -88,9 +86,8 @@ void main() {
 }
 )";
 
-// Points of a peeled layer. Opaque points have hard edges. In still pictures the steps of these edges are small. Each
-// soft edge would need another layer behind it, so dense clouds of points would need too many layers.
-// depth_of_disc() never moves a point away from the eye, so the first test may discard fragments by gl_FragCoord.z.
+// Opaque points have hard edges, because each soft edge would need another layer behind it. depth_of_disc() never moves
+// a point away from the eye, so the first test may discard by gl_FragCoord.z.
 constexpr const char* layer_fragment = R"(
 layout(location = 0) out vec4 picture;
 void main() {
@@ -109,7 +106,6 @@ void main() {
 }
 )";
 
-// Transparent points between two layers. They are blended from front to back.
 constexpr const char* between_fragment = R"(
 uniform sampler2D nearer;
 uniform sampler2D farther; // depth of the layer behind the points; 0: nothing is visible there

@@ -9,16 +9,14 @@
 
 namespace ciel::render {
 
-// Throws Error if the sizes of the mesh's arrays do not match, or an index is too large. With such arrays, the GL would
-// read past their ends.
+// Throws Error if sizes do not match or an index is too large: the GL would read past the ends of the arrays.
 void check_primitives(const Primitives& mesh);
 
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
-    // Uploads the mesh, unless the buffers already hold this identity and revision. Revision 0 is always uploaded.
-    // Throws the errors of check_primitives(). Cancelling (pacing.hpp) may interrupt an upload; then call load() again
-    // before draw().
+    // Revision 0 is always uploaded, others only if identity or revision has changed. Throws the errors of
+    // check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
     void load(const Primitives& mesh);
     // `mesh`: the mesh of load(). Its color, point size, scale and lighting may have changed since then.
     void draw(const Primitives& mesh, const ScaleRow& scale) const;

@@ -47,11 +47,9 @@ uniform sampler2D nearer;
 bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
 )";
 
-// depth_on_surface() moves lines and points nearer to the eye than the surface on which they lie. A line or point has
-// the depth of its center. Beside the center, the surface may be nearer to the eye and would hide the pixel. Therefore
-// the pixel is moved nearer by the rise of the surface from the center to the pixel.
-// The alternative is to push surfaces back. Then objects behind a surface would hide it, above all at outlines.
-// The rise to each side is the smaller of two depth steps, because one of these steps may cross an outline.
+// depth_on_surface() moves a line or point nearer to the eye by the rise of its surface from the center of the line or
+// point to the pixel, so that the surface does not hide the pixel. If surfaces were pushed back instead, objects behind
+// a surface would hide it at outlines. The smaller of two depth steps is used, because one may cross an outline.
 const std::string on_surface_glsl = std::string(depth_layers_glsl) + R"(
 uniform vec2 viewport;
 uniform float on_opaque; // 1: lies on an opaque surface; sheet_slopes is not used
@@ -111,11 +109,9 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// This is_seen() is for layers with transparent lines. The segments of a line overlap in joints, where each segment
-// would absorb light. Therefore each layer records, at every pixel, the last line and the depth to which the line's
-// joint extends. A fragment of the same mesh up to that depth belongs to the same line, and is discarded. So a layer
-// has only the nearest segment of a line. A second pass draws all segments again, and raises the alpha of the layer to
-// the largest alpha of the segments.
+// is_seen() for layers with transparent lines. The segments of a line overlap in joints, where each segment would
+// absorb light. Therefore each layer records the last line and the depth to which its joint extends, and discards
+// fragments of the same mesh up to that depth. A second pass raises the layer's alpha to the largest of the segments.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED

@@ -6,15 +6,13 @@
 
 namespace ciel::render {
 
-// GLSL interface block `surface`, to be written after "in" or "out". It is the output of surface_vertex, for lines and
-// triangles.
+// GLSL interface block `surface`, to be written after "in" or "out". It is the output of surface_vertex.
 extern const char* const surface_block;
 extern const std::string surface_vertex;
 // GLSL of depth_on_surface(), for lines and points.
 extern const std::string on_surface_glsl;
-// GLSL of is_seen(), which tells whether a fragment is behind the layer that was drawn before. Use recorded_glsl if the
-// layers have transparent lines: it also declares an output that stores the last transparent line at each pixel.
-// Otherwise use peeled_glsl.
+// is_seen() tells whether a fragment is behind the previous layer. recorded_glsl is for layers with transparent lines:
+// it declares an output for the last transparent line at each pixel. Otherwise use peeled_glsl.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;
 

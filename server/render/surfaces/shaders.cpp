@@ -6,9 +6,8 @@
 namespace ciel::render {
 namespace {
 
-// Program for the most common kind of mesh: one color, normals per vertex, no clip plane. Each interpolated number
-// costs time in a software rasterizer, so only the normal is interpolated. The viewing ray is computed from the pixel's
-// coordinates.
+// For the most common kind of mesh: one color, normals per vertex, no clip plane. Each interpolated number costs time
+// in a software rasterizer, so only the normal is interpolated.
 const std::string plain_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -38,10 +37,9 @@ void main() {
 }
 )";
 
-// This is_seen() is for lines that are drawn again after the volumes. Only fragments in front of the volumes are
-// visible. A line on the boundary of a volume is treated as in front. If the boundary face is steep, the face may be
-// nearer than the line in the middle of the pixel. Therefore a line may be behind the face by the rise of the face over
-// one pixel.
+// is_seen() for lines that are drawn again after the volumes: only fragments in front of the volumes are visible. A
+// steep boundary face may be nearer than a line on it in the middle of the pixel. Therefore a line may be behind the
+// face by the rise of the face over one pixel.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only fragments in front of the volumes are visible
 uniform sampler2D volume_limits;
@@ -89,8 +87,7 @@ void main() {
 }
 )";
 
-// The slopes program writes R: the slope of a triangle, and G: the slope, limited by the triangle's extent in depth.
-// Both are in window depth per pixel.
+// R: the slope of a triangle; G: the slope, limited by the triangle's extent in depth. Both: window depth per pixel.
 const std::string slopes_geometry = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -127,8 +124,7 @@ void main() {
 }
 )";
 
-// A line becomes a rectangle of the requested width in pixels, with soft edges, because core profiles may refuse wide
-// lines.
+// A line becomes a rectangle, because core profiles may refuse wide lines.
 const std::string line_geometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -196,10 +192,6 @@ void main() {
 }
 )";
 
-// cover_drawn() returns the coverage with which a pixel of a line is drawn (Painter::draw_lines).
-// cover_part 0: the coverage.
-// cover_part 1: the coverage if it is below one half, otherwise 0.
-// cover_part 2: 1 if the coverage is one half or more, otherwise 0.
 constexpr const char* cover_glsl = R"(
 uniform float cover_part; // 0: coverage; 1: coverage below one half, else 0; 2: 1 where it is one half or more, else 0
 float cover_drawn(float cover) {

@@ -6,8 +6,7 @@
 
 namespace ciel::render {
 
-// Vertex attributes. In OpenGL an attribute without an array has one value for the whole mesh. Therefore one program
-// draws meshes with and without normals, scalars or colors per vertex.
+// An attribute without an array has one value for the whole mesh, so one program draws meshes with and without it.
 enum Attribute : GLuint {
     attribute_position = 0,
     attribute_normal = 1, // zero vector: flat shading by the triangle's plane
@@ -45,9 +44,7 @@ struct Program {
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
 // Draws triangles of the most common kind of mesh: one color, normals per vertex, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);
-// These programs draw triangles, lines and points of a peeled layer. They draw only fragments behind the previous layer
-// (depth_peeling.hpp). `recorded`: the program has a second output, the record of lines (recorded_glsl in
-// shader_parts.cpp).
+// These programs draw only fragments behind the previous layer. `recorded`: they also write the record of lines.
 [[nodiscard]] Program make_peeling_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_line_program(const Gl& gl, bool recorded);
 [[nodiscard]] Program make_peeling_point_program(const Gl& gl, bool recorded);

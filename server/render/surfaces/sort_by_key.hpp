@@ -16,8 +16,7 @@ namespace ciel::render {
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-// Sorts by ascending `key`; `other` is scratch memory. Cancelling (pacing.hpp) may interrupt the sort: the contents of
-// both vectors are then unspecified.
+// `other` is scratch memory. After cancelling (pacing.hpp), the contents of both vectors are unspecified.
 template <typename Item>
 void sort_by_key(const Gl& gl, std::vector<Item>& items, std::vector<Item>& other) {
     constexpr unsigned bits = 11;

@@ -10,8 +10,7 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
-// reallocates the textures under the same GL names.
+// The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class SurfaceSlopes {
 public:
     explicit SurfaceSlopes(const Gl& gl);
@@ -32,8 +31,7 @@ private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    // far_: texture that is used if there are no opaque surfaces. flat_: texture that is used if there are no
-    // transparent surfaces.
+    // far_ is used if there are no opaque surfaces, flat_ if there are no transparent surfaces.
     GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0;
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;

@@ -36,8 +36,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
-    // Of several coincident triangles, peeling keeps the triangle that is drawn first. It must be from the last mesh,
-    // so the order for peeling is reversed.
+    // Of coincident triangles, peeling keeps the triangle that is drawn first, which must be from the last mesh.
     if (sorted)
         sort();
     else

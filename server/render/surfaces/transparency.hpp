@@ -1,6 +1,5 @@
-// Transparent triangles of all meshes in one buffer: unsorted for depth_peeling.hpp, or sorted from back to front by
-// the depth of their centers. The sorted order is correct where triangles do not cross or enclose each other, even if
-// whole meshes cross or enclose each other.
+// Transparent triangles of all meshes: unsorted for depth_peeling.hpp, or sorted from back to front by their centers.
+// The sorted order is correct where triangles do not cross or enclose each other.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -17,10 +16,8 @@ class TransparentTriangles {
 public:
     explicit TransparentTriangles(const Gl& gl);
 
-    // Uploads the vertices if a mesh has changed. Uploads the order if a mesh, `sorted` or (when sorted) depth_row has
-    // changed. depth_row: the row of the view matrix that gives -depth, so larger values are nearer. `sorted`: true
-    // sorts the triangles from far to near. Cancelling (pacing.hpp) may interrupt an upload; then call load() again
-    // before draw().
+    // Uploads only what has changed. depth_row: the row of the view matrix that gives -depth, so larger values are
+    // nearer. `sorted`: from far to near. If cancelling (pacing.hpp) interrupts an upload, load() again before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;

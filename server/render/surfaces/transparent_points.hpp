@@ -12,14 +12,13 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class TransparentPoints {
 public:
     explicit TransparentPoints(const Gl& gl);
 
-    // Uploads the vertices if a mesh has changed, and the order if a mesh or depth_row has changed. depth_row: the row
-    // of the view matrix that gives -depth. Throws the errors of check_primitives(). Cancelling (pacing.hpp) may
-    // interrupt an upload; then call load() again before draw().
+    // Uploads only what has changed. depth_row: the row of the view matrix that gives -depth. Throws the errors of
+    // check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
     void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;

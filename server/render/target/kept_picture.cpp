@@ -8,8 +8,7 @@
 namespace ciel::render {
 namespace {
 
-// Largest share of dirty tiles that are cleared one by one; above it, one full clear is faster.
-constexpr double most_by_tiles = 0.6;
+constexpr double most_by_tiles = 0.6; // share of the dirty tiles; above it, one full clear is faster
 
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
@@ -58,8 +57,7 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Reads the cleared target into clean_. Called only for the second of two frames with the same background, because
-// still pictures and single pictures do not need clean_.
+// Only the second of two frames with the same background calls this: single pictures do not need clean_.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();
@@ -68,7 +66,6 @@ void KeptPicture::keep_background() {
     is_clean_known_ = true;
 }
 
-// Clears the boxes, or the whole target if `boxes` is empty.
 void KeptPicture::clear(const std::vector<PixelBox>& boxes) {
     const auto& bottom = background_.bottom;
     gl_.ClearColor(as_byte(bottom[0]), as_byte(bottom[1]), as_byte(bottom[2]), 1);

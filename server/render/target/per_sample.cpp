@@ -5,13 +5,10 @@
 namespace ciel::render {
 namespace {
 
-// Finds outlines of opaque surfaces. Window depth is linear on a plane, so a large second difference of depths means an
-// outline. This second difference must be more than half of the larger first difference (least_turn), and at least 1 %
-// of the depth range (least_bend). Smaller second differences also occur on a ball inside its outline, and a piece of a
-// volume that is so thin is not visible.
-// gl_FragDepth separates samples on the surface from samples behind the surface. A surface is steep at its outline, so
-// its samples may lie far behind its depth in the middle of the pixel. Therefore gl_FragDepth is close to the depth
-// behind the outline: at 80 % of the distance, or at 99.99 % if only the background is behind.
+// Window depth is linear on a plane, so a large second difference of depths means an outline. Smaller ones also occur
+// on a ball inside its outline, and a piece of a volume that is thinner than 1 % of the depth range is not visible.
+// A surface is steep at its outline, so its samples may lie far behind its depth in the middle of the pixel. Therefore
+// gl_FragDepth, which separates them from the samples behind the surface, is close to the depth behind the outline.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 // 1: draws samples behind outlines, and all samples without an outline; 0: draws samples in front of outlines

@@ -5,13 +5,12 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // Sets the internal format, and the size in texels. If they change, the texture is reallocated under the same GL
-    // name. Throws Error if the GL cannot draw to this size.
+    // A change keeps the GL name of the texture. Throws Error if the GL cannot draw to this size.
     void size(GLint format, int width, int height);
     void begin() const; // binds the framebuffer, with a viewport of the texture's size
     [[nodiscard]] GLuint texture() const { return texture_; }

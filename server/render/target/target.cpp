@@ -8,11 +8,9 @@
 namespace ciel::render {
 namespace {
 
-// Rows per glReadPixels; so few rows are still in the CPU cache when their alpha is removed.
-constexpr int band_rows = 32;
+constexpr int band_rows = 32; // per glReadPixels; so few rows are still in the CPU cache when their alpha is removed
 
-// Converts four pixels from RGBA to RGB, with one store of 8 bytes and one store of 4 bytes. Smaller stores that
-// assemble the bytes in memory would stall the CPU.
+// One store of 8 and one of 4 bytes; smaller stores that assemble the bytes in memory would stall the CPU.
 void drop_alpha_of_four(const std::uint8_t* rgba, std::uint8_t* rgb) {
     static_assert(std::endian::native == std::endian::little);
     std::array<std::uint64_t, 2> pairs{};

@@ -10,25 +10,21 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed. A change of size
-// reallocates the buffers under the same GL names.
+// The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class Target {
 public:
     explicit Target(const Gl& gl);
 
-    // Binds the framebuffer for drawing, with at most `samples` samples per pixel. Throws Error when the GL cannot draw
-    // this size.
+    // Uses at most `samples` samples per pixel. Throws Error if the GL cannot draw this size.
     void begin(int width, int height, int samples);
     // Reads the pixels of the box into the image, which is resized to the whole picture.
     void read(const PixelBox& box, Image& image);
     // Returns the window depth at a pixel counted from the top left; 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
-    // Returns the positions of the samples in a pixel: offsets from the middle of the pixel to the right and up, in
-    // pixels. Returns only (0, 0) if there is a single sample.
+    // Offsets from the middle of a pixel to the right and up, in pixels; only (0, 0) for a single sample.
     [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
-    // Copies the depth of one sample per pixel to another framebuffer. It must have the same size, and
-    // GL_DEPTH_COMPONENT24.
+    // Copies one sample per pixel. The framebuffer must have the same size, and GL_DEPTH_COMPONENT24.
     void copy_depth(GLuint framebuffer);
 
 private:

@@ -26,7 +26,6 @@ public:
           half_height_(static_cast<float>(height) / 2), most_x_(static_cast<float>(width - 1)),
           most_y_(static_cast<float>(height - 1)), reach_(reach) {}
 
-    // Returns false if the vertex is behind the near plane or not finite.
     bool find(const Vec3f& position, Span& span) const {
         const glm::vec4 place = matrix_ * glm::vec4(position[0], position[1], position[2], 1);
         if (!(place.w > 0) || !(place.z >= -place.w)) return false;
@@ -37,9 +36,7 @@ public:
         return true;
     }
 
-    // Divides a line into short pieces, and calls `function` with the tiles of each piece. A slanted line touches only
-    // a few of the tiles of its bounding box. `whole`: the tiles of the bounding box, used if a piece cannot be
-    // projected.
+    // A slanted line touches only a few tiles of its bounding box `whole`, so the line is divided into short pieces.
     template <class Function>
     void for_pieces(const Vec3f& from, const Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);
@@ -63,7 +60,7 @@ private:
     float half_width_, half_height_, most_x_, most_y_, reach_;
 };
 
-// Returns how far a primitive extends around its vertices, in pixels, with a margin for rounding.
+// In pixels, with a margin for rounding.
 float reach_of(const Primitives& mesh) {
     if (mesh.points) return mesh.point_size / 2 + 2;
     return mesh.lines ? mesh.line_width + 2 : 1;

@@ -21,11 +21,9 @@ public:
     TouchedTiles(int width, int height); // no tile is touched
 
     void touch_all();
-    // Marks every tile that the box may overlap. The box is in pixels from the lower left. Marks all tiles if a side of
-    // the box is not finite.
+    // The box is in pixels from the lower left. Marks all tiles if a side is not finite.
     void touch(float left, float bottom, float right, float top);
-    // Marks every tile in which the mesh may draw a pixel. Marks all tiles if a vertex is behind the near plane or not
-    // finite.
+    // Marks all tiles if a vertex is behind the near plane or not finite.
     void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
 
     void add(const TouchedTiles& other); // marks the tiles of `other`, which has the same size
@@ -34,8 +32,7 @@ public:
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    // Returns disjoint boxes that cover the touched tiles, without tiles that are touched in `except`. Consecutive rows
-    // with the same tiles are covered by the same boxes.
+    // Leaves out tiles that are touched in `except`. Consecutive rows with the same tiles are in the same boxes.
     [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
 
 private:

@@ -5,9 +5,8 @@
 
 namespace ciel::render {
 
-// Returns one list for each drawn slab, which consists of Volume::stride slabs of the volume. The list has the
-// triangles of volume.boundary that intersect the slab, three indices for each. A triangle on the border of two slabs
-// is in both lists. The edge program (slab_shaders.hpp) decides for each pixel in which slab the triangle is drawn.
+// Returns a list of triangles (three indices each) for each drawn slab, which consists of Volume::stride slabs. A
+// triangle on a border is in both lists; the edge program (slab_shaders.hpp) decides in which slab a pixel is drawn.
 [[nodiscard]] std::vector<std::vector<Index>> boundary_of_slabs(const Volume& volume);
 
 } // namespace ciel::render

@@ -5,8 +5,7 @@
 namespace ciel::render {
 namespace {
 
-// Indices per range; smaller ranges would cost too many draw calls.
-constexpr std::size_t most_corners = 3 * std::size_t{256};
+constexpr std::size_t most_corners = 3 * std::size_t{256}; // per range; smaller ranges would cost too many draw calls
 
 BoxedRange boxed_range_of(std::span<const Index> corners, const std::function<const Vec3f&(Index)>& at) {
     BoxedRange boxed{{}, at(corners[0]), at(corners[0])};

@@ -1,5 +1,4 @@
-// Splits triangle lists into ranges of a few hundred triangles with bounding boxes, so that invisible ranges can be
-// skipped.
+// Splits triangle lists into ranges with bounding boxes, so that invisible ranges can be skipped.
 #pragma once
 
 #include "ciel/slab.hpp"
@@ -23,8 +22,7 @@ struct BoxedRange {
     Vec3f low, high; // bounding box of the positions
 };
 
-// Splits `triangles` into consecutive ranges. `range`: the part of the index buffer that contains `triangles`. `at`:
-// returns the position of a vertex.
+// `range`: the part of the index buffer that contains `triangles`. `at`: returns the position of a vertex.
 [[nodiscard]] std::vector<BoxedRange> boxed_ranges_of(const IndexRange& range, std::span<const Index> triangles,
                                                       const std::function<const Vec3f&(Index)>& at);
 

@@ -19,8 +19,7 @@ constexpr double worth_splitting = 40; // triangles with a larger extent are spl
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 
-// Converts positions to coordinates. across(): distance along the slabs' normal. along(): two coordinates parallel to
-// the slabs, in cells, from 0 to `cells` over the mesh's boundary.
+// across(): distance along the slabs' normal. along(): two coordinates parallel to the slabs, in cells.
 class Places {
 public:
     Places(const Volume& volume) : across_(vector_of(volume.normal)) { // NOLINT(google-explicit-constructor)
@@ -65,7 +64,7 @@ struct Box {
 
 int cell_of(double place) { return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0; }
 
-// Returns the index of the corner at which the longest edge begins. Edge i joins the corners i and i + 1.
+// Edge i joins the corners i and i + 1.
 std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     const auto length = [&](std::size_t i) { return glm::distance(corners[i], corners[(i + 1) % 3]); };
     std::size_t longest = 0;
@@ -74,7 +73,6 @@ std::size_t longest_edge(const std::array<glm::dvec2, 3>& corners) {
     return longest;
 }
 
-// Set of cells in one row of the grid, one bit each.
 class RowOfCells {
 public:
     void mark(int first, int last) {
@@ -146,7 +144,6 @@ private:
         std::array<Point, 5> corners;
         std::size_t count;
 
-        // Returns the part of the polygon where `height` >= 0.
         template <class Height>
         [[nodiscard]] Polygon cut(const Height& height) const {
             Polygon kept{{}, 0};
@@ -168,7 +165,6 @@ private:
     }
     static std::size_t index(int row) { return static_cast<std::size_t>(row); }
 
-    // Extends the spans of the rows that the edge crosses.
     void add_edge(glm::dvec2 from, glm::dvec2 to) {
         if (from.y > to.y) std::swap(from, to);
         const int first = cell_of(from.y), last = cell_of(to.y);
@@ -197,7 +193,6 @@ private:
     int first_row_ = cells, last_row_ = -1;
 };
 
-// Sorts the triangles of one slice into outer and inner triangles.
 class Sorter {
 public:
     Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {

@@ -1,14 +1,12 @@
-// Sorts the triangles of a volume's slices into outer and inner triangles. Inner triangles are far from the mesh's
-// boundary: every ray through an inner triangle is inside the mesh over the whole slab. Therefore the program of inner
-// triangles does not look up entries and exits.
+// Sorts the triangles of a volume's slices. Inner triangles are far from the mesh's boundary: a ray through one is
+// inside the mesh over the whole slab, so their program does not look up entries and exits.
 #pragma once
 
 #include "render/frame/volume.hpp"
 
 namespace ciel::render {
 
-// The triangles of a slice. The inner triangles are last. Large triangles near the boundary are split, so that most of
-// their area is inner.
+// Inner triangles are last. Large triangles near the boundary are split, so that most of their area is inner.
 struct SortedSlice {
     const SlabMesh* slice = nullptr; // not owned; its vertices have the first indices
     std::vector<SlabVertex> more;    // vertices from splits; their indices follow the vertices of the slice
@@ -20,9 +18,8 @@ struct SortedSlice {
 // normal to a box axis use the axis nearest to the view direction. Therefore larger angles occur only in close views.
 inline constexpr double widest_inner = 3;
 
-// Returns the middle slice of each drawn slab, with its triangles sorted. A drawn slab consists of Volume::stride slabs
-// of the volume. The entry of a slab is empty if the volume has no such slice. `boundary_of_slab`: the result of
-// boundary_of_slabs(). The volume's slices must outlive the result.
+// Returns the middle slice of each drawn slab, which consists of Volume::stride slabs; empty if there is no such slice.
+// `boundary_of_slab`: result of boundary_of_slabs(). The volume's slices must outlive the result.
 [[nodiscard]] std::vector<SortedSlice> sort_slices(const Volume& volume,
                                                    std::span<const std::vector<Index>> boundary_of_slab);
 

@@ -13,8 +13,7 @@ using Corners = std::array<glm::dvec3, 8>;
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns the tangent of the largest angle between the normal and the given rays. Returns infinity unless all rays are
-// on the same side of the plane through the eye with this normal. Rays between the given rays have no larger angle.
+// Returns infinity unless all rays are on the same side of the plane through the eye with this normal.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
     double widest = 0;
     for (const glm::dvec3& ray : rays) {

@@ -5,8 +5,7 @@
 
 namespace ciel::render {
 
-// Returns the tangent of the largest angle between the normal of the volumes and the rays of the picture that meet
-// their box, or an upper bound of it. Returns infinity if a ray may run parallel to the slabs.
+// Returns the tangent of this angle, or an upper bound. Returns infinity if a ray may run parallel to the slabs.
 [[nodiscard]] double slab_angle(const VolumeView& view, const Vec3d& normal);
 
 } // namespace ciel::render

@@ -1,23 +1,14 @@
 // Shaders that draw the slabs of a volume. The middle plane of each slab cuts the mesh; the cut is the slice of the
-// slab. A ray crosses slices, and enters and leaves the mesh through boundary faces, which may be anywhere between
-// slices. The part of a ray inside the mesh is divided into pieces at the borders of the slabs. Each piece is drawn by
-// exactly one fragment:
-//   A fragment of a slice draws the piece that contains the slice. The piece begins at the front of the slab or at the
-//     last entry before the slice. It ends at the back of the slab or at the next exit.
+// slab. The part of a ray inside the mesh is divided into pieces at the borders of the slabs. Exactly one fragment
+// draws each piece, so that each fragment knows the property and its gradient at one point of its piece:
+//   A fragment of a slice draws the piece that contains the slice.
 //   A fragment of a front face draws the piece that begins on the face, unless the piece contains a slice.
-//   A fragment of a back face draws the piece that ends on the face, if the piece begins at the front of the slab and
-//     contains no slice.
-// Therefore each fragment knows the property and its gradient at one point of its piece.
-// If an entry or exit is almost on a slice, rounding decides which pixels the slice covers. Then the fragment of the
-// face draws the piece that contains the slice.
-// An opaque surface has no property. If a ray ends on an opaque surface before it reaches the slice of a slab, the
-// fragment in the slab in front extends its piece to the surface. If the eye is inside the mesh, the fragment in the
-// slab of the first slice extends its piece to the eye.
-// Clip planes do not cut slices and faces. Each fragment draws the part of its piece between the planes. This part is
-// connected, because the space between the planes is convex.
-//
-// Constants of a slab are passed to the fragments through the vertices. With uniforms, llvmpipe looked up the value for
-// each pixel, which took a third of the time of these programs.
+//   A fragment of a back face draws the piece that ends on the face, if it begins at the slab's front and has no slice.
+// Near an entry or exit, rounding decides which pixels a slice covers, so the fragment of the face draws the piece.
+// If a ray ends on an opaque surface before the slice of a slab, the fragment in the slab in front extends its piece to
+// the surface. If the eye is inside the mesh, the fragment in the slab of the first slice extends its piece to the eye.
+// Constants of a slab come through the vertices: with uniforms, llvmpipe looked up the value for each pixel, which took
+// a third of the time of these programs.
 #include "render/volume/slab_shaders.hpp"
 
 #include "render/volume/volume_shaders.hpp"
@@ -27,9 +18,8 @@
 namespace ciel::render {
 namespace {
 
-// Outputs each value as a position in the transfer table, from 0 to 1. Outputs each gradient in eye space, as change of
-// this position per scaled length. Scaled lengths are multiplied by `scale`, because squares of very large lengths (a
-// galaxy in meters) overflow a float.
+// Outputs values as positions in the transfer table, from 0 to 1, and gradients in eye space as change of this position
+// per scaled length. Lengths are scaled, because squares of very large lengths (a galaxy in meters) overflow a float.
 constexpr const char* slab_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in float value;
@@ -192,8 +182,7 @@ void main() {
 }
 )";
 
-// Uses depths instead of positions across the slab, because on a ray that runs along the slab all positions across the
-// slab are equal.
+// Uses depths, because all positions across a slab are equal on a ray that runs along the slab.
 constexpr const char* edge_fragment = R"(
 flat in vec4 slab_row; // index of the slab, index of the last slab, 1 / picture size
 #ifdef PARALLEL
@@ -254,8 +243,7 @@ void main() {
 }
 )";
 
-// Returns GLSL that selects a part of the ray inside the mesh. For a slice, it is the part that contains the slice. For
-// a face, it is the part that begins or ends on the face.
+// Selects the part of the ray that contains the slice, or that begins or ends on the face.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

@@ -14,8 +14,7 @@ enum VolumeAttribute : GLuint {
     volume_limits = 3,
 };
 
-// Selects a variant of a slab program. The slice programs draw the pieces of rays that contain a slice. The edge
-// program draws the other pieces, by boundary faces.
+// Slice programs draw the pieces of rays that contain a slice. The edge program draws the others, by boundary faces.
 struct SlabProgramKind {
     int parts = 1; // number of separate parts of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;
@@ -28,7 +27,6 @@ struct SlabProgramKind {
 // For inner triangles (inner_polygons.hpp). Around an inner triangle, the slab has no boundary face, clip plane, opaque
 // surface or eye. `kind` must have one part and no clipping.
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
-// Draws the pieces that contain no slice, as fragments of boundary faces.
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 
 } // namespace ciel::render

@@ -35,7 +35,6 @@ VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
     return bounds;
 }
 
-// Returns the FNV-1a hash of the mesh's positions and triangles. It is computed from 32-bit words.
 std::uint64_t places_of(const SlabMesh& mesh) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
@@ -75,7 +74,6 @@ void VolumeBuffers::load(const Volume& volume) {
     stride_ = volume.stride;
 }
 
-// Uploads only the slices that are drawn with the volume's stride.
 void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     GLsizeiptr vertex_bytes = 0, index_bytes = 0;
     for (const SortedSlice& sorted : slices) {

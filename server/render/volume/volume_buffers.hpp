@@ -19,16 +19,14 @@ public:
 
     explicit VolumeBuffers(const Gl& gl);
 
-    // Uploads the volume, unless its identity, revision and stride are the same as in the last call. Throws Error if
-    // slices or boundary are missing, if thickness or stride is not positive, or if an index is too large. With such an
-    // index the GL would read past the end of the vertices.
+    // Does nothing if identity, revision and stride have not changed. Throws Error if slices or boundary are missing,
+    // if thickness or stride is not positive, or if an index is too large.
     void load(const Volume& volume);
     void bind_slices() const { gl_.BindVertexArray(slices_.array); }
     void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
     void draw(const IndexRange& range) const;
 
-    // A drawn slab consists of Volume::stride slabs of the volume. For each drawn slab, slices() has the triangles of
-    // its middle slice, and boundary_of_slabs() has the boundary triangles that intersect the slab.
+    // A drawn slab consists of Volume::stride slabs. It has a middle slice, and boundary triangles that intersect it.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
     // Triangles of a slab's slice or boundary, split into consecutive parts.

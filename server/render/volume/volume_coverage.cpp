@@ -1,5 +1,4 @@
-// Coverage of pixels by the clipped mesh. A ray meets the clipped mesh at a boundary face between the clip planes, or
-// at a clip plane inside the mesh. A point of a clip plane is inside the mesh if the ray behind the point leaves the
+// Coverage of pixels by the clipped mesh. A point of a clip plane is inside the mesh if the ray behind it leaves the
 // mesh once more often than it enters the mesh. Exits and entries are counted as for shadow volumes, after F. Crow,
 // "Shadow algorithms for computer graphics", SIGGRAPH 1977.
 #include "render/volume/volume_coverage.hpp"
@@ -121,8 +120,7 @@ void VolumeCoverage::draw_boundary(const VolumeBuffers& buffers, const Planes& p
     buffers.draw(buffers.whole_boundary());
 }
 
-// Covers the part of a clip plane that is inside the mesh. Draws the depth of the plane, counts the faces behind the
-// plane in the stencil buffer, and draws the plane where the count is not zero.
+// Counts the faces behind the plane in the stencil buffer, and draws the plane where the count is not zero.
 void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) const {
     gl_.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -145,7 +143,6 @@ void VolumeCoverage::draw_cut(const VolumeBuffers& buffers, std::size_t plane) c
     gl_.Disable(GL_STENCIL_TEST);
 }
 
-// Draws a square of the clip plane that covers the mesh's bounding box, clipped by the other planes.
 void VolumeCoverage::draw_facet(const VolumeBuffers& buffers, std::size_t plane) const {
     const auto& [low, high] = buffers.bounds();
     const glm::dvec3 from(low[0], low[1], low[2]), to(high[0], high[1], high[2]), middle = 0.5 * (from + to);

@@ -11,15 +11,14 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class VolumeCoverage {
 public:
     explicit VolumeCoverage(const Gl& gl);
     VolumeCoverage(const VolumeCoverage&) = delete;
     VolumeCoverage& operator=(const VolumeCoverage&) = delete;
 
-    // Clears the coverage, and sets the view of the picture. Throws Error if the GL cannot draw to this size. Binds
-    // another framebuffer.
+    // Throws Error if the GL cannot draw to this size. Binds another framebuffer.
     void begin(const VolumeView& view);
     void add(const VolumeBuffers& buffers) const;
     void finish();
@@ -28,7 +27,6 @@ public:
 private:
     void allocate(int width, int height, int samples);
     using Planes = std::array<glm::vec4, most_clip_planes>;
-    // Returns the frame's clip planes without the plane with the index `left_out`.
     [[nodiscard]] Planes planes_but(std::optional<std::size_t> left_out) const;
     void draw_boundary(const VolumeBuffers& buffers, const Planes& planes) const;
     void draw_cut(const VolumeBuffers& buffers, std::size_t plane) const;

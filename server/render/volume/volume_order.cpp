@@ -19,7 +19,6 @@ struct Piece {
     bool is_below = false; // its coordinate is smaller than the coordinate of the eye
 };
 
-// Sorts coincident pieces by volume, in reverse order if Piece::is_odd.
 void take_turns(std::vector<Piece>& sorted, std::span<const SlabRow> rows) {
     for (auto begin = sorted.begin(); begin != sorted.end();) {
         const double middle = begin->middle, near = rounding * rows[begin->of.volume].thickness;
@@ -71,9 +70,7 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     return all;
 }
 
-// Returns the interval along the normal that is drawn with a slice. Usually it is the slab of the slice. If the eye is
-// inside the volume and less than one slab thickness from the slice, it is the interval from the eye to the far end of
-// the slab.
+// If the eye is in the volume and less than one slab from the slice, the slice also draws the part up to the eye.
 std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     const double middle = middle_of(row, slab), half = row.thickness / 2;
     const double last = row.first + static_cast<double>(row.count) * row.thickness;
@@ -82,9 +79,7 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// Returns the index of the slab with which the light at `place` is drawn; nothing if `place` is outside all slabs.
-// `place` and `eye` are coordinates along the normal. Usually this is the slab that contains `place`. A slab is drawn
-// at its middle. If this middle and `place` are on different sides of the eye, the next slab is used.
+// If the middle of the slab and `place` are on different sides of the eye, the next slab draws the light at `place`.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

@@ -18,21 +18,18 @@ struct SlabOfVolume {
     bool operator==(const SlabOfVolume&) const = default;
 };
 
-// How overlapping slabs are divided: pieces per unit of length, and the largest number of pieces between two slab
-// borders.
+// Pieces per unit of length, and the largest number of pieces between two slab borders.
 struct SlabPieces {
     double per_length = 0;
     std::size_t most = 1;
 };
 
-// Returns the slabs from back to front, in an order that is valid for every ray through the eye. `eye`: coordinate of
-// the eye along the slabs' normal, infinite for parallel rays. Slabs below the eye come first, in ascending order.
-// Slabs above the eye follow, in descending order.
-// Slabs of different thickness are ordered by their middles, because half of a thick slab's neighbors are in front of
-// it. Coincident slabs of two volumes mix their light in the same space, so their order alternates from slab to slab.
-// If slabs absorb so much that their order is visible, they are divided at each other's borders and into pieces. The
-// pieces alternate, so the error decreases with the square of their length: G. Strang, "On the construction and
-// comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
+// Returns the slabs from back to front for every ray through the eye: first those below the eye, in ascending order,
+// then those above it, in descending order. `eye`: its coordinate along the slabs' normal, infinite for parallel rays.
+// Slabs of different thickness are ordered by their middles. The light of coincident slabs mixes in the same space, so
+// their order alternates from slab to slab. If the order would be visible, they are divided into pieces that alternate,
+// so that the error decreases with the square of their length: G. Strang, "On the construction and comparison of
+// difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 

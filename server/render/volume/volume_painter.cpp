@@ -15,15 +15,12 @@
 namespace ciel::render {
 namespace {
 
-// Texture unit of the transfer table, which VolumeRays does not use.
-constexpr int table_unit = 1;
-// Texture units of the compositing programs.
-enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 };
+constexpr int table_unit = 1; // for the transfer table; VolumeRays does not use it
+enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // compositing programs
 
 glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns (a, b) so that value * a + b is from 0 to 1 over the values of the transfer table. For an empty range, all
-// values are mapped to the middle of the range.
+// Returns (a, b) so that value * a + b is from 0 to 1 in the transfer table. An empty range is mapped to the middle.
 glm::vec2 normalisation(const color::ColorScale& scale) {
     const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
@@ -33,8 +30,7 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// Returns the factor by which the picture of all volumes is multiplied. A volume with a smaller opacity has a transfer
-// table with less extinction.
+// Factor of the picture of all volumes. A volume with a smaller opacity has a transfer table with less extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -204,7 +200,7 @@ VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const
             {view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner), sideways * rays.side_step}};
 }
 
-// Sets the uniforms that all three slab programs have. `program` must be in use.
+// `program` must be in use.
 void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
     program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
     program.set("view", glm::mat4(view_.transform->view));
@@ -214,7 +210,6 @@ void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume
     program.set("table", int{table_unit});
 }
 
-// Returns whether outlines of volumes are smoothed by coverage: in still pictures (several samples, full resolution).
 bool VolumePainter::has_coverage() const { return view_.frame->samples > 1 && view_.width == view_.frame->width; }
 
 void VolumePainter::find_coverage(const Frame& frame) {
@@ -279,8 +274,7 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// Returns a subdivision with which the order of coincident slabs is not visible. The error from the order is about the
-// product of the optical depths of two coincident pieces.
+// The error from a wrong order is about the product of the optical depths of two coincident pieces.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
     // least_loss: geometric mean of the optical depths of two coincident pieces. widest: upper limit of slab_angle_.
     constexpr double least_loss = 0.1, widest = 3;
@@ -318,7 +312,6 @@ void VolumePainter::draw_ranges(const VolumeBuffers& buffers, const std::vector<
     buffers.draw(together);
 }
 
-// Draws only the ranges of a slab that may be in front of the layer.
 void VolumePainter::draw_slab_until(const Volume& volume, const Slot& slot, std::size_t slab) const {
     const double place = volume.first + (static_cast<double>(slab) + 0.5) * thickness_of(volume);
     use_edge(volume, slot, slab, place);
@@ -349,8 +342,7 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Sets two uniforms of the slice program. Both are in half slabs along the volume's normal. `across`: advance of a ray
-// per unit of depth. `start`: distance from the eye to the slice.
+// Both uniforms are in half slabs along the normal. `across`: advance of a ray per unit of depth.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;
@@ -359,12 +351,9 @@ void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume
     program.set("start", glm::vec3(half_slabs * (glm::dvec3(place, 0, 0) - start)));
 }
 
-// Returns whether the inner program may draw the inner triangles of a slab. `from_eye`: distance from the eye to the
-// slice along the normal.
 bool VolumePainter::is_full(const Volume& volume, double from_eye) const {
     if (view_.opaque != 0 || view_.is_clipped() || slab_angle_ > widest_inner) return false;
-    // If the eye is within one slab thickness of the slice, pieces begin at the eye instead of at the front of the
-    // slab. The inner program cannot draw these pieces.
+    // If the eye is less than one slab from the slice, pieces begin at the eye. The inner program cannot draw these.
     return view_.frame->camera.parallel || std::abs(from_eye) > 1.01 * thickness_of(volume);
 }
 
@@ -375,7 +364,6 @@ glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) con
     return {0, 0, -half / static_cast<float>(std::abs(normal.z)), 0};
 }
 
-// Returns the coordinate of the eye along the volumes' normal. It is infinite for parallel rays.
 double VolumePainter::eye_across(const Frame& frame) const {
     const Vec3d& normal = frame.volumes[0].normal;
     if (!frame.camera.parallel) return view_.eye_along(normal);

@@ -1,5 +1,4 @@
-// Draws volumes over the current picture. Finds the parts of rays that are inside the meshes. Blends the slabs of all
-// volumes from back to front in floats (in bytes for benchmarks). Composites the result onto the picture.
+// Draws volumes: blends their slabs from back to front in floats, and composites the result onto the picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -17,7 +16,7 @@
 
 namespace ciel::render {
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class VolumePainter {
 public:
     explicit VolumePainter(const Gl& gl);
@@ -26,14 +25,13 @@ public:
 
     // Sets the texture with the window depths at which rays end in later draws. 0: rays do not end on surfaces.
     void end_on(GLuint depth) { surfaces_ = depth; }
-    // Draws the volumes onto the target. Leaves the target bound, and depth test and blending on. Throws Error if the
-    // volumes' normals differ, or if the position or thickness of their slabs is not finite. Throws the errors of
-    // VolumeBuffers::load(), too.
+    // Leaves the target bound, and depth test and blending on. Throws Error if the volumes' normals differ or their
+    // slabs are not finite. Throws the errors of VolumeBuffers::load(), too.
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // Returns a texture with all volumes in front of `layer`. It is valid only at the pixels of the layer, until the
-    // next call. Without a layer, it has all volumes in front of opaque surfaces, and is valid at all pixels. The
-    // format is RGBA32F, premultiplied, on a transparent background. Throws the same errors as draw(). Binds another
-    // framebuffer, changes the viewport, and leaves depth test and blending on.
+    // Returns a texture with all volumes in front of `layer`, valid only at the pixels of the layer, until the next
+    // call. Without a layer, it has all volumes in front of opaque surfaces, and is valid at all pixels. It is RGBA32F
+    // and premultiplied. Throws the errors of draw(). Binds another framebuffer, changes the viewport, and leaves depth
+    // test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
                                        const LayerInVolumes& layer);
     // RGBA32F texture. A: the window depth at which the volumes begin. 0 before the first volume is drawn.
@@ -50,8 +48,8 @@ private:
     };
     struct Slot { // GL objects of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
-        // `all`: buffers of all slices. `some`: buffers of the slices that interactive pictures draw (stride > 1). With
-        // two sets, nothing is uploaded when the user starts or stops moving the camera.
+        // Interactive pictures draw only some slices (stride > 1). With two sets, nothing is uploaded when the camera
+        // starts or stops moving.
         VolumeBuffers all, some;
         Table table;
         // Programs in which this volume's uniforms are set.
@@ -110,7 +108,6 @@ private:
     GLuint no_array_ = 0;
     GLuint surfaces_ = 0;   // window depths of opaque surfaces, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
-    // These members are set for each frame.
     VolumeView view_;
     double slab_angle_ = 0; // result of slab_angle()
 };

@@ -1,5 +1,4 @@
-// Finds where the ray of each pixel is inside a volume's mesh, between the clip planes, and in front of opaque
-// surfaces.
+// Finds where rays are inside a volume's mesh, between the clip planes, and in front of opaque surfaces.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -13,8 +12,7 @@
 
 namespace ciel::render {
 
-// Inputs of the ray parts. A ray part is an interval of a ray that is inside a mesh. Parts are reused if their inputs
-// are equal.
+// A ray part is an interval of a ray inside a mesh. Parts are reused if these inputs are equal.
 struct RayPlaces {
     glm::dmat4 view{1}, projection{1};
     int width = 0, height = 0;
@@ -44,8 +42,7 @@ struct VolumeView {
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
     [[nodiscard]] RayPlaces places() const;
-    // Returns the pixels that the volumes may cover in a picture of width x height pixels. Rays of other pixels meet no
-    // volume.
+    // Returns the pixels that the volumes may cover in a picture of width x height pixels.
     [[nodiscard]] PixelBox seen_box(int width, int height) const;
 };
 
@@ -61,7 +58,7 @@ struct RaySheets {
     RayPlaces places; // inputs of the parts
 };
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class VolumeRays {
 public:
     explicit VolumeRays(const Gl& gl);

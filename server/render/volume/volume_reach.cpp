@@ -28,9 +28,8 @@ void main() {
 }
 )";
 
-// Writes the depth buffer. Usually the depth is one slab behind the layer, because a fragment behind the layer may draw
-// a piece that begins up to one slab in front of the fragment. The depth is 0 if neither the ray nor the ray of a
-// neighbor pixel meets the layer. Neighbors are included because compositing reads them.
+// The depth is one slab behind the layer, because a fragment behind the layer may draw a piece that begins one slab in
+// front of it. It is 0 if neither the ray nor a neighbor's ray, which compositing reads, meets the layer.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;

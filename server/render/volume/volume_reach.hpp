@@ -1,6 +1,5 @@
-// Depth buffer for a picture of the volumes in front of a transparent layer. It rejects slab fragments beside and
-// behind the layer before their fragment shaders run. If there are many layers, most layers are small, so most
-// fragments are rejected.
+// Depth buffer for the volumes in front of a transparent layer. It rejects slab fragments beside and behind the layer
+// before their shaders run. If there are many layers, most are small, so most fragments are rejected.
 #pragma once
 
 #include "render/volume/volume_rays.hpp"
@@ -9,23 +8,21 @@
 
 namespace ciel::render {
 
-// Textures of a transparent layer: window depths, and colors, which have alpha 0 outside the layer. Both textures have
-// the same size, which may be any multiple of the size of the volumes' picture.
+// Window depths, and colors with alpha 0 outside the layer. Their size may be any multiple of the volumes' picture.
 struct LayerInVolumes {
     GLuint depth = 0, color = 0; // 0: no layer
 };
 
-// The destructor does not delete the GL objects. They exist until the GL context is destroyed.
+// The GL objects exist until the GL context is destroyed.
 class VolumeReach {
 public:
     explicit VolumeReach(const Gl& gl);
     VolumeReach(const VolumeReach&) = delete;
     VolumeReach& operator=(const VolumeReach&) = delete;
 
-    // Binds a framebuffer with `picture` as color buffer, and with the depth buffer. `picture` has the size of the
-    // view. `slabs`: number of slabs that a ray crosses per unit of depth, as (value at the picture's corner, change
-    // per pixel in x, change per pixel in y). Leaves the depth test on. Throws Error if the GL cannot draw to this
-    // size.
+    // `picture` is the color buffer, and has the size of the view. `slabs`: number of slabs that a ray crosses per unit
+    // of depth (at the picture's corner, change per pixel in x, in y). Leaves the depth test on. Throws Error if the GL
+    // cannot draw to this size.
     void begin(const VolumeView& view, const LayerInVolumes& layer, const Sheet& picture, const glm::dvec3& slabs);
 
     // Returns whether a part of the box may be in front of the layer.

@@ -16,7 +16,6 @@ invariant gl_Position;
 void main() { gl_Position = transform * vec4(position, 1.0); }
 )";
 
-// GLSL of fragment_depth(), which returns the depth of a fragment: its distance from the eye along the view direction.
 constexpr const char* depth = R"(
 // Nearest depth, and difference from it to the farthest; (0, 0) for a perspective.
 uniform vec2 parallel_depths;
@@ -25,11 +24,9 @@ float fragment_depth() {
 }
 )";
 
-// Finds a part of a ray inside the mesh: an entry and an exit. Where two boundary faces coincide, a ray leaves and
-// enters the mesh at the same depth. The GL rounds the corners of triangles to fractions of a pixel, so the computed
-// depths of the two faces differ, most of all on steep faces. In the first part of a ray, an entry behind the exit
-// means that the eye is inside the mesh. Therefore, if the eye is within the bounds, entries are moved away from the
-// eye by the largest rounding error.
+// Finds an entry and an exit of a ray. In the first part of a ray, an entry behind the exit means that the eye is
+// inside the mesh. The GL rounds the corners of triangles, so the depths of two coincident faces differ, most of all on
+// steep faces. Therefore, if the eye is in the bounds, entries are moved away from it by the largest rounding error.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
@@ -121,7 +118,6 @@ out vec4 copy;
 void main() { copy = texelFetch(limits, ivec2(gl_FragCoord.xy), 0); }
 )";
 
-// Returns GLSL that selects the first part of a ray that the clip planes do not remove completely.
 std::string next_parts_seen(int parts) {
     std::string text;
     for (int i = 1; i < parts; ++i) {
@@ -131,12 +127,9 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
-// This seen_from() is for pictures in which one ray is used for several pixels. At an outline of an opaque surface,
-// such a ray ends on one side of the outline only. Therefore a pixel beside the outline uses one of the four rays
-// around it: the ray whose opaque depth is nearest to the opaque depth of the pixel.
-// Window depth is linear over a plane. Therefore an outline is where the depth of the pixel differs from the depth
-// interpolated between the rays. Differences below 1 % of the depth range are ignored, because a piece of a volume that
-// is so thin is not visible.
+// For pictures in which one ray is used for several pixels. Beside an outline of an opaque surface, a pixel uses the
+// ray around it whose opaque depth is nearest to its own. At an outline, the depth differs from the depth interpolated
+// between the rays by at least 1 % of the depth range; a thinner piece of a volume is not visible.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;
@@ -160,10 +153,9 @@ vec2 seen_from() {
 }
 )";
 
-// Composites the volumes onto the picture. In a pixel that the clipped mesh covers only in part, only the covered part
-// gets light. A mesh is thin at its outline, but a dense mesh is nearly opaque one pixel farther inward. Therefore the
-// optical depth is assumed to increase linearly inward. The increase is the difference between the ray of this pixel
-// and the ray of the next pixel inward. If the ray of this pixel misses the mesh, the next two rays give the increase.
+// Only the covered part of a pixel gets light. A dense mesh is nearly opaque one pixel inward from its outline.
+// Therefore the optical depth is assumed to increase linearly inward, by the difference between the rays of this pixel
+// and the next, or of the next two if the first ray misses the mesh.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;

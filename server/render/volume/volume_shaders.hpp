@@ -1,5 +1,4 @@
-// The programs that find where rays are inside a mesh, and the program that composites finished volumes onto the
-// picture.
+// Programs that find where rays are inside a mesh, and that composite the finished volumes.
 #pragma once
 
 #include "render/context/shader_program.hpp"
@@ -8,17 +7,13 @@
 
 namespace ciel::render {
 
-// The largest number of parts of a ray inside the mesh, counted from the eye. Behind the last part, slices are drawn as
-// if the mesh continued.
+// Largest number of parts of a ray inside the mesh. Behind them, slices are drawn as if the mesh continued.
 inline constexpr int most_ray_parts = 8;
-// Returns `body` with LATER_PARTS replaced by `text`, and with declarations of the samplers part_1, part_2, ... for
-// rays with `parts` parts.
+// Replaces LATER_PARTS by `text`, and declares the samplers part_1, part_2, ... for `parts` parts.
 [[nodiscard]] std::string with_parts(std::string body, int parts, const std::string& text);
 
-// In these programs, positions along a ray are depths: distances from the eye along the view direction.
-//
-// The program writes the depths at which a ray enters (R) and leaves (G) the mesh. `first`: true for the first part of
-// the ray, false for the part behind the part in the texture `before`.
+// Positions along a ray are depths: distances from the eye along the view direction.
+// Writes where a ray enters (R) and leaves (G) the mesh. `first`: writes the first part, else the part behind `before`.
 [[nodiscard]] ShaderProgram make_part_program(const Gl& gl, bool first);
 // The program writes the depths at which a ray enters (R) and leaves (G) the space between the frame's clip planes.
 [[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);

@@ -23,9 +23,8 @@ public:
     explicit Cache(std::size_t budget_bytes, std::size_t most_values = std::numeric_limits<std::size_t>::max())
         : budget_(budget_bytes), most_(most_values) {}
 
-    // Returns the cached value of `key`. If there is none, calls `make` and caches the result. If several threads
-    // request the same key, one thread calls `make` and the other threads wait. Threads that request other keys do not
-    // wait. A value exists as long as a caller holds it, even after the cache has dropped it.
+    // Returns the cached value of `key`, or calls `make` and caches the result. Threads that request the same key wait
+    // for one call of `make`. A value exists as long as a caller holds it, even after the cache has dropped it.
     template <typename T>
     [[nodiscard]] std::shared_ptr<const T> get(const std::string& key, const std::function<Made()>& make) {
         return std::static_pointer_cast<const T>(get_erased(key, make));

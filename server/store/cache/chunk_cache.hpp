@@ -1,5 +1,4 @@
-// ChunkCache: maps the chunk files of a dataset. A page of a chunk file is checked when it is first read. A dataset and
-// its refreshed versions (Dataset::refreshed) share one ChunkCache. Thread-safe.
+// ChunkCache: the mapped chunk files of a dataset and of its refreshed versions (Dataset::refreshed). Thread-safe.
 #pragma once
 
 #include "store/cache/paged_file.hpp"
@@ -22,10 +21,9 @@ public:
 
     ChunkCache(AnyLost any_lost, FileAccess access) : any_lost_(std::move(any_lost)), access_(access) {}
     // Returns the mapped `file`, which must have `bytes` bytes. Checks no page. Calls `checks` to get the checksums of
-    // the pages when the file is mapped for the first time or has changed; if `checks` throws, the next call of get
-    // calls it again. If the file was unmapped and has not changed since, it is mapped again, and pages that were
-    // checked are not checked again. With FileAccess::read, such a file is read and checked again. Throws Error when
-    // the file was truncated or rewritten while it was mapped.
+    // the pages when the file is mapped for the first time or has changed. If the file was unmapped meanwhile, pages
+    // that were checked are not checked again, except with FileAccess::read. Throws Error when the file was truncated
+    // or rewritten while it was mapped.
     [[nodiscard]] std::shared_ptr<const PagedFile> get(const std::filesystem::path& file, std::size_t bytes,
                                                        const std::function<PageChecks()>& checks);
     void check_sizes() const;

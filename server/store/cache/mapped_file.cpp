@@ -48,8 +48,7 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
     seen_ = opened_;
-    // First maps zero pages for the file and its tail. Then maps the file over the first pages, unless the access is
-    // FileAccess::read.
+    // Maps zero pages for the file and its tail. With FileAccess::mapped, the file is then mapped over the first pages.
     mapped_ = bytes + tail;
     const bool is_read = access == FileAccess::read;
     const int protection = is_read ? PROT_READ | PROT_WRITE : PROT_READ;

@@ -1,9 +1,7 @@
-// MappedFile: a file of a known size, mapped for reading.
-//
-// Programs that change a dataset must replace its files (new file + rename), and never truncate or rewrite them in
-// place. A mapping of a replaced or deleted file stays valid. If a mapped file shrinks nevertheless, its mapping reads
-// as zeros from then on. If a mapped file is rewritten, its mapping shows the new content. In both cases the mapping
-// is called lost: check_intact throws as soon as the change has been detected (watched_mappings.hpp).
+// MappedFile: a file of a known size, mapped for reading. Programs must replace the files of a dataset (new file +
+// rename), and never truncate or rewrite them in place. A mapping of a replaced or deleted file stays valid. A mapping
+// of a truncated file reads as zeros, and a mapping of a rewritten file shows the new content. Both mappings are called
+// lost: check_intact throws as soon as the change has been detected (watched_mappings.hpp).
 #pragma once
 
 #include "store/files/files.hpp"
@@ -29,8 +27,7 @@ struct FileVersion {
     [[nodiscard]] bool operator==(const FileVersion&) const = default;
 };
 
-// A flag that all mapped files of a dataset share. It becomes true when the mapping of a file is lost. While the flag
-// is false, callers need not check the files one by one.
+// A flag of a dataset. It becomes true when a mapping is lost, so that callers need not check the files one by one.
 using AnyLost = std::shared_ptr<std::atomic<bool>>;
 [[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
 
@@ -57,7 +54,7 @@ public:
     }
 
     [[nodiscard]] FileVersion version() const; // version of the file when it was opened
-    // Advises the system that reads will be at random offsets, so that the system does not read ahead.
+    // Advises the system not to read ahead.
     void expect_random_reads() const;
     // Reads `part`, a part of bytes(), from the disk with one request, not page by page at the first access. Throws
     // Error when `part` cannot be read. The mapping is then lost, except after a read error with FileAccess::read. With
@@ -70,11 +67,9 @@ public:
     [[nodiscard]] bool is_lost() const;
     // Throws Error when the mapping is lost. The caller must then discard all data that it has read from the mapping.
     void check_intact() const;
-    // Returns true if the file at the path is still the mapped file and has not changed since it was opened.
     [[nodiscard]] bool is_current() const;
-    // Returns true if the file at the path was written to or replaced since the last call, or since it was opened. The
-    // caller must then check the content of the mapping again. This includes a replaced file: a file may have been
-    // replaced because it was damaged, and the mapping still has the damaged content.
+    // Returns true if the file was written to or replaced since the last call, or since it was opened. The caller must
+    // then check the content again: the file may have been replaced because it was damaged.
     [[nodiscard]] bool was_touched();
     // Marks the mapping as lost, because its content has changed. Throws Error.
     [[noreturn]] void refuse() const;

@@ -137,7 +137,7 @@ void MappedMesh::check_sizes() const {
     if (faces < attributes_.info.boundary_faces) check_boundary_count(faces);
 }
 
-// Throws Error unless the attributes declare `count` boundary faces. Arrays on boundary faces have the declared size.
+// Arrays on boundary faces have the size that the attributes declare.
 void MappedMesh::check_boundary_count(std::uint64_t count) const {
     if (count != attributes_.info.boundary_faces)
         refuse_damage(directory_ / layout::attributes_document,
@@ -224,8 +224,7 @@ void MappedMesh::verify_types() const {
         refuse_damage(array("cell_types").path(), "contains a cell type that does not exist");
 }
 
-// Throws Error unless the faces are sorted by owner. Numbered faces have two sorted parts: first the boundary faces,
-// then the faces inside the mesh.
+// Numbered faces have two parts, each sorted by owner: the boundary faces, then the faces inside the mesh.
 void MappedMesh::check_order() const {
     const auto& owner = array(face_array("owner"));
     const auto neighbour = array(face_array("neighbour")).as<Index>();
@@ -290,7 +289,6 @@ FaceMeshView MappedMesh::with_stored_faces(FaceMeshView points) const {
     return points;
 }
 
-// Numbers the faces of a mesh of format 1, and replaces face ids in its groups by face numbers.
 void MappedMesh::number_faces() const {
     verified_.at("groups").once([this] { verify_groups(); });
     verified_.at("numbers").once([this] {
@@ -344,8 +342,7 @@ FaceMeshView MappedMesh::all_faces(FaceMeshView points) const {
     return mesh;
 }
 
-// Throws Error that names the array that no longer matches its checksum. `suspected`: the array in which a wrong index
-// was found. If this index contradicts another array, the other array may be the one that has changed.
+// A wrong index in the array `suspected` can also mean that another array has changed.
 void MappedMesh::refuse_changed(const std::string& suspected) const {
     check_intact(); // throws if another thread has found the changed array already
     if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();

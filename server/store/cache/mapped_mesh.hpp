@@ -19,28 +19,24 @@ class MappedMesh {
 public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;
-    // Maps the arrays of a mesh except positions and values, and reads the index of its blocks. Does not read the
-    // content of an array. Throws Error that names the file when a file is missing, has a wrong size, or belongs to
-    // another dataset. `any_lost`: the dataset's flag (AnyLost), which becomes true when a mapping is lost. `access`:
-    // whether the records are mapped or copied.
+    // Maps the arrays except positions and values, and reads the index of the blocks, but not the content of an array.
+    // Throws Error that names the file when a file is missing, has a wrong size, or belongs to another dataset.
+    // `access`: whether the records are mapped or copied.
     MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }
     [[nodiscard]] std::uint64_t vertex_count() const { return vertex_count_; }
     [[nodiscard]] std::uint64_t cell_count() const { return cell_types().size(); }
-    // When an array is first requested, the functions below compare the array with its checksum and check that its
-    // indices are in range. They throw Error that names the file if a check fails. Files may change later. Therefore
-    // views check each index again when the index is read.
+    // When an array is first requested, the functions below check its checksum and its indices. They throw Error that
+    // names a damaged file. Files may change later. Therefore views check each index again when the index is read.
     [[nodiscard]] const std::vector<Group>& groups() const;
     [[nodiscard]] std::span<const Index> original_vertex() const { return ids<Index>("original_vertex"); }
     [[nodiscard]] std::span<const Index> original_cell() const { return ids<Index>("original_cell"); }
-    // Return the ids that the solver gave to the vertices and cells. An id of -1 means that the solver gave no id.
-    // Empty if the imported file has no solver ids.
+    // An id of -1 means that the solver gave no id. Empty if the imported file has no solver ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
-    // Return the id of one vertex or cell; nullopt if the imported file has no solver ids. Only the page that contains
-    // the id is compared with its checksum.
+    // Return nullopt if the imported file has no solver ids. Only the page that contains the id is checked.
     [[nodiscard]] Index original_vertex(Index vertex) const { return *id<Index>("original_vertex", vertex); }
     [[nodiscard]] Index original_cell(Index cell) const { return *id<Index>("original_cell", cell); }
     [[nodiscard]] std::optional<std::int64_t> solver_vertex(Index vertex) const {
@@ -49,28 +45,23 @@ public:
     [[nodiscard]] std::optional<std::int64_t> solver_cell(Index cell) const {
         return id<std::int64_t>("solver_cell", cell);
     }
-    // Returns the mesh with `positions`, which are offsets from the mesh's origin, and without faces. Reads no array.
+    // `positions`: offsets from the mesh's origin. Returns no faces and reads no array.
     [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
-    // Returns `points` with the numbered faces (ciel/numbered_faces.hpp).
     [[nodiscard]] FaceMeshView numbered_faces(FaceMeshView points) const;
-    // Returns `points` with the boundary faces, which are the first numbered faces.
     [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const;
-    // Returns `points` with all faces of the mesh. The faces inside the mesh are made from the blocks, or, in format 1,
-    // read from the arrays.
+    // The faces inside the mesh are made from the blocks, or, in format 1, read from the arrays.
     [[nodiscard]] FaceMeshView all_faces(FaceMeshView points) const;
     // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
     [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
     [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
     void verify() const; // reads and checks all arrays and records; throws Error at the first damaged file
-    // Throws Error when a file has shrunk. Also throws Error when a file was written to or replaced and the mapping no
-    // longer matches the file's checksum. Calls stat once for each file.
+    // Throws Error when a file has shrunk, or has changed and no longer matches its checksum. Calls stat for each file.
     void check_unchanged();
     void check_intact() const;
 
 private:
     [[nodiscard]] const MappedFile& array(const std::string& name) const { return arrays_.at(name); }
-    // Returns an array of layout::id_arrays; empty if the mesh does not have the array.
     template <typename T>
     [[nodiscard]] std::span<const T> ids(const std::string& name) const {
         const auto found = arrays_.find(name);
@@ -87,8 +78,7 @@ private:
     }
     [[nodiscard]] PageStates& pages_of(const std::string& ids) const;
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
-    // A view calls refuse() when an index of its array is out of range or contradicts another array. Any thread may
-    // call refuse().
+    // A view calls refuse() on any thread when an index is out of range or contradicts another array.
     class Keeper final : public ArrayKeeper {
     public:
         Keeper(const MappedMesh& mesh, std::string name) : mesh_(mesh), name_(std::move(name)) {}
@@ -111,8 +101,7 @@ private:
     void check_order() const;
     void verify_groups() const;
     void check_boundary_count(std::uint64_t count) const;
-    // Returns the path of an array of faces inside the mesh's directory, such as "faces/owner". In format 1, these
-    // arrays are not in the folder and have all faces.
+    // In format 1, the arrays of faces are not in the folder and have all faces.
     [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
     [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
     [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<Index>().size(); }

@@ -14,7 +14,6 @@
 
 namespace ciel::store {
 
-// Location and shape of one array on one mesh. Each chunk is one step, or one coordinate set of the positions.
 struct ArrayLayout {
     std::filesystem::path directory;
     std::uint64_t chunks = 0;
@@ -26,13 +25,11 @@ struct ArrayLayout {
     }
 };
 
-// Reads the .zarray in `directory`. Throws Error that names the .zarray unless each step or coordinate set is one chunk
-// of items x components values of type float32 or float64.
+// Throws Error that names the .zarray unless a chunk has items x components values of type float32 or float64.
 [[nodiscard]] ArrayLayout read_layout(const std::filesystem::path& directory, std::uint64_t items, int components);
 
-// Returns the ranges that are stored beside a chunk. Returns nullopt if none are stored, if they were written for
-// another chunk, or if `sum` is empty. `sum`: checksum of the chunk. `scalars`, `blocks`: the numbers of scalars and of
-// blocks that the ranges must have. Throws Error when the file is damaged.
+// Returns nullopt if no ranges are stored, if they were written for another chunk, or if `sum`, the checksum of the
+// chunk, is empty. Throws Error when the file is damaged or has other numbers of scalars or blocks.
 [[nodiscard]] std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t chunk,
                                                      const std::string& sum, std::size_t scalars, std::size_t blocks,
                                                      const std::string& dataset_id);
@@ -42,15 +39,14 @@ struct ArrayLayout {
 [[nodiscard]] PageChecks page_checks(const ArrayLayout& array, const std::string& sum,
                                      std::optional<ValueRanges> ranges);
 
-// Throws Error that names `file` when a page of positions contains a number that is not finite. `doubles`: whether the
-// numbers are doubles.
+// Throws Error that names `file` when a page of positions contains a number that is not finite.
 void refuse_infinite(std::span<const std::byte> page, bool doubles, const std::filesystem::path& file);
 
-// Returns the numbers of a chunk file. Loads no page.
+// Loads no page.
 [[nodiscard]] PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles);
 [[nodiscard]] Values loaded(PagedValues paged); // loads all pages
 
-// Loads the pages that have the positions of given vertices. Keeps the file of positions mapped.
+// Keeps the file of positions mapped.
 class PositionsLoader final : public VertexLoader {
 public:
     PositionsLoader(PagedValues positions, std::size_t blocks)

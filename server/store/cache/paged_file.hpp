@@ -1,5 +1,4 @@
-// PagedFile: a file of numbers. Each page is compared with its checksum when the page is first loaded. Pages that are
-// never loaded are not read from the disk.
+// PagedFile: a file of numbers. A page is read and compared with its checksum when it is first loaded.
 #pragma once
 
 #include "ciel/values_view.hpp"
@@ -11,7 +10,6 @@
 
 namespace ciel::store {
 
-// How the pages of a file are checked.
 struct PageChecks {
     std::size_t page_bytes = 0;
     std::vector<std::uint64_t> checksums; // XXH3-64 of each page; empty if not known
@@ -19,8 +17,7 @@ struct PageChecks {
     std::function<void(std::span<const std::byte>)> numbers{};
 };
 
-// Records which pages of one version of a file have been checked. The object is kept when the file is unmapped.
-// Thread-safe.
+// Records which pages of a file have been checked, even after the file is unmapped. Thread-safe.
 class PageStates {
 public:
     PageStates(std::size_t file_bytes, PageChecks checks);
@@ -41,12 +38,10 @@ private:
     std::atomic<std::size_t> left_;
 };
 
-// Checks the pages that contain the bytes from `begin` to `end` - 1, except pages that are checked already. `file` must
-// have FileAccess::mapped. Throws Error as PagedFile::load does. May be called on any thread.
+// Checks pages as PagedFile::load does, on any thread. `file` must have FileAccess::mapped.
 void load_pages(const MappedFile& file, PageStates& pages, std::size_t begin, std::size_t end);
 
-// Thread-safe. A mapped page may change after its check, when another process rewrites the file (MappedFile). With
-// FileAccess::read, a page is copied before its check and does not change.
+// Thread-safe. A mapped page may change after its check when the file is rewritten. A copied page does not change.
 class PagedFile {
 public:
     PagedFile(MappedFile file, std::shared_ptr<PageStates> pages) : file_(std::move(file)), pages_(std::move(pages)) {}
@@ -73,7 +68,7 @@ private:
     mutable std::array<std::mutex, 16> copying_; // page p uses mutex p % 16, so that a page is copied only once
 };
 
-// The numbers in a PagedFile. The caller must load the pages that contain the numbers before it reads the numbers.
+// The caller must load the pages that contain the numbers before it reads the numbers.
 struct PagedValues {
     ValuesView values; // empty if `file` is null
     std::shared_ptr<const PagedFile> file;

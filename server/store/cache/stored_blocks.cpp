@@ -11,8 +11,7 @@
 namespace ciel::store {
 namespace {
 
-// Number of zero bytes after each mapped file. A wrong index in a changed record can lead to these bytes. RecordSource
-// requires at least 1 MiB.
+// RecordSource requires 1 MiB of readable bytes after a record: a wrong index in a changed record can lead there.
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 
 class MappedSource final : public RecordSource {
@@ -26,7 +25,6 @@ private:
     std::shared_ptr<const StoredBlocks> blocks_;
 };
 
-// Keeps copies of the records that a Topology has used. Thread-safe.
 class CopyingSource final : public RecordSource {
 public:
     CopyingSource(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
@@ -60,7 +58,6 @@ BlockIndex read_index(const std::filesystem::path& mesh, const std::string& data
     return parse_block_index(bytes_of(read_text(file, layout::index_bytes)), dataset_id, file);
 }
 
-// Opens a file of records. Throws Error unless its size is `bytes`, the size in the index.
 InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes) {
     InputFile file(layout::records(mesh, kind, number));
     if (file.size() != bytes)
@@ -95,7 +92,6 @@ Topology StoredBlocks::topology(bool is_trusted) const {
     return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }
 
-// Checks the head of a file of records, unless it has been checked before.
 void StoredBlocks::check_head(File& file, RecordKind kind) const {
     if (file.has_head) return;
     const auto mapped = file.mapped.bytes();
@@ -110,7 +106,6 @@ void StoredBlocks::check_head(File& file, RecordKind kind) const {
     file.has_head = true;
 }
 
-// Reads a record into `record`. Returns true if the record matches its checksum.
 bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const {
     record.resize(place.raw);
     const auto bytes = std::as_writable_bytes(std::span(record));

@@ -1,5 +1,4 @@
-// StoredBlocks: reads the records of a mesh's blocks from their files. A record is compared with its checksum when it
-// is first requested.
+// StoredBlocks: the records of a mesh's blocks. A record is compared with its checksum when it is first requested.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -14,30 +13,25 @@
 
 namespace ciel::store {
 
-// Thread-safe. A topology that was made from this object keeps the object alive. If a file was truncated or rewritten
-// in place and this has been detected, check_intact throws. Copied records of such a file do not change. Mapped records
-// read as zeros or as the new content. Any content is safe: a topology never accesses memory out of bounds
-// (RecordSource).
+// Thread-safe. A topology that was made from this object keeps the object alive. When a file is changed in place,
+// copied records stay the same, and mapped records read as zeros or as the new content. Any content is safe: a topology
+// never accesses memory out of bounds (RecordSource). check_intact throws when a change has been detected.
 class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
-    // Reads the index of the mesh's blocks and opens the files of records. Reads no record. Throws Error that names the
-    // file when a file is missing or has a wrong size, or when the index is damaged, has a newer format, or belongs to
-    // another dataset.
+    // Reads the index of the mesh's blocks, but no record. Throws Error that names the file when a file is missing,
+    // damaged, of a wrong size, of a newer format, or of another dataset.
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
-    // Returns a topology that reads a record when the record is first used. is_trusted: true if this process has
-    // written the records. The topology then uses copies of the records and does not check their content.
+    // is_trusted: true if this process has written the records. The topology then copies them and does not check them.
     [[nodiscard]] Topology topology(bool is_trusted = false) const;
-    // Reads and returns a copy of a record. Throws Error that names the file when the file cannot be read, has a newer
-    // format or belongs to another dataset, or when the record does not match its checksum.
+    // Returns a copy of a record. Throws Error that names the file when the record cannot be read or is damaged.
     [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
-    // Returns the bytes of a record in the mapped file. Throws Error as read does. Only for FileAccess::mapped.
+    // Only for FileAccess::mapped. Throws Error as read does.
     [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
     [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
-    // Throws Error when a file was changed in place or replaced, and a record of the open file no longer matches its
-    // checksum. Calls stat once for each file.
+    // Throws Error when a file has changed and a record no longer matches its checksum. Calls stat once for each file.
     void check_unchanged() const;
     void check_intact() const; // throws Error when a file is known to have changed or shrunk
 

@@ -7,8 +7,7 @@
 
 namespace ciel::store {
 
-// Node of a list of watched mappings. Nodes are never deleted, so the signal handler can walk the list at any time. A
-// node with begin == 0 is free for the next mapping.
+// Nodes are never deleted, so that the signal handler can read the list at any time. begin == 0: the node is free.
 struct WatchedMapping {
     std::atomic<std::uintptr_t> begin{0};
     std::atomic<std::size_t> bytes{0};
@@ -32,16 +31,14 @@ void lose(WatchedMapping& mapping, Loss loss) {
     *mapping.any_lost.load() = true;
 }
 
-// Returns whether the address lies in the mapping. Reads `begin` twice, because another thread may give the node to
-// another mapping meanwhile.
+// Reads `begin` twice, because another thread may give the node to another mapping meanwhile.
 bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
     const std::uintptr_t begin = mapping.begin.load();
     const std::size_t bytes = mapping.bytes.load();
     return begin != 0 && address >= begin && address - begin < bytes && mapping.begin.load() == begin;
 }
 
-// Marks the watched mapping with this address as lost and maps zeros over it. Returns false if no watched mapping has
-// the address. Runs in a signal handler, so it uses only atomics and system calls.
+// Runs in a signal handler, and therefore uses only atomics and system calls.
 bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
         if (!holds(*each, address)) continue;
@@ -54,10 +51,8 @@ bool replace_by_zeros(std::uintptr_t address) {
 }
 
 void on_bus_error(int number, siginfo_t* info, void*) {
-    // si_addr is the address whose access failed. It lies in the mapping, behind the new end of the file.
     if (replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) return;
-    // The address is in no watched mapping. Restores the previous handler, which gets the signal when the access is
-    // repeated.
+    // The previous handler gets the signal when the access is repeated.
     ::sigaction(number, &previous, nullptr);
 }
 

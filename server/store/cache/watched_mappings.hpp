@@ -1,7 +1,6 @@
-// Keeps the process alive when a mapped file shrinks. The first access behind the new end of the file raises SIGBUS.
-// The signal handler maps zero pages over the whole mapping, so that threads that read the mapping can continue. It
-// also marks the mapping as lost, so that results from it are discarded. A mapping is also marked as lost when a reader
-// detects that its content has changed.
+// Keeps the process alive when a mapped file shrinks and an access behind the new end of the file raises SIGBUS. The
+// signal handler maps zero pages over the whole mapping and marks it as lost, so that results from it are discarded. A
+// mapping is also marked as lost when a reader detects that its content has changed.
 #pragma once
 
 #include <atomic>
@@ -20,7 +19,7 @@ enum class Loss { none, shrunk, changed };
 void unwatch_mapping(WatchedMapping* mapping);
 [[nodiscard]] Loss loss_of(const WatchedMapping& mapping);
 void note_change(WatchedMapping& mapping); // marks the mapping as lost (Loss::changed)
-// Returns the number of mappings of this process that are lost and still watched.
+// Counts the mappings that are lost and still watched.
 [[nodiscard]] std::size_t lost_mapping_count();
 
 } // namespace ciel::store

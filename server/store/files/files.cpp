@@ -187,8 +187,7 @@ void replace_file(const std::filesystem::path& file, std::span<const std::byte> 
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
         const Descriptor out = create(beside);
-        // remove_left_beside does not remove locked files. It cannot use process ids to find running processes, because
-        // each container has its own process ids.
+        // remove_left_beside skips locked files. It cannot use process ids, because each container has its own.
         (void)::flock(out.get(), LOCK_EX | LOCK_NB);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");

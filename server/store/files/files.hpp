@@ -1,5 +1,4 @@
-// Functions and classes that read, write and replace files, and that make and lock directories. An operation that fails
-// throws FileError. The message contains the path of the file.
+// Reads, writes, replaces and locks files. An operation that fails throws FileError, which names the file.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -15,9 +14,8 @@
 
 namespace ciel::store {
 
-// An Error about a file. what() contains the full path of the file. for_clients() contains the path from the dataset's
-// directory NAME.ciel on, or only the file name if the file is in no dataset. A server sends for_clients() to its
-// clients.
+// what() contains the full path of the file. for_clients() is sent to clients: it contains the path from the dataset's
+// directory NAME.ciel on, or only the file name if the file is in no dataset.
 class FileError : public Error {
 public:
     FileError(const std::filesystem::path& file, const std::string& sentence);
@@ -29,50 +27,42 @@ private:
 
 // Returns true if `error` means that memory could not be allocated or that a thread could not be started.
 [[nodiscard]] bool is_out_of_memory(const std::exception& error);
-// Returns the message about `error` that a server sends to its clients. For a FileError, the message is for_clients().
-// If is_out_of_memory(error), the message is a sentence about the server's memory. Otherwise the message is
-// error.what().
+// Returns what a server sends to its clients: for_clients() of a FileError, a sentence about memory if
+// is_out_of_memory(error), or error.what().
 [[nodiscard]] std::string sentence_for_clients(const std::exception& error);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
-// Throws FileError. Appends to `sentence` that the dataset is damaged, and that the user must restore the file or
-// import the data again.
+// Appends to `sentence` that the dataset is damaged and that the user must restore the file or import the data again.
 [[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& sentence);
-// Throws FileError for a file that `has` ("changed", "shrunk") while it was open. Says how to change files of a
-// dataset.
+// `has`: "changed" or "shrunk" while the file was open. Appends how to change files of a dataset.
 [[noreturn]] void refuse_open_file(const std::filesystem::path& file, const char* has);
-// Throws FileError. Appends the system's message for errno to `what_failed`.
+// Appends the system's message for errno to `what_failed`.
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
 
-// Returns the content of a file. Throws FileError when the file is missing, is not a regular file, or is longer than
-// `limit` bytes.
+// Throws FileError when the file is missing, is not a regular file, or is longer than `limit` bytes.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t limit);
 
-// Creates a file that contains `bytes`, or replaces the content of an existing file by `bytes`. Does not flush the file
-// to the disk.
+// Creates or overwrites a file. Does not flush the file to the disk.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 // Writes a temporary file FILE.new-PID, flushes the temporary file to the disk, and renames it to `file`. Readers see
 // either the old or the new content. A mapping of the old file stays valid.
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-// Removes the temporary files that replace_file left in `directory` and its subdirectories because the process was
-// killed. The temporary files of running calls are locked and are not removed.
+// Removes temporary files of killed replace_file calls, also in subdirectories. Files of running calls are locked.
 void remove_left_beside(const std::filesystem::path& directory);
 
 void make_directory(const std::filesystem::path& directory); // also makes missing parent directories
 void sync_directory(const std::filesystem::path& directory);
-// Flushes the whole file system of `directory` to the disk. This is faster than flushing each chunk file.
+// Flushes the whole file system, which is faster than flushing each chunk file.
 void sync_filesystem(const std::filesystem::path& directory);
 
 [[nodiscard]] inline std::span<const std::byte> bytes_of(std::string_view text) {
     return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-// Truncates a file to `size` bytes, appends `bytes`, and flushes the file to the disk. The first `size` bytes do not
-// change. If the file has several hard links, it is replaced by a new file, so that the other links keep the old
-// content.
+// Truncates a file to `size` bytes, appends `bytes`, and flushes the file to the disk. If the file has several hard
+// links, it is replaced, so that the other links keep the old content.
 void append_after(const std::filesystem::path& file, std::uint64_t size, std::span<const std::byte> bytes);
 
-// Owns a file descriptor.
 class Descriptor {
 public:
     explicit Descriptor(int fd = -1) : fd_(fd) {}
@@ -98,20 +88,17 @@ private:
     std::uint64_t size_ = 0;
 };
 
-// A file that is open for reading at any offset. Thread-safe. The object reads the file that was opened, even if the
-// path is later renamed, deleted or given to another file.
+// Thread-safe. Reads the file that was opened, even if the path is later renamed, deleted or given to another file.
 class InputFile {
 public:
     // Throws FileError when the file is missing, cannot be opened, or is not a regular file.
     explicit InputFile(const std::filesystem::path& file);
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::uint64_t size() const { return size_; } // size in bytes when the file was opened
-    // Returns the times of the last change of the content (mtime) and of the last change of the status (ctime), in
-    // nanoseconds. The times change when the content changes and when the file is deleted.
+    // Returns mtime and ctime in nanoseconds. Both change when the content changes and when the file is deleted.
     [[nodiscard]] std::array<std::int64_t, 2> changed_at() const;
     [[nodiscard]] bool is_deleted() const; // true if the file has no path any more, so that no program can open it
-    // Fills `to` with the bytes of the file from `offset` on. Throws FileError when the file ends before `to` is full,
-    // or when the file cannot be read.
+    // Throws FileError when the file ends before `to` is full, or when the file cannot be read.
     void read(std::uint64_t offset, std::span<std::byte> to) const;
     // Like read, but stops at the end of the file. Returns the number of bytes that were read.
     std::size_t read_some(std::uint64_t offset, std::span<std::byte> to) const;
@@ -122,8 +109,7 @@ private:
     std::uint64_t size_ = 0;
 };
 
-// Locks a directory until `lock` is destroyed or the process ends. Does not wait: returns false if the directory is
-// locked already.
+// Locks until `lock` is destroyed or the process ends. Returns false at once if the directory is locked already.
 [[nodiscard]] bool lock_directory(const std::filesystem::path& directory, Descriptor& lock);
 
 } // namespace ciel::store

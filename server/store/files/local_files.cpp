@@ -8,7 +8,7 @@
 namespace ciel::store {
 
 bool is_on_this_machine(const std::filesystem::path& path) {
-    // Values of statfs::f_type that identify file systems, from statfs(2) and from the headers of the file systems.
+    // Values of statfs::f_type, from statfs(2) and from the headers of the file systems.
     constexpr std::array<std::uint32_t, 13> remote{
         0x6969,     // NFS
         0x517b,     // SMB

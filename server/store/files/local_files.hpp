@@ -6,14 +6,11 @@
 
 namespace ciel::store {
 
-// Returns true if the file system of `path` is on this machine, or if the file system cannot be examined.
+// Also returns true if the file system cannot be examined.
 [[nodiscard]] bool is_on_this_machine(const std::filesystem::path& path);
 
-// mapped: the process maps a file and uses the mapped pages, which all processes share. read: the process copies the
-// parts of a file that it needs into its own memory.
+// mapped: uses the mapped pages of a file, which all processes share. read: copies the needed parts of a file.
 enum class FileAccess { mapped, read };
-// Returns `read` if `directory` is on another machine, because an access to a mapped page can then fail at any time.
-// Otherwise returns `mapped`.
 [[nodiscard]] inline FileAccess access_to(const std::filesystem::path& directory) {
     return is_on_this_machine(directory) ? FileAccess::mapped : FileAccess::read;
 }

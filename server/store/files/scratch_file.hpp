@@ -13,8 +13,7 @@ public:
     // the disk does not have enough free space. The message contains no path, because a server sends it to its clients.
     ScratchFile(const std::filesystem::path& directory, std::uint64_t bytes);
 
-    // REQUIRES: [offset, offset + bytes.size()) lies within the file. Both functions throw Error when the system
-    // reports an error of the disk.
+    // REQUIRES: [offset, offset + bytes.size()) lies within the file. Both functions throw Error when the disk fails.
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
 

@@ -98,8 +98,6 @@ constexpr std::array mesh_counts{Count{"vertices", &MeshInfo::vertices},
                                  Count{"components", &MeshInfo::components},
                                  Count{"cells", &MeshInfo::cells}};
 
-// Returns the member "ciel", which contains all attributes that CIEL writes. Throws Error if the member is absent,
-// because another program then wrote the Zarr group.
 JsonReader ciel_member(const JsonReader& document, const std::filesystem::path& file) {
     if (!document.is_object() || !document.find("ciel"))
         refuse(file, "has no 'ciel' attributes: the directory is a Zarr group, but not a CIEL dataset; "

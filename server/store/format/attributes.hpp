@@ -8,7 +8,6 @@
 
 namespace ciel::store {
 
-// Attributes of the whole dataset: format_version, id, source, created, length_units, input counts, notes.
 [[nodiscard]] DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string root_attributes_text(const DatasetInfo& info);
 

@@ -7,8 +7,7 @@
 namespace ciel::store {
 namespace {
 
-// The bytes of the index after the common file head (file_head.hpp). Offsets are in bytes from the beginning of the
-// file.
+// The bytes after the common file head. Offsets are in bytes from the beginning of the file.
 struct IndexHead {
     std::array<double, 6> bounds{};
     std::uint64_t blocks = 0;

@@ -13,12 +13,11 @@
 
 namespace ciel::store {
 
-// The kinds of records, in the order in which the index lists them.
+// The kinds are in the order in which the index lists them.
 inline constexpr std::array<RecordKind, 3> record_kinds{RecordKind::cells, RecordKind::around, RecordKind::mates};
 
 [[nodiscard]] std::size_t place_of_kind(RecordKind kind); // index of `kind` in record_kinds
 
-// The position of a record on the disk. The record is compared with `checksum` when it is read for the first time.
 struct RecordPlace {
     std::uint16_t file = 0;     // number of the file among the files of the same record kind
     std::uint8_t codec = 0;     // 0: the bytes are the record

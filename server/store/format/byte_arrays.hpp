@@ -1,6 +1,5 @@
-// ByteWriter and ByteReader write and read the binary files of a dataset that are read as a whole. Such a file consists
-// of the head (file_head.hpp), arrays at offsets that are stored in the file, and the XXH3-64 checksum of all bytes
-// before the checksum.
+// Binary files of a dataset that are read as a whole. Such a file consists of the head (file_head.hpp), arrays at
+// offsets that are stored in the file, and the XXH3-64 checksum of all bytes before the checksum.
 #pragma once
 
 #include "store/files/files.hpp"
@@ -46,8 +45,7 @@ public:
         bytes_ = bytes.first(bytes.size() - sizeof sum);
         if (checksum_number(bytes_) != sum) refuse_damage("does not match its checksum");
     }
-    // Returns a copy of `count` elements that begin at the offset `begin`, in bytes. Throws Error when they do not lie
-    // inside the file.
+    // `begin`: offset in bytes. Throws Error when the elements do not lie inside the file.
     template <class T>
     [[nodiscard]] std::vector<T> array(std::uint64_t begin, std::uint64_t count) const {
         if (begin > bytes_.size() || count > (bytes_.size() - begin) / sizeof(T))

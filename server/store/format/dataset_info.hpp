@@ -11,8 +11,7 @@
 
 namespace ciel::store {
 
-// The items of a mesh for which an array has values. Values on boundary faces are in the order of the faces' ids. A
-// patch is a set of boundary faces.
+// The items that have values. Values on boundary faces are in the order of the faces' ids.
 enum class Association { point, cell, boundary_face };
 
 // Source of an array's values. original: the imported file. interpolated: values on cells. derived: computed by the
@@ -37,7 +36,6 @@ struct ArrayInfo {
     bool doubles = false; // true: stored as float64; false: as float32; the same on all meshes
 
     [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
-    // Returns whether both arrays have the same association and number of components.
     [[nodiscard]] bool has_shape_of(const ArrayInfo& other) const {
         return association == other.association && components == other.components;
     }
@@ -64,12 +62,10 @@ struct ArrayStep { // what is known about an array at one step
     std::vector<std::array<double, 2>> component_ranges; // [min, max] of the finite values, by component
     std::uint64_t invalid = 0; // number of NaN and infinite values that are not missing values
     std::uint64_t missing = 0; // number of missing values (no_value.hpp)
-    // Only for an array on cells. The first entry has the cells with the lowest and the highest value of `range`. If
-    // there are several components, one more entry for each component follows. Empty if the cells are not known, or if
-    // one of the ranges has no finite value.
+    // Only for an array on cells: the cells at the ends of `range`, then those of each component if there are several.
+    // Empty if the cells are not known, or if one of the ranges has no finite value.
     std::vector<CellExtremes> extremes;
-    // True: the array exists at this time, but its chunk file may not be written yet (store/README.md). Until the file
-    // is written, Dataset::values throws Error.
+    // The chunk file may not be written yet (store/README.md). Until it is written, Dataset::values throws Error.
     bool lazy = false;
     bool has_checksum = false; // false if the chunk was written with plain Zarr and cannot be verified
 };

@@ -1,6 +1,5 @@
-// The head: the first 64 bytes of each binary file of a dataset. The head has the kind of the file, the format
-// versions, and the dataset's id. With the id, a reader detects a file of another dataset. Bytes: store/README.md,
-// "Blocks".
+// The head: the first 64 bytes of each binary file of a dataset. With the dataset's id in the head, a reader detects a
+// file of another dataset. Bytes: store/README.md, "Blocks".
 #pragma once
 
 #include "ciel/record_source.hpp"
@@ -25,8 +24,7 @@ enum class FileKind : std::uint32_t {
 inline constexpr std::size_t file_head_bytes = 64;
 
 [[nodiscard]] std::array<std::byte, file_head_bytes> file_head(FileKind kind, const std::string& dataset_id);
-// Throws Error that names the file when its head is damaged, or is of another kind, of another dataset or of a newer
-// format.
+// Throws Error that names the file when its head is damaged or of another kind, another dataset or a newer format.
 void check_file_head(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
                      const std::filesystem::path& file);
 

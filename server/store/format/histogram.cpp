@@ -28,8 +28,7 @@ void Histogram::add(ValuesView values) {
     });
 }
 
-// A bin of the new histogram is a group of `together` consecutive bins. This gives exactly the counts of a histogram
-// that is made with `bins` bins, because multiplication by a power of two is exact in floating point.
+// The counts are those of a histogram made with `bins` bins, because scaling by a power of two is exact.
 std::optional<Histogram> Histogram::with_bins(std::size_t bins) const {
     if (bins == 0 || counts.size() % bins != 0 || !std::has_single_bit(counts.size() / bins)) return std::nullopt;
     Histogram fewer = *this;

@@ -10,7 +10,6 @@
 
 namespace ciel::store {
 
-// Number of bins of the histograms that are stored in a dataset (store/README.md, "Ranges").
 inline constexpr std::size_t stored_bins = 256;
 
 // A bin includes its lower end and excludes its upper end. The last bin includes both ends.
@@ -18,8 +17,7 @@ struct Histogram {
     Histogram() = default;
     Histogram(const std::array<double, 2>& of_range, std::size_t bins) : range(of_range), counts(bins) {}
 
-    // Lower end of the first bin and upper end of the last bin. If both ends are equal, values equal to them are in the
-    // first bin.
+    // If both ends are equal, values equal to them are in the first bin.
     std::array<double, 2> range{};
     std::vector<std::uint64_t> counts;  // number of values in each bin
     std::uint64_t below = 0, above = 0; // finite values outside the range
@@ -27,8 +25,7 @@ struct Histogram {
 
     void add(ValuesView values);
 
-    // Returns the histogram of the same values with `bins` bins. Returns nullopt unless the number of bins of this
-    // histogram is `bins` times a power of two.
+    // Returns nullopt unless the number of bins of this histogram is `bins` times a power of two.
     [[nodiscard]] std::optional<Histogram> with_bins(std::size_t bins) const;
     // Returns the value below which `share` (0 to 1) of the finite values lie. Assumes that the values of a bin are
     // spread evenly over the bin. Returns the lower end of the range if there are no finite values.
@@ -37,7 +34,6 @@ struct Histogram {
     [[nodiscard]] bool operator==(const Histogram&) const = default;
 };
 
-// [min, max] of the finite values that were added.
 class FiniteRange {
 public:
     void add(ValuesView values);
@@ -47,7 +43,7 @@ private:
     double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-// Returns a histogram whose range is [min, max] of the finite values.
+// The range is [min, max] of the finite values.
 [[nodiscard]] Histogram histogram_of(ValuesView values, std::size_t bins);
 
 } // namespace ciel::store

@@ -1,5 +1,4 @@
-// JsonReader: checked access to JSON from files that may be damaged. If a member is missing or has a wrong type, the
-// functions throw Error. The message has the file and the path of the value in the document.
+// JsonReader: checked access to JSON of files that may be damaged. Errors name the file and the path of the value.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +12,12 @@
 
 namespace ciel::store {
 
-// Throws Error when `text` is not JSON.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
-// Returns a copy of `text` in which bytes that are not valid UTF-8 are replaced by U+FFFD. Names in imported files may
-// contain any bytes.
+// Replaces bytes that are not valid UTF-8 by U+FFFD, because names in imported files may contain any bytes.
 [[nodiscard]] std::string valid_utf8(const std::string& text);
 [[nodiscard]] std::string to_text(const nlohmann::json& json);
 
-// Does not own the document and `file`. Both must outlive the reader. `place`: path of the value in the document, such
-// as "steps[3].time". Error messages contain `file` and `place`.
+// Does not own the document and `file`. Both must outlive the reader. `place`: such as "steps[3].time".
 class JsonReader {
 public:
     JsonReader(const nlohmann::json& value, const std::filesystem::path& file, std::string place = {})
@@ -38,8 +34,7 @@ public:
     [[nodiscard]] bool flag() const;
     [[nodiscard]] bool is_object() const { return value_->is_object(); }
 
-    // Throws FileError: the path in the document and `what`. refuse_damage() adds that the dataset is damaged, and what
-    // to do.
+    // Throw FileError with the path in the document. refuse_damage() adds that the dataset is damaged.
     [[noreturn]] void refuse(const std::string& what) const;
     [[noreturn]] void refuse_damage(const std::string& what) const;
 

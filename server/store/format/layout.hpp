@@ -19,8 +19,7 @@ inline constexpr const char* group_document = ".zgroup";
 inline constexpr const char* attributes_document = ".zattrs";
 inline constexpr const char* array_document = ".zarray";
 
-// Largest accepted sizes of files that are read as a whole, in bytes. The limits protect against damaged and hostile
-// files.
+// Largest accepted sizes of files that are read as a whole, in bytes: protection against hostile files.
 inline constexpr std::size_t document_bytes = std::size_t{1} << 24;
 inline constexpr std::size_t marker_bytes = std::size_t{1} << 28;
 inline constexpr std::size_t ranges_bytes = std::size_t{1} << 32;
@@ -29,23 +28,20 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 [[nodiscard]] std::filesystem::path mesh(const std::filesystem::path& dataset, std::size_t mesh);
 [[nodiscard]] std::filesystem::path face_or_cell_group(const std::filesystem::path& mesh, std::size_t index);
 [[nodiscard]] std::filesystem::path values(const std::filesystem::path& mesh, const std::string& array);
-// Returns the path of a chunk file. `array`: directory of the array. `first`: index of the chunk in the first
-// dimension. `rank`: number of dimensions. In all other dimensions, the array has only one chunk. For rank 3, the file
-// name is "<first>.0.0".
+// `first`: index of the chunk in the first dimension. In all other dimensions, the array has only one chunk. For rank
+// 3, the file name is "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
-// Returns the path of the file with the ranges of one chunk. `array`: directory of the array.
 [[nodiscard]] std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk);
 
 // Returns the name of the directory of an array. Each byte except A-Z a-z 0-9 _ - becomes %XX (hexadecimal). If the
 // result is too long, it is truncated and ends with the hash of `name`.
 [[nodiscard]] std::string encode_name(const std::string& name);
 
-// Return the path of the index of a mesh's blocks, and the path of file `number` with the records of one kind.
 [[nodiscard]] std::filesystem::path block_index(const std::filesystem::path& mesh);
 [[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number);
 
-// Names of the topology arrays that every mesh has. Each array is one chunk.
+// Topology arrays that every mesh has. Each array is one chunk.
 inline constexpr const char* whole_arrays[] = {"cell_types", "original_vertex", "original_cell"};
 
 // The arrays `face_arrays` of the numbered faces are in the folder `faces_group`. In format 1, these arrays have all
@@ -53,11 +49,10 @@ inline constexpr const char* whole_arrays[] = {"cell_types", "original_vertex", 
 inline constexpr const char* faces_group = "faces";
 inline constexpr const char* face_arrays[] = {"face_offset", "face_vertex", "owner", "neighbour"};
 
-// Arrays of the ids that vertices and cells have in the imported file or in the solver. These ids are not used as
-// indices. The checksums of the arrays' pages are stored beside the arrays.
+// These ids are not used as indices. The checksums of the arrays' pages are stored beside the arrays.
 inline constexpr const char* id_arrays[] = {"original_vertex", "original_cell", "solver_vertex", "solver_cell"};
 
-// Arrays of solver ids. A mesh has such an array only if the imported file has these ids. Each array is one chunk.
+// A mesh has such an array only if the imported file has these ids. Each array is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
 
 } // namespace ciel::store::layout

@@ -8,8 +8,7 @@ namespace {
 
 constexpr std::uint64_t most_meshes = 1'000'000;
 constexpr std::uint64_t most_table_steps = 100'000'000;
-// Values of `ciel_steps`: version 2 has a table of steps. A reader of version 1 must refuse such a dataset, because it
-// would see only the steps after the table.
+// Version 2 has a table of steps, which a reader of version 1 would not see. That reader must refuse the dataset.
 constexpr std::uint64_t plain_version = 1, table_version = 2;
 
 std::array<double, 2> parse_range(const JsonReader& value) {

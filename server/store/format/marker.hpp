@@ -1,6 +1,5 @@
-// The commit marker, steps.json. It lists the steps that readers see. If the dataset has a table of steps
-// (step_table.hpp), the marker lists only the steps after the table and describes the table. Readers ignore chunks that
-// neither the marker nor the table lists. Writers replace the marker as a whole.
+// The commit marker, steps.json, lists the steps that readers see, except the steps in the table of steps
+// (step_table.hpp). Readers ignore other chunks. Writers replace the marker as a whole.
 #pragma once
 
 #include "store/format/dataset_info.hpp"

@@ -32,7 +32,6 @@ Header find_header(std::string_view text, const std::filesystem::path& file) {
     return {text.substr(begin, length), begin + length};
 }
 
-// Returns the text that follows 'key': in the Python dictionary of the header.
 std::string_view value_of(std::string_view dictionary, std::string_view key, const std::filesystem::path& file) {
     const std::string quoted = std::string("'").append(key).append("':");
     const auto at = dictionary.find(quoted);

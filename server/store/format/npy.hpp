@@ -16,8 +16,7 @@ struct NpyArray {
     Values values;
 };
 
-// Reads an array of float32 or float64. Throws Error that names `file` unless the array is little-endian, in C order,
-// and has one or two dimensions. Also throws Error if the size of the file does not match the array's shape.
+// Throws Error that names `file` unless the array is float32 or float64, little-endian, and has one or two dimensions.
 [[nodiscard]] NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path& file);
 [[nodiscard]] NpyArray read_npy(const std::filesystem::path& file);
 

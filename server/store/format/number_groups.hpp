@@ -10,9 +10,8 @@ struct NumberedGroups {
     std::vector<std::vector<Index>> ids; // by group: the numbers of its faces, ascending, without duplicates
 };
 
-// Returns the boundary faces, followed by the faces inside the mesh that are in a group, and the groups with the
-// numbers of these faces. `groups`: ids of faces of the mesh, by group. Reads all faces of the mesh. Throws Error when
-// an index of the mesh or an id of a group is out of range.
+// `groups`: ids of faces of the mesh, by group. Reads all faces of the mesh. Throws Error when an index of the mesh or
+// an id of a group is out of range.
 [[nodiscard]] NumberedGroups number_groups(const FaceMeshView& mesh, std::span<const std::vector<Index>> groups);
 
 } // namespace ciel::store

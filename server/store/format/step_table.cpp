@@ -120,7 +120,6 @@ void put_array(std::vector<std::byte>& out, std::uint32_t number, const MarkedAr
     }
 }
 
-// Throws FileError when the file has fewer than `size` bytes, or belongs to another kind or another dataset.
 void check_head(const InputFile& file, FileKind kind, const std::string& dataset_id, std::uint64_t size) {
     if (file.size() < size)
         refuse_damage(file.path(), "has " + std::to_string(file.size()) + " bytes, but the commit marker needs " +

@@ -1,6 +1,5 @@
 // The table of steps: two binary files with all steps of a dataset except the last steps, which are in the commit
-// marker (store/README.md, "The table of steps"). Opening a dataset reads 40 bytes for each step of the table. The
-// arrays of a step are read when the step is first used.
+// marker (store/README.md, "The table of steps"). Opening a dataset reads 40 bytes for each step of the table.
 #pragma once
 
 #include "store/format/marker.hpp"
@@ -17,8 +16,7 @@ class InputFile; // files/files.hpp
 // Immutable and thread-safe. Keeps the file `steps/arrays` open.
 class StepTable {
 public:
-    // Reads the first `facts.steps` rows. The files may be longer. Throws FileError when a file is missing, damaged or
-    // of another dataset.
+    // Reads the first `facts.steps` rows. Throws FileError when a file is missing, damaged or of another dataset.
     StepTable(const std::filesystem::path& dataset, const TableFacts& facts, const std::string& dataset_id);
     ~StepTable();
     StepTable(const StepTable&) = delete;
@@ -26,7 +24,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
     [[nodiscard]] double time(std::size_t step) const { return rows_[step].time; } // ascending
-    // Reads a step from the file `steps/arrays`. Throws FileError when the bytes of the step are damaged.
+    // Throws FileError when the bytes of the step are damaged.
     [[nodiscard]] MarkedStep step(std::size_t step) const;
 
 private:
@@ -46,10 +44,9 @@ private:
     std::unique_ptr<InputFile> arrays_;
 };
 
-// Appends steps to the table that `facts` describes. Returns the description of the new table, which the caller writes
-// to the commit marker. Until the commit marker is replaced, readers see the old table. First removes all bytes after
-// the old table, which no marker describes. Flushes the files to the disk. Throws FileError when a file is damaged or
-// cannot be written.
+// Appends steps to the table that `facts` describes, and flushes the files. First removes all bytes after the old
+// table, which no marker describes. The caller writes the returned description to the commit marker. Until then,
+// readers see the old table. Throws FileError when a file is damaged or cannot be written.
 [[nodiscard]] TableFacts append_to_table(const std::filesystem::path& dataset, const TableFacts& facts,
                                          const std::string& dataset_id, std::span<const MarkedStep> steps);
 

@@ -17,8 +17,7 @@ const Step& Steps::operator[](std::size_t step) const {
         const std::lock_guard lock(mutex_);
         if (known_[step]) return *known_[step];
     }
-    // Calls read_ without the lock, because the call can take long: it computes the ranges of arrays that were appended
-    // with plain Zarr.
+    // read_ is called without the lock, because it can take long: it may compute the ranges of arrays.
     auto read = std::make_shared<const Step>(read_(step));
     const std::lock_guard lock(mutex_);
     if (!known_[step]) known_[step] = std::move(read);

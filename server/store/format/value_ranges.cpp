@@ -8,8 +8,7 @@
 namespace ciel::store {
 namespace {
 
-// The bytes after the common file head (file_head.hpp). Offsets are in bytes from the beginning of the file. An offset
-// is 0 if the file does not have the array.
+// The bytes after the common file head. Offsets are in bytes from the beginning of the file. 0: the array is absent.
 struct RangesHead {
     std::uint64_t blocks = 0, scalars = 0;
     std::uint64_t chunk_checksum = 0;
@@ -64,7 +63,7 @@ std::vector<Histogram> read_histograms(const ByteReader& read, std::uint64_t beg
     return histograms;
 }
 
-// Throws Error if a limit is NaN, because blocks are sorted by their limits and NaN cannot be sorted.
+// Refuses NaN, because blocks are sorted by their limits.
 std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std::size_t count, bool floats) {
     std::vector<double> limits;
     if (floats) {

@@ -1,6 +1,5 @@
-// ValueRanges: the content of the file that is stored beside a chunk of an array. It has [min, max] in each block of
-// the mesh, histograms, and checksums of pages. With [min, max], the extraction of an iso-surface reads only the blocks
-// that the surface crosses. Bytes: store/README.md, "Ranges".
+// ValueRanges: the file beside a chunk of an array. With its [min, max] in each block, an iso-surface reads only the
+// blocks that it crosses. Bytes: store/README.md, "Ranges".
 #pragma once
 
 #include "ciel/block_ranges.hpp"
@@ -21,9 +20,8 @@ struct ValueRanges {
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                               std::uint64_t chunk_checksum);
-// Returns nullopt if the ranges were written for a chunk with another checksum than `chunk_checksum`. `scalars`,
-// `blocks`: the numbers that the file must have. `chunk_bytes`: size of the chunk. Throws Error that names `file` when
-// the bytes are damaged, are of another dataset, or have other numbers of scalars or blocks.
+// Returns nullopt if the ranges were written for a chunk with another checksum. Throws Error that names `file` when the
+// bytes are damaged, are of another dataset, or have other numbers of scalars or blocks.
 [[nodiscard]] std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes,
                                                             const std::string& dataset_id, std::size_t scalars,
                                                             std::size_t blocks, std::size_t chunk_bytes,

@@ -10,14 +10,13 @@
 
 namespace ciel::store {
 
-// A ValuesView that also keeps the numbers alive as long as the object or a copy of the object exists. If the numbers
-// are in a mapped file, they may change when another process rewrites the file (see Dataset).
+// Keeps the numbers alive. Numbers in a mapped file may change when another process rewrites the file (see Dataset).
 class Values : public ValuesView {
 public:
     Values() = default;
     Values(ValuesView numbers, std::shared_ptr<const void> keep_alive)
         : ValuesView(numbers), keep_alive_(std::move(keep_alive)) {}
-    // Moves the numbers into the object. T: float or double.
+    // T: float or double.
     template <class T>
     explicit Values(std::vector<T>&& own) : Values(std::make_shared<const std::vector<T>>(std::move(own))) {}
 

@@ -41,8 +41,7 @@ void check_version(const JsonReader& document) {
     if (document.at("zarr_format").count() != 2) document.at("zarr_format").refuse("must be 2");
 }
 
-// Puts the fill value NaN in quotes. zarr-python 3.0 writes NaN without quotes, which is not valid JSON. Zarr 2
-// requires the quotes.
+// zarr-python 3.0 writes NaN without quotes, which is not valid JSON. Zarr 2 requires the quotes.
 std::string with_nan_as_text(std::string text) {
     constexpr std::string_view key = "\"fill_value\"", bare = "NaN", blank = " \t\r\n";
     const auto found = text.find(key);

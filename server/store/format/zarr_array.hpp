@@ -18,12 +18,10 @@ struct ZarrArray {
     std::vector<std::uint64_t> shape;
     std::vector<std::uint64_t> chunks; // extents of one chunk; as many entries as `shape`; no entry is 0
 
-    // Returns the size of a chunk file in bytes; 0 for an empty array. Throws Error that names `file` when the size
-    // exceeds 2^63 - 1.
+    // Returns 0 for an empty array. Throws Error that names `file` when the size exceeds 2^63 - 1 bytes.
     [[nodiscard]] std::size_t chunk_bytes(const std::filesystem::path& file) const;
 };
 
-// Returns a one-dimensional array of `count` elements in one chunk.
 [[nodiscard]] ZarrArray whole_array(ElementType type, std::uint64_t count);
 
 // Throws Error that names `file` when `text` is not valid, or describes an array that the store cannot map.

@@ -20,7 +20,6 @@ struct Batch {
     std::vector<Index> indices;  // indices into `vertices`
 };
 
-// The vertices or the values of a batch, quantized but not yet compressed.
 struct Quantized {
     std::uint64_t id = 0;
     std::vector<std::uint8_t> bytes; // records, one per vertex or value
@@ -41,7 +40,6 @@ void check(const Primitives& mesh) {
     if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not match and cannot be sent");
 }
 
-// Splits a mesh into batches of at most max_vertices vertices, in the order of its triangles, lines or points.
 void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
     const std::size_t corners = corners_of(mesh);
     // Index of each mesh vertex in batch.vertices. Valid only if batch.vertices holds the vertex at that index.
@@ -111,8 +109,7 @@ void append_string(std::string& json, std::string_view text) {
 
 const char* name_of(bool value) { return value ? "true" : "false"; }
 
-// Quantizes the vertices of a batch. A record has 12 bytes for the grid position minus `low`. With normals, 2 bytes for
-// the normal and 2 unused bytes follow.
+// A record has 12 bytes for the grid position minus `low`, and with normals 4 more, of which 2 are unused.
 Quantized mesh_part(const Batch& batch, double step) {
     const Primitives& mesh = *batch.mesh;
     Quantized part;

@@ -18,8 +18,7 @@ struct Primitives {
     std::span<const Vec3f> positions, normals;
     ValuesView scalars; // one per vertex; empty if there are `values`
     ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
-    // Quantization step of scalars or values; the error is at most half a step. 0: scalars or values are sent as
-    // floats.
+    // The error is at most half a step. 0: scalars or values are sent as floats.
     double value_step = 0;
     std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
@@ -37,7 +36,6 @@ inline constexpr std::size_t batch_vertices = 65536;
 
 using ArrayIds = std::unordered_set<std::uint64_t>; // content hashes of meshes and values of batches
 
-// The arrays that the receiver already has.
 struct HeldArrays {
     std::uint32_t base = 0; // last acknowledged frame; 0 if there is none
     ArrayIds ids;           // arrays of frame `base`
@@ -48,10 +46,9 @@ struct EncodedGeometry {
     ArrayIds ids;                                    // arrays of all batches, sent or already held
 };
 
-// Returns one payload per batch; without batches, a single payload with "batches": 0. A batch is self-contained: its
-// indices refer to its own vertices, and vertices shared between batches are repeated with the same grid position.
-// Triangles keep their order. For an array in `held`, the payload contains only the id of the array. `step`: grid step
-// in length units, a power of two (quantize.hpp). Throws Error if array sizes or indices are inconsistent.
+// Returns one payload per batch; without batches, a single payload with "batches": 0. Vertices shared between batches
+// are repeated with the same grid position. Triangles keep their order. An array in `held` is sent as its id only.
+// `step`: grid step in length units, a power of two (quantize.hpp). Throws Error if sizes or indices do not fit.
 [[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 

@@ -5,8 +5,7 @@
 namespace ciel::wire {
 namespace {
 
-// Sets meshoptimizer's format versions once, before the first encoding of any thread, because the library keeps the
-// versions in global variables.
+// Called once before the first encoding of any thread, because the library keeps the versions in global variables.
 void choose_versions() {
     static const bool chosen = [] {
         meshopt_encodeVertexVersion(0);

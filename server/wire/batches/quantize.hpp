@@ -16,8 +16,7 @@ namespace ciel::wire {
 // of this step up to `largest` are exact floats, so that quantized positions are decoded without rounding.
 [[nodiscard]] double grid_step(double wanted, double largest);
 
-// Returns the coordinate of a position in grid steps, rounded to the nearest integer. The error is at most half a step.
-// Equal positions get equal coordinates in all batches.
+// Rounds to the nearest step. Equal positions get equal coordinates in all batches.
 [[nodiscard]] inline std::int32_t on_grid(float position, double inverse_step) {
     constexpr double most = 1 << 30;
     const double place = std::min(std::max(-most, position * inverse_step), most); // NaN becomes -most
@@ -33,14 +32,12 @@ namespace ciel::wire {
 // Marks a NaN in QuantizedValues::places.
 inline constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
 
-// Quantized values of a batch: value i = origin + step * (low + places[i]). `low` is the smallest value, in steps from
-// the origin.
+// Value i = origin + step * (low + places[i]). `low` is the smallest value, in steps from the origin.
 struct QuantizedValues {
     std::int64_t low = 0;
     std::vector<std::uint32_t> places;
 };
-// Quantizes values to multiples of `step` from `origin`. The error is at most half a step. Values are clamped to 2^30
-// steps from `origin`. NaN becomes no_value.
+// The error is at most half a step. Values are clamped to 2^30 steps from `origin`. NaN becomes no_value.
 [[nodiscard]] QuantizedValues quantized(std::span<const double> values, double origin, double step);
 
 } // namespace ciel::wire

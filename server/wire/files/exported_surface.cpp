@@ -11,12 +11,9 @@
 namespace ciel::wire {
 namespace {
 
-// Up to this distance from the origin, in diagonals of the mesh, floats are precise enough. At a larger distance,
-// adjacent floats differ by more than a millionth of the diagonal.
-constexpr double most_diagonals_away = 8;
+constexpr double most_diagonals_away = 8; // farther away, floats differ by more than a millionth of the diagonal
 
-// Returns whether a polygon has an area. Computes Newell's normal relative to the first corner in double. This normal
-// is exactly zero for repeated points, and negligible compared with the squared extent for collinear points.
+// Newell's normal is exactly zero for repeated points, and negligible for collinear points.
 bool has_area(const Surface& surface, std::span<const Index> polygon) {
     if (polygon.size() < 3) return false;
     const Vec3f& base = surface.positions[polygon[0]];

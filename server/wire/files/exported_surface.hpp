@@ -19,7 +19,6 @@ struct NamedValues {
     bool doubles = false;       // written as float64, else as float32
 
     [[nodiscard]] std::size_t value_bytes() const { return doubles ? sizeof(double) : sizeof(float); }
-    // Returns a copy of `values` under a name, to be written in the type of `values`.
     [[nodiscard]] static NamedValues copy_of(std::string name, ValuesView values) {
         return {std::move(name), {values.begin(), values.end()}, values.has_doubles()};
     }
@@ -42,10 +41,9 @@ struct ExportSurface {
     }
 };
 
-// Returns the point to subtract from the coordinates in a file. Formats with floats need this point; other formats use
-// it on request. It is zero if floats are precise enough for the bounds of the mesh. Otherwise it is the center of the
-// bounds, rounded to whole numbers. `bounds`: minimum and maximum per axis. Files of one mesh fit together, because the
-// point depends only on the bounds.
+// Returns the point to subtract from coordinates in formats with floats, and in others on request. It is zero if floats
+// are precise enough, otherwise the center of the mesh's `bounds` (minimum and maximum per axis) in whole numbers. It
+// depends only on the bounds, so that files of one mesh fit together.
 [[nodiscard]] Vec3d file_origin(const std::array<double, 6>& bounds);
 
 struct ExportedCounts {
@@ -55,8 +53,7 @@ struct ExportedCounts {
 // Returns "X Y Z" with 17 significant digits per number.
 [[nodiscard]] std::string origin_text(Vec3d origin);
 
-// The polygons of a surface that have an area, and the vertices that they use. Polygons without area arise where a mesh
-// vertex has exactly the iso-value.
+// Polygons without an area are left out. They arise where a mesh vertex has exactly the iso-value.
 struct ExportedPolygons {
     std::vector<Index> vertices;  // indices of the used surface vertices
     std::vector<Index> offset{0}; // start of each polygon in `corner`, and the end of the last polygon

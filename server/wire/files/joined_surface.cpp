@@ -17,9 +17,8 @@ const NamedValues* find(const std::vector<NamedValues>& values, const std::strin
     return found != values.end() ? &*found : nullptr;
 }
 
-// Returns for each surface vertex the vertex that replaces it. If a mesh vertex has exactly the iso-value, each of its
-// edges has a separate surface vertex at this position. Merging these surface vertices keeps the surface closed when
-// polygons without area are left out. Surface vertices with different values are not merged.
+// A mesh vertex with exactly the iso-value has a surface vertex on each of its edges. Merging these vertices keeps the
+// surface closed when polygons without area are left out. Vertices with different values are not merged.
 std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vector<NamedValues>& values) {
     std::vector<Index> kept(surface.positions.size());
     std::unordered_map<Index, Index> at_mesh_vertex;

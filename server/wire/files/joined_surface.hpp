@@ -1,5 +1,4 @@
-// Joins several surfaces (the iso-values of a layer, or all layers) to one surface, for file formats that hold one
-// surface.
+// Joins several surfaces to one surface, for file formats that hold one surface.
 #pragma once
 
 #include "wire/files/exported_surface.hpp"
@@ -15,8 +14,7 @@ public:
     void add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places = {});
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }
-    // Returns the positions of all vertices, as precise as the mesh (ExportSurface::places). Returns an empty span if a
-    // surface was added without places.
+    // The positions are as precise as the mesh. Returns an empty span if a surface was added without places.
     [[nodiscard]] std::span<const Vec3d> places() const {
         return places_.size() == surface_.positions.size() ? std::span<const Vec3d>(places_) : std::span<const Vec3d>();
     }

@@ -14,9 +14,8 @@ namespace ciel::wire {
 template <class Band>
 class Bands {
 public:
-    // Encodes a picture. Returns its bands from the top, valid until the next call. `more`: last arguments of the
-    // constructor of Band; they must be the same in all calls. Rethrows exceptions of bands; the next call then encodes
-    // all bands again.
+    // Returns the bands from the top, valid until the next call. `more` must be the same in all calls. Rethrows
+    // exceptions of bands; the next call then encodes all bands again.
     template <class... More>
     const std::vector<Band>& encode(int width, int height, std::span<const std::uint8_t> rgb, More... more) {
         if (width != width_ || height != height_) bands_.clear();

@@ -14,13 +14,10 @@
 namespace ciel::wire {
 namespace {
 
-// Pixels per side of an MCU (minimum coded unit). By libjpeg's default, an MCU has 4 luminance blocks and one block of
-// each chrominance component.
-constexpr int unit = 16;
+constexpr int unit = 16;        // pixels per side of an MCU (minimum coded unit), with libjpeg's default sampling
 constexpr int wished_units = 4; // fewest MCUs in a piece
 
-// Returns the number of MCUs in a piece: the smallest divisor of units_of_row from wished_units to 3 * wished_units,
-// else units_of_row. Every row of MCUs then ends at the end of a restart interval.
+// Returns a divisor of units_of_row, so that every row of MCUs ends at the end of a restart interval.
 int units_of_piece(int units_of_row) {
     for (int units = wished_units; units <= 3 * wished_units; ++units)
         if (units_of_row % units == 0) return units;
@@ -61,8 +58,7 @@ struct JpegBand::Libjpeg {
         throw Error(std::string("libjpeg could not write a picture: ") + sentence.data());
     }
 
-    // Encodes a JPEG file with a restart marker after every `units` MCUs. `first`: the upper left pixel. `stride`:
-    // bytes from row to row. The result is valid until the next call.
+    // Writes a restart marker after every `units` MCUs. The result is valid until the next call.
     std::span<const std::uint8_t> encode(const std::uint8_t* first, std::size_t stride, int width, int height,
                                          int units, int quality) {
         file.resize(4 * static_cast<std::size_t>(width + unit) * static_cast<std::size_t>(height + unit) + 1024);

@@ -1,6 +1,5 @@
-// A band of rows of a JPEG picture. A band consists of pieces, and each piece ends at a restart marker
-// (jpeg_stream.hpp). A band is encoded independently of all other bands, because nothing is predicted across a restart
-// (T.81, E.1.4).
+// A band of rows of a JPEG picture, in pieces that end at restart markers (jpeg_stream.hpp). Bands are independent,
+// because nothing is predicted across a restart (T.81, E.1.4).
 #pragma once
 
 #include <array>
@@ -16,21 +15,17 @@ class JpegBand {
 public:
     static constexpr int most_rows = 64; // pixel rows
 
-    // Makes the band that begins at pixel row `top` of pictures of this size. `quality`: 1 to 100. Throws Error if
-    // libjpeg cannot be set up.
+    // `top`: first pixel row. `quality`: 1 to 100. Throws Error if libjpeg cannot be set up.
     JpegBand(int width, int height, int top, int quality);
     ~JpegBand();
     JpegBand(JpegBand&&) noexcept;
     JpegBand& operator=(JpegBand&&) noexcept;
 
-    // Encodes the columns of pieces that differ from the previous call. `rgb`: the whole picture. After an Error no
-    // further call is allowed.
+    // Encodes columns that differ from the previous call. `rgb`: the whole picture. Do not call it after an Error.
     void encode(std::span<const std::uint8_t> rgb);
-    // Returns the file header of the whole picture, from SOI to SOS. Valid after encode, and only in the band at row 0;
-    // empty in other bands.
+    // Returns the file header from SOI to SOS, valid after encode; empty except in the band at row 0.
     [[nodiscard]] std::span<const std::uint8_t> header() const { return header_; }
-    // Appends the encoded pieces, each followed by its restart marker. `number`: index of the first piece in the
-    // picture. Returns the index after the last piece.
+    // A restart marker follows each piece. `number`: index of the first piece. Returns the index after the last piece.
     std::size_t append(std::size_t number, std::vector<std::uint8_t>& out) const;
 
 private:

@@ -7,9 +7,8 @@
 
 namespace ciel::wire {
 
-// A picture is encoded in pieces of about 64 x 16 pixels, with a restart marker after each piece (T.81, B.2.4.4).
-// Pieces are encoded in parallel. Unchanged pieces keep their encoded bytes. The decoded pixels equal the pixels of a
-// single libjpeg call.
+// Pieces of about 64 x 16 pixels end at restart markers (T.81, B.2.4.4), and are encoded in parallel. Unchanged pieces
+// keep their bytes. The decoded pixels equal the pixels of a single libjpeg call.
 class JpegStream final : public PictureStream {
 public:
     explicit JpegStream(int quality = 80) : quality_(quality) {}

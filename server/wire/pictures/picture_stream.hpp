@@ -10,8 +10,7 @@ namespace ciel::wire {
 
 enum class MovingCodec { png, jpeg };
 
-// A PictureStream keeps the encoded bytes of unchanged parts for the next picture. It is not thread-safe; each call
-// uses the thread pool.
+// Not thread-safe; each call uses the thread pool. Unchanged parts keep their encoded bytes.
 class PictureStream {
 public:
     PictureStream() = default;
@@ -19,16 +18,14 @@ public:
     PictureStream(const PictureStream&) = delete;
     PictureStream& operator=(const PictureStream&) = delete;
 
-    // Appends the encoded picture to `out`. `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do
-    // not match or exceed the codec's limit; later calls still work.
+    // `rgb`: rows from the top. Throws Error if sizes do not match or exceed the codec's limit; later calls still work.
     virtual void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) = 0;
 };
 
 // Returns an encoder. `jpeg_quality`: 1 to 100; ignored for PNG, which is lossless.
 [[nodiscard]] std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality = 80);
 
-// Throws Error unless `rgb` has 3 bytes per pixel and both sides are from 1 to `longest_side`. The error names the
-// format.
+// Throws Error, which names the format, unless the sizes match and both sides are from 1 to `longest_side`.
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb);
 
 } // namespace ciel::wire

@@ -7,8 +7,7 @@
 
 namespace ciel::wire {
 
-// Appends the picture as PNG to `out`. `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do not
-// match.
+// `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do not match.
 void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out);
 
 } // namespace ciel::wire

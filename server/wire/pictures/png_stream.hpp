@@ -7,9 +7,8 @@
 
 namespace ciel::wire {
 
-// Encodes a picture in bands of rows, in parallel. Unchanged bands keep their encoded bytes. Each band is a separate
-// IDAT chunk. This is possible, because deflate blocks may end at any byte (RFC 1951, 3.2.4), and Adler-32 sums of
-// parts can be combined (RFC 1950, 8.2).
+// Bands are encoded in parallel; unchanged bands keep their bytes. Each band is an IDAT chunk, because deflate blocks
+// may end at any byte (RFC 1951, 3.2.4), and Adler-32 sums can be combined (RFC 1950, 8.2).
 class PngStream final : public PictureStream {
 public:
     void encode(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out) override;

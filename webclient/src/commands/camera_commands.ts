@@ -38,10 +38,7 @@ export class CameraCommands {
     if (camera !== null) this.set(change(camera), gesture);
   }
 
-  /**
-   * Returns the camera zoomed about the point (x, y), in CSS pixels of the canvas. A factor below 1 moves the camera
-   * closer. At the zoom limit, returns `camera` itself.
-   */
+  /** Zooms about (x, y), in CSS pixels of the canvas. At the zoom limit, returns the same object `camera`. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
     const bounds = this.bounds();
     const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
@@ -60,10 +57,7 @@ export class CameraCommands {
     this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
-  /**
-   * Orbits the camera like a drag by (dx, dy) CSS pixels. If `anew` is true, starts a new orbit about the surface point
-   * in the middle of the canvas.
-   */
+  /** Orbits like a drag by (dx, dy) CSS pixels. `anew`: looks for a new pivot in the middle of the canvas. */
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
@@ -79,7 +73,6 @@ export class CameraCommands {
     return this.deps.view.pivot.of(camera);
   }
 
-  /** Shows the drawn geometry in the default view. If `wholeBox` is true, shows the dataset's whole bounding box. */
   reset(wholeBox = false): void {
     const { size } = this.deps.server;
     void this.framed(wholeBox, (bounds, now) => defaultView(bounds, size.aspect, now.fov, now.parallel));

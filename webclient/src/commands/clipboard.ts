@@ -8,10 +8,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/**
- * Copies the text by selecting it. This is needed on pages loaded over plain HTTP from another machine, because
- * browsers provide no navigator.clipboard there.
- */
+/** Browsers provide no navigator.clipboard on pages loaded over plain HTTP from another machine. */
 function copyBySelection(text: string): boolean {
   const area = document.createElement("textarea");
   area.value = text;

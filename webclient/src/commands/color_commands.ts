@@ -16,7 +16,6 @@ export class ColorCommands {
 
   constructor(private readonly deps: Deps) {}
 
-  /** Changes the colorings of layers and contour lines in one undo step. Removes the members that are undefined. */
   set({ layers, contours = [] }: Colored, change: ColoringChange, gesture?: string): void {
     const color: JsonObject = {};
     for (const [key, value] of Object.entries(change)) color[key] = (value ?? null) as unknown as Json;
@@ -26,7 +25,6 @@ export class ColorCommands {
     this.deps.server.editor.change({ layers: patch }, gesture);
   }
 
-  /** Switches the logarithmic scale on or off. Switching off restores `symmetric` and the range, see withLog(). */
   setLog(of: Colored, coloring: Coloring, on: boolean): void {
     const key = JSON.stringify(of);
     this.set(of, withLog(coloring, on, this.beforeLog.get(key)));
@@ -34,17 +32,14 @@ export class ColorCommands {
     else this.beforeLog.delete(key);
   }
 
-  /** Colors the layers by an array, or with one color if `array` is null. Removes the range of the previous array. */
+  /** If `array` is null, the layers get one color. */
   by(of: Colored, array: string | null): void {
     const { description, scene } = this.deps.model;
     if (array === null) this.set(of, { array: undefined, range: undefined });
     else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
   }
 
-  /**
-   * Returns the range between the quantiles USUAL_SHARES at the shown time. Returns null if the array has no values or
-   * the call fails.
-   */
+  /** Returns null if the array has no values at the shown time, or if the call fails. */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -62,10 +57,7 @@ export class ColorCommands {
     }
   }
 
-  /**
-   * Returns the range of the values that are in view. If no values are in view or the call fails, tells the user and
-   * returns null.
-   */
+  /** If no values are in view or the call fails, tells the user and returns null. */
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { server } = this.deps;
     const of = async (part: keyof Colored): Promise<Range[]> => {

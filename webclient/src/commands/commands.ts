@@ -48,7 +48,6 @@ export class Commands {
     this.page = new PageCommands(deps, links);
   }
 
-  /** Listens to pointer, wheel and touch events on the element and applies them to the scene's camera. */
   listenTo(element: HTMLElement): void {
     const { camera, probe } = this;
     listenToGestures(element, {
@@ -64,7 +63,7 @@ export class Commands {
     });
   }
 
-  /** Changes the scene by a merge patch. Changes with the same gesture name are one undo step. */
+  /** Applies a merge patch to the scene. Changes with the same gesture name are one undo step. */
   change(patch: object, gesture?: string): void {
     this.server.editor.change(patch, gesture);
   }
@@ -101,25 +100,19 @@ export class Commands {
     }
   }
 
-  /**
-   * Returns the histogram of a scalar at a time. Returns null until the histogram has arrived, and also if the array
-   * has no values at this time. A panel that calls this function is rendered again when the histogram arrives.
-   */
+  /** Returns null until the histogram has arrived, and if the array has no values at this time. */
   histogram(dataset: string, array: string, time: number): Histogram | null {
     return this.server.histograms.get(dataset, array, time);
   }
 
-  /** Connects to the server now, without waiting for the next automatic attempt. */
   retry(): void {
     this.server.session.retryNow();
   }
 
-  /** Tries again to open the session that the server has refused. */
   async reopen(): Promise<void> {
     await this.server.session.open();
   }
 
-  /** Sends the token that the user typed. Returns null if the server accepted it, otherwise an error sentence. */
   enterToken(typed: string): Promise<string | null> {
     return this.server.entry.enter(typed);
   }

@@ -8,9 +8,6 @@ export interface Deps {
   readonly server: Server;
   readonly view: View;
   tell(text: string, kind?: "error" | "info"): void;
-  /**
-   * Tells the user that a call failed. `failed`: start of the message if the connection was lost. Unlike a change of
-   * the scene, a failed call is not repeated after a reconnection.
-   */
+  /** Tells the user that a call failed. `failed` is the start of the message if the connection was lost. */
   unanswered(error: unknown, failed: string): void;
 }

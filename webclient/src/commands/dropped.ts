@@ -1,9 +1,7 @@
-// Explains how to open a file that the user drops on the page. The page cannot open the file itself, because the server
-// reads files only from its own machine.
+// Explains how to open a dropped file. The page cannot open the file: the server reads only files of its own machine.
 
 const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** Returns the sentence that explains how to open a file of this name. */
 export function answerToDrop(name: string): string {
   if (/\.ciel$/i.test(name))
     return `${name} cannot be opened in the page. Start the server with the dataset, ciel serve ${name}, or put the dataset into a folder that is served`;
@@ -11,10 +9,7 @@ export function answerToDrop(name: string): string {
   return `${name} cannot be opened in the page. Import the file where the server runs, ciel import ${name} -o ${stem}.ciel, and put the dataset into a folder that is served`;
 }
 
-/**
- * Calls `answer` when a file is dropped, and prevents the browser from showing the file instead of the page. Returns a
- * function that stops listening.
- */
+/** Calls `answer` when a file is dropped. Returns a function that stops listening. */
 export function listenToDrops(answer: (sentence: string) => void): () => void {
   const over = (event: DragEvent): void => {
     if (!isFile(event)) return;

@@ -7,7 +7,6 @@ export type ExportFormat = "ply" | "stl" | "vtp";
 
 export class FileCommands {
   private calls = 0;
-  /** Cancels the call in `model.longCall`. */
   private canceller: AbortController | null = null;
 
   constructor(
@@ -15,7 +14,6 @@ export class FileCommands {
     private readonly links: Links,
   ) {}
 
-  /** Downloads a picture of the scene. `size` is in pixels. Without `size`, the picture has the size of the view. */
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
     const { server } = this.deps;
     await this.whileBusy("Drawing the picture", "The picture cannot be saved", async (progress, signal) => {
@@ -54,23 +52,18 @@ export class FileCommands {
     }
   }
 
-  /** Cancels the newest request for a picture or a surface file, if it has not been answered yet. */
   cancel(): void {
     this.canceller?.abort();
   }
 
-  /**
-   * Shows `words` and the progress of the call while `work` runs. `failed` is the start of the message if the
-   * connection is lost.
-   */
+  /** `failed` is the start of the message if the connection is lost. */
   private async whileBusy(
     words: string,
     failed: string,
     work: (progress: string, signal: AbortSignal) => Promise<void>,
   ): Promise<void> {
     const { longCall } = this.deps.model;
-    // Other pages of the session also receive this progress. The random number distinguishes this call from other
-    // calls.
+    // Other pages of the session also receive this progress. The random number makes the name unique.
     const name = `${++this.calls} ${Math.random()}`;
     const canceller = new AbortController();
     this.canceller = canceller;

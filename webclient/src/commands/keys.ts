@@ -54,10 +54,7 @@ function actionFor(event: KeyboardEvent): KeyAction | null {
 
 const SLIDER_KEYS = /^(Arrow\w+|Home|End|Page\w+)$/;
 
-/**
- * Whether the focused control uses the key itself, so that the key is not a shortcut. Only for keys without Control and
- * Meta.
- */
+/** Whether the focused control uses the key itself. Call only for keys without Control and Meta. */
 function takesKey({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
   const control = target.closest("input, select, textarea, dialog, .menu-body");

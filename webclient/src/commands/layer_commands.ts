@@ -13,7 +13,6 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: change } }, gesture);
   }
 
-  /** Changes several layers in one undo step. */
   setAll(layers: Record<string, object>): void {
     this.deps.server.editor.change({ layers });
   }
@@ -22,7 +21,6 @@ export class LayerCommands {
     this.deps.server.editor.change({ layers: { [id]: null } });
   }
 
-  /** Moves a layer. `place`: index of the layer in the new drawing order. */
   move(id: string, place: number): void {
     const scene = this.scene();
     const layers = scene === null ? null : movedTo(scene, id, place);
@@ -38,10 +36,7 @@ export class LayerCommands {
     return id;
   }
 
-  /**
-   * Returns the middle of the scalar's range at the shown time. A new iso-surface has this value. Until the histogram
-   * has arrived, uses the range over all times.
-   */
+  /** Returns the value of a new iso-surface. Until the histogram has arrived, uses the range over all times. */
   middleOf(array: string): number {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -51,7 +46,6 @@ export class LayerCommands {
     return (low + high) / 2;
   }
 
-  /** Hides one patch of the boundary. A layer that showed the whole boundary shows all other patches afterwards. */
   hidePatch(id: string, patch: string): void {
     const layer = this.scene()?.layers?.[id];
     if (layer?.type !== "surface") return;

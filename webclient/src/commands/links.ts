@@ -19,10 +19,6 @@ export class Links {
     private readonly server: () => Server,
   ) {}
 
-  /**
-   * Reads the scene in the address. After that, opens the scene of each changed address, and writes each change of the
-   * scene into the address.
-   */
   async start(): Promise<void> {
     this.first = await this.decoded();
     window.addEventListener("hashchange", () => void this.follow());
@@ -44,7 +40,6 @@ export class Links {
     return url.href;
   }
 
-  /** Opens the scene in the address. Called when the address has changed, for example by a pasted link. */
   private async follow(): Promise<void> {
     if (location.hash === this.written) return;
     if (decodeSession(location.hash) !== null) {
@@ -53,8 +48,7 @@ export class Links {
     }
     const scene = await this.decoded();
     if (scene === null) return;
-    // The scene may be invalid, because the link may come from another server or be written by hand. Therefore the
-    // local scene changes only after the server has accepted the scene of the link.
+    // The scene of a link may be invalid. Therefore the local scene changes only after the server has accepted it.
     const { editor, session } = this.server();
     if (this.model.fatal.peek() === null) await editor.propose(scene);
     else await session.begin(scene);

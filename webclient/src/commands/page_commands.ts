@@ -19,7 +19,6 @@ export class PageCommands {
     this.matchBackground();
   }
 
-  /** Sets the scene's background to the background of the theme. Does not change a custom color. */
   matchBackground(): void {
     const { editor } = this.deps.server;
     const background = editor.scene?.background ?? DEFAULTS.Scene.background;
@@ -45,7 +44,6 @@ export class PageCommands {
     this.deps.model.helpOpen.value = open;
   }
 
-  /** Starts drawing on the canvases, then connects to the server. Call when the canvases exist. */
   async attach(images: HTMLCanvasElement, geometry: HTMLCanvasElement): Promise<void> {
     const attached = this.deps.view.attach(images, geometry);
     await this.links.start();
@@ -53,27 +51,19 @@ export class PageCommands {
     this.deps.server.start();
   }
 
-  /** Call when the canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.deps.view.resized(width, height, pixelRatio);
   }
 
-  /**
-   * Sets the boxes in CSS pixels that title, captions and legends cover. The triad and the box axes avoid these boxes.
-   */
+  /** The triad and the box axes avoid these boxes, which are in CSS pixels. */
   covered(taken: Box[]): void {
     this.deps.model.taken.value = taken;
   }
 
-  /**
-   * Sets the space that the legends cover. For each legend, `corner` has the size of the rectangle from the canvas's
-   * top right corner to the legend's lower left corner, in CSS pixels.
-   */
   legendsStand(corner: Size[]): void {
     this.deps.server.size.corner = corner;
   }
 
-  /** Returns the size in pixels of a picture `times` as large as the view, clamped to the limits of the contract. */
   pictureSize(times = 1): Size {
     return this.deps.server.size.pixels(times);
   }

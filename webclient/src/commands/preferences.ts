@@ -39,10 +39,7 @@ export function savedStream(): StreamChoice {
 
 export const saveStream = (stream: string): void => write(local, STREAM, stream);
 
-/**
- * Returns the session id of this tab: the id in the page's address, otherwise the stored id, otherwise a new random id.
- * `known` is false for a new id.
- */
+/** Uses the id in the page's address, or the stored id. Otherwise makes a new random id, and `known` is false. */
 export function tabSession(): { id: string; known: boolean } {
   const known = decodeSession(location.hash) ?? decodeSession(encodeSession(read(tab, SESSION) ?? ""));
   if (known !== null) {

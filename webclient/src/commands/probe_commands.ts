@@ -7,10 +7,7 @@ import type { Deps } from "./deps";
 export class ProbeCommands {
   constructor(private readonly deps: Deps) {}
 
-  /**
-   * Shows the values at the point (x, y), in CSS pixels of the canvas. Returns the 3-D position that is shown there,
-   * null if nothing is drawn there, or undefined if the call failed.
-   */
+  /** (x, y) is in CSS pixels of the canvas. Returns null if nothing is drawn there, undefined if the call failed. */
   async at(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { model, server } = this.deps;
     const { width, height } = server.size.pixels();

@@ -44,7 +44,6 @@ export class TimeCommands {
     this.player.stop();
   }
 
-  /** Call when a frame of this simulation time has been drawn on the screen. */
   presented(time: number): void {
     this.player.presented(time);
   }
@@ -53,7 +52,7 @@ export class TimeCommands {
     this.deps.model.loop.value = loop;
   }
 
-  /** Sets the largest number of steps per second. */
+  /** In time steps per second. */
   setRate(rate: number): void {
     this.deps.model.playRate.value = rate;
   }

@@ -1,5 +1,4 @@
-// Changes of the scene that the shown picture does not contain yet. The page draws them over the picture: box edges,
-// plane outlines, and texts with new iso-values and times. Coordinates are CSS pixels.
+// Changes of the scene that the shown picture does not contain yet, as lines and texts in CSS pixels over the picture.
 import { boundsCentre, complete, corners, project, type Bounds, type FullCamera, type Size } from "./camera";
 import { add, cross, dot, normalize, scale, subtract } from "./vector";
 import type { ClipLayer, Layer, Scene, SliceLayer, Vec3 } from "../generated/protocol";
@@ -21,10 +20,7 @@ export interface Ahead {
 
 type Segment = [Vec3, Vec3];
 
-/**
- * Box edges as pairs of indices into corners(). Each bit of an index selects the low or high end along one axis. The
- * two indices of an edge differ in one bit.
- */
+/** Box edges as pairs of indices into corners(). The two indices of an edge differ in one bit. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((from) =>
   [1, 2, 4].flatMap((bit): [number, number][] => ((from & bit) === 0 ? [[from, from | bit]] : [])),
 );
@@ -64,10 +60,7 @@ const isPlane = (layer: Layer): layer is SliceLayer | ClipLayer => layer.type ==
 const placeOf = ({ axis, value, origin, normal }: SliceLayer | ClipLayer): string =>
   JSON.stringify([axis, value, origin, normal]);
 
-/**
- * Returns what to draw for the changes from `shown`, the scene of the shown picture, to `wanted`, the newest scene.
- * `camera` projects the lines to the canvas.
- */
+/** Returns what to draw for the changes from `shown`, the scene of the shown picture, to `wanted`, the newest scene. */
 export function ahead(shown: Scene, wanted: Scene, camera: FullCamera, bounds: Bounds, size: Size): Ahead {
   const segments: Segment[] = [];
   const words: string[] = [];

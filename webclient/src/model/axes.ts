@@ -4,7 +4,7 @@ import type { Range } from "../generated/protocol";
 
 export const AXES = ["x", "y", "z"] as const;
 export type Axis = (typeof AXES)[number];
-/** Axis to which a plane is perpendicular. A "free" plane has an origin and a normal instead of an axis. */
+/** Axis to which a plane is perpendicular. A "free" plane has an origin and a normal instead. */
 export type Across = Axis | "free";
 
 export function endsOf(axis: Axis, bounds: Bounds): Range {

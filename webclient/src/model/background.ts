@@ -21,7 +21,6 @@ export function backgroundColors(background: string | undefined): { top: Rgb; bo
 const MIDDLE_GRAY = 0.46;
 const LUMA: Rgb = [0.2126, 0.7152, 0.0722];
 
-/** Whether text on the background must be dark: whether its mean luma is above MIDDLE_GRAY. */
 export function isBright(background: string | undefined): boolean {
   const { top, bottom } = backgroundColors(background);
   const luma = LUMA.reduce((sum, weight, i) => sum + (weight * ((top[i] ?? 0) + (bottom[i] ?? 0))) / 2, 0);

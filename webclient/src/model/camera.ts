@@ -49,10 +49,7 @@ export function viewHeight(camera: FullCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
-/**
- * Rotates the camera about the pivot by a drag of (dx, dy) pixels. A drag as long as the shorter side of the canvas is
- * half a turn. The pivot keeps its pixel and its distance from the camera.
- */
+/** A drag as long as the shorter side of the canvas is half a turn. The pivot keeps its place in the picture. */
 export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
@@ -68,10 +65,7 @@ export function roll(camera: FullCamera, angle: number): FullCamera {
   return { ...camera, up: rotate(up, forward, angle) };
 }
 
-/**
- * Moves camera and target parallel to the picture plane by a drag of (dx, dy) pixels. Points at the target's depth
- * follow the pointer.
- */
+/** Moves the camera so that points at the target's depth follow a drag of (dx, dy) pixels. */
 export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
   const perPixel = viewHeight(camera) / Math.max(1, size.height);
   const { right, up } = frame(camera);
@@ -79,10 +73,7 @@ export function pan(camera: FullCamera, dx: number, dy: number, size: Size): Ful
   return { ...camera, position: add(camera.position, shift), target: add(camera.target, shift) };
 }
 
-/**
- * Zooms towards pixel (x, y). A factor below 1 moves the camera closer. The point at this pixel and at the target's
- * depth keeps its pixel.
- */
+/** A factor below 1 moves the camera closer. The point at pixel (x, y) and at the target's depth keeps its pixel. */
 export function zoom(camera: FullCamera, factor: number, x: number, y: number, size: Size): FullCamera {
   const offsetX = x - size.width / 2;
   const offsetY = y - size.height / 2;
@@ -92,16 +83,10 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
   return pan(closer, offsetX, offsetY, size);
 }
 
-/**
- * Zoom limits: smallest and largest distance from the target, as multiples of the bounding box's diagonal. In a
- * parallel view, the limits apply to the view height. The camera of a scene may be outside these limits.
- */
+/** Zoom limits of the distance (in a parallel view: of the view height), as multiples of the bounds' diagonal. */
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
-/**
- * Clamps a zoom factor so that the distance from the target stays within REACH. If the distance is already outside
- * REACH, only a zoom back towards REACH is allowed.
- */
+/** Clamps a zoom factor to REACH. A camera outside REACH can only be zoomed back towards REACH. */
 export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
   const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
@@ -112,12 +97,11 @@ export function withinReach(camera: FullCamera, factor: number, bounds: Bounds):
   return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit of REACH, such a factor is only a rounding error
 }
 
-/** Moves the target to `point`. The view direction and the distance from the target stay the same. */
 export function centre(camera: FullCamera, point: Vec3): FullCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
 }
 
-/** Switches between parallel and perspective projection. The view height at the target stays the same. */
+/** The view height at the target stays the same. */
 export function withParallel(camera: FullCamera, parallel: boolean): FullCamera {
   if (parallel === camera.parallel) return camera;
   if (parallel) return { ...camera, parallel, parallel_height: viewHeight(camera) };
@@ -126,14 +110,14 @@ export function withParallel(camera: FullCamera, parallel: boolean): FullCamera 
   return { ...camera, parallel, position: add(camera.target, arm) };
 }
 
-/** Sets the field of view in degrees. The distance changes so that the view height at the target stays the same. */
+/** `fov` is in degrees. The view height at the target stays the same. */
 export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
   const away = viewHeight(camera) / (2 * Math.tan(radians(fov) / 2));
   const arm = scale(normalize(subtract(camera.position, camera.target)), away);
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
-/** Sets the view height at the target. In a perspective view, this changes the distance from the target. */
+/** In a perspective view, this changes the distance from the target. */
 export function withViewHeight(camera: FullCamera, height: number): FullCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
@@ -171,7 +155,6 @@ export function fit(
     away = Math.max(away, (half * MARGIN) / tan - dot(arm, axes.forward));
     height = Math.max(height, 2 * half * MARGIN);
   }
-  // The box is a point: all corners coincide.
   if (away <= 0) away = 1;
   return { ...start, up: axes.up, position: subtract(target, scale(axes.forward, away)), parallel_height: height || 1 };
 }
@@ -188,17 +171,14 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/**
- * Returns the server's default view of the box, from the front, right and above: the camera has larger x, smaller y and
- * larger z than the center of the box.
- */
+/** Returns the server's default view, from larger x, smaller y and larger z than the center of the box. */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
   return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
 }
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Largest factor by which clearOf() moves the camera back. If this is not enough, legends cover a part of the box. */
+/** Largest factor that clearOf() tries. If it is not enough, the camera stays, and legends cover a part of the box. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {
@@ -210,10 +190,7 @@ function edgePoints(bounds: Bounds): Vec3[] {
   );
 }
 
-/**
- * Moves the camera back until no box edge lies in any of the `taken` rectangles, which lie at the top right corner of
- * the canvas. Returns the camera unchanged if this needs a factor above FURTHEST.
- */
+/** Moves the camera back until no box edge lies in a `taken` rectangle at the top right corner of the canvas. */
 export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
   const covered = (view: FullCamera): boolean =>
@@ -230,10 +207,7 @@ export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken
   return view;
 }
 
-/**
- * Projects a world position to canvas pixels. `depth`: distance from the camera along the view direction. Returns null
- * for a point that is not in front of a perspective camera.
- */
+/** `depth` is along the view direction. Returns null for a point that is not in front of a perspective camera. */
 export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);
   const arm = subtract(point, camera.position);

@@ -9,28 +9,19 @@ export const [SMALLEST, LARGEST] = LIMITS["view.open"].width;
 /** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
 
-/**
- * Text size in CSS pixels. Text has USUAL_TEXT pixels if the canvas has at least USUAL_HEIGHT pixels, and is smaller on
- * a smaller canvas. Text may be smaller than in saved pictures, because users read a page from a short distance.
- */
+/** In CSS pixels. Text may be smaller than in saved pictures, because users read a page from a short distance. */
 const USUAL_TEXT = 12;
 export const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
-/**
- * Returns the size of text over the canvas in CSS pixels. On a narrow canvas, text is smaller, because text of the
- * usual size would fill the canvas.
- */
+/** On a small canvas, text is smaller, because text of the usual size would fill the canvas. */
 export function textPixels({ width, height }: Size): number {
   return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
 }
 
 export class CanvasSize {
   css: Size = { width: 960, height: 640 };
-  /**
-   * For each legend, the size of the rectangle from the canvas's top right corner to the legend's lower left corner, in
-   * CSS pixels. These sizes are estimates until the legends are laid out.
-   */
+  /** For each legend, the size from the canvas's top right to the legend's lower left corner, in CSS pixels. */
   corner: Size[] = [LEGEND];
   private ratio = 1;
 
@@ -52,17 +43,16 @@ export class CanvasSize {
     }));
   }
 
-  /** Returns the camera, moved back if legends would cover edges of the box. */
   clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
 
-  /** Picture pixels per CSS pixel, clamped to the limits of `pixel_ratio` in the contract. */
+  /** Picture pixels per CSS pixel. */
   get pixelRatio(): number {
     return clamp(this.pixels().width / this.css.width, ...LIMITS["view.open"].pixel_ratio);
   }
 
-  /** Returns the canvas size in device pixels, multiplied by `times`. No side is larger than LARGEST. */
+  /** Returns the size in device pixels, multiplied by `times`. No side is larger than LARGEST. */
   pixels(times = 1): Size {
     const ratio = Math.min(times * this.ratio, LARGEST / Math.max(this.css.width, this.css.height));
     const pixels = (side: number): number => Math.max(SMALLEST, Math.round(side * ratio));

@@ -1,9 +1,7 @@
-// Describes the cells with the lowest and highest value of a cell array. Values that are interpolated to points are
-// smoother and do not reach these extremes.
+// Texts about the cells with the lowest and highest value. Values interpolated to points do not reach these values.
 import type { CellExtreme, CellExtremes } from "../generated/protocol";
 import { formatNumber } from "./numbers";
 
-/** Text below a legend. */
 export const cellsText = ({ lowest, highest }: CellExtremes): string =>
   `cells: ${formatNumber(lowest.value)} to ${formatNumber(highest.value)}`;
 

@@ -11,10 +11,8 @@ export const [, MOST_POINTS] = LIMITS.Coloring.points;
 const FIRST_POINTS = 5;
 
 /**
- * Switches the logarithmic scale on or off. Switching on removes `symmetric` and limits the range to values above zero.
- * `before` is the coloring before the logarithmic scale was switched on. If `before` has the same array, switching off
- * restores `symmetric` of `before`. It also restores `range` of `before`, unless the user has changed the range since
- * then.
+ * Switching off restores `symmetric` and `range` of `before`, the coloring before switching on, unless the array has
+ * changed. A range that the user has changed since then is kept.
  */
 export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
   if (!on) {
@@ -30,14 +28,11 @@ export function withLog({ array, range }: Coloring, on: boolean, before?: Colori
 export const withSymmetric = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: undefined } : { symmetric: undefined };
 
-/** Switches the scale that is logarithmic on both sides of zero: sets or removes `symmetric` and `log` together. */
+/** The scale is logarithmic on both sides of zero if both members are set. */
 export const withSymmetricLog = (on: boolean): ColoringChange =>
   on ? { symmetric: true, log: true } : { symmetric: undefined, log: undefined };
 
-/**
- * Sets the range with the ends `a` and `b`, in any order. Returns an error sentence if a logarithmic scale would start
- * at or below zero.
- */
+/** The ends may be in any order. Returns an error sentence if a logarithmic scale would start at or below zero. */
 export function withRange({ log, symmetric }: Coloring, a: number, b: number): ColoringChange | string {
   const range: Range = a <= b ? [a, b] : [b, a];
   if (log === true && symmetric !== true && range[0] <= 0)
@@ -47,22 +42,17 @@ export function withRange({ log, symmetric }: Coloring, a: number, b: number): C
   return { range: [-reach, reach] };
 }
 
-/** Sets the range to `values`, a range of the data. A logarithmic scale gets only the part above zero. */
 export function withDataRange(coloring: Coloring, values: Range): ColoringChange | string {
   const isOneSided = coloring.log === true && coloring.symmetric !== true;
   return withRange(coloring, ...(isOneSided ? rangeAboveZero(values) : values));
 }
 
-/**
- * Sets one end of the shown range to `to`. If `to` is beyond the other end, the other end is also set to `to`. A
- * symmetric scale gets the range from -|to| to |to|.
- */
+/** If `to` is beyond the other end, both ends become `to`. A symmetric scale gets the range from -|to| to |to|. */
 export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
   const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
   return withRange(coloring, ...range);
 }
 
-/** Chooses a color map by name and removes custom color points. */
 export const withMap = (map: string): ColoringChange => ({ map, points: undefined });
 
 /** Returns initial custom color points, sampled from the scale's current colors. */
@@ -71,7 +61,6 @@ export function pointsOf(scale: ColorScale): ColorPoint[] {
   return colorRow(smooth, FIRST_POINTS).map((color, i) => ({ at: i / (FIRST_POINTS - 1), color: hexOf(color) }));
 }
 
-/** Moves one color point. Its new position is clamped to the positions of the two neighboring points. */
 export function movedPoint(points: readonly ColorPoint[], index: number, at: number): ColorPoint[] {
   const low = points[index - 1]?.at ?? 0;
   const high = points[index + 1]?.at ?? 1;

@@ -27,12 +27,10 @@ export const DEFAULT_MAP = DEFAULTS.Coloring.map;
 /** Default color of missing values, as #rrggbb. */
 export const missingHex = `#${table.nan}`;
 
-/** Names of the color maps grouped by kind, in the table's order. */
 export const colorMapKinds: readonly { kind: string; names: string[] }[] = [
   ...new Set(table.maps.map(({ kind }) => kind)),
 ].map((kind) => ({ kind, names: table.maps.filter((map) => map.kind === kind).map(({ name }) => name) }));
 
-/** Returns the named map, or the table's first map for an unknown name. */
 export function colorMap(name: string): Colors {
   return maps.get(name) ?? maps.get(first) ?? new Uint8Array(1024);
 }

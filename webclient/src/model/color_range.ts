@@ -1,16 +1,12 @@
-// Makes a color scale from a scene's coloring and the range of the data. Same rules as
-// server/geometry/color_scale_of.cpp.
+// Color scales from a scene's coloring and the range of the data, by the rules of server/geometry/color_scale_of.cpp.
 import type { ColorScale } from "./color_scale";
 import { DEFAULT_MAP, missingHex } from "./color_maps";
 import type { Coloring, Range } from "../generated/protocol";
 import { clamp } from "./numbers";
 
-/** Number of decades below the largest value on a logarithmic scale. Used if the lowest value is not above zero. */
+/** Decades below the largest value on a logarithmic scale whose lowest value is not above zero. */
 const LOG_DECADES = 6;
-/**
- * Largest absolute value of an end of a range. Shaders multiply by the reciprocal of the range's width. This reciprocal
- * must not be a denormal 32-bit float.
- */
+/** For larger ends of a range, the reciprocal of the width, which shaders use, would be a denormal 32-bit float. */
 const LARGEST = 4e37;
 /** Smallest end of a logarithmic scale. Smaller 32-bit floats have fewer digits. */
 const SMALLEST_OF_LOG = 1e-37;
@@ -31,7 +27,7 @@ export function rangeOf(coloring: Coloring, data: Range): Range {
   return range;
 }
 
-/** Returns the color scale of a coloring. `data`: the array's range at the shown time step. */
+/** `data`: range of the array at the shown time step. */
 export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   map: coloring.map ?? DEFAULT_MAP,
   points: coloring.points ?? [],
@@ -44,9 +40,6 @@ export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
   above: coloring.above ?? null,
 });
 
-/**
- * Whether the coloring has a usable range. False for a logarithmic scale without an explicit range, if no data value is
- * above zero.
- */
+/** False for a logarithmic scale without an explicit range, if no data value is above zero. */
 export const isShownBy = (coloring: Coloring, data: Range): boolean =>
   coloring.log !== true || coloring.symmetric === true || Boolean(coloring.range) || data[1] > 0;

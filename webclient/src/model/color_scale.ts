@@ -1,6 +1,5 @@
-// Maps scalars to colors by the rules of protocol/colors.md. The legend, the shaders of the polygon stream and the
-// server (server/color/color_scale.hpp) use the same rules. The cases in tests/support/color_cases.json test both
-// server and page.
+// Maps scalars to colors by the rules of protocol/colors.md. The server uses the same rules
+// (server/color/color_scale.hpp). The cases in tests/support/color_cases.json test both.
 import type { ColorPoint, Range } from "../generated/protocol";
 import type { ScaleInBytes } from "../wasm/overlay";
 import { colorMap, knownMap } from "./color_maps";
@@ -31,10 +30,7 @@ export const hexOf = (color: readonly number[]): string =>
 
 const bytesIfAny = (hex: string | null): Rgb8 | null => (hex === null ? null : bytesOf(hex));
 
-/**
- * Converts the scale for the layout of a legend. The layout has only the page's own color maps. A map that the page
- * does not have is replaced by the first map.
- */
+/** Replaces a map that the page does not have, because the layout has only the page's own color maps. */
 export const inBytes = ({ map, points, nan, below, above, ...rest }: ColorScale): ScaleInBytes => ({
   ...rest,
   map: knownMap(map),
@@ -77,10 +73,7 @@ function innerColor(scale: ColorScale, place: number): Rgb8 {
   return smoothColor(scale, Math.min(steps - 1, Math.max(0, Math.floor(place * steps))) / (steps - 1));
 }
 
-/**
- * Returns the colors at `count` evenly spaced positions from the lower to the upper end of the scale. On a scale with
- * steps, each color is the color of its step.
- */
+/** From the lower to the upper end of the scale. On a scale with steps, each color is the color of its step. */
 export const colorsAlong = (scale: ColorScale, count: number): Rgb8[] =>
   Array.from({ length: count }, (_, i) => innerColor(scale, count > 1 ? i / (count - 1) : 0.5));
 
@@ -93,10 +86,7 @@ export function hasWidth({ range: [low, high] }: ColorScale): boolean {
   return Number.isFinite(width) && width > 0;
 }
 
-/**
- * A scale that is logarithmic on both sides of zero is nearly linear for small absolute values. This constant is the
- * limit of these values, as a fraction of the upper end of the range.
- */
+/** Up to this fraction of the upper end, a scale that is logarithmic on both sides of zero is nearly linear. */
 export const LINEAR_SHARE = 1e-3;
 const LOG_OF_REACH = Math.log1p(1 / LINEAR_SHARE);
 
@@ -123,16 +113,10 @@ export function valueAtPlace(scale: ColorScale, place: number): number {
   return scale.log ? low * (high / low) ** place : low + place * (high - low);
 }
 
-/**
- * Largest allowance for rounding errors, as a fraction of the range's width. For 32-bit floats, a narrow range far from
- * zero would need a larger allowance. The values of such a range are doubles, which have smaller rounding errors.
- */
+/** As a fraction of the range's width. A narrow range far from zero needs no more, because its values are doubles. */
 const LARGEST_SLACK = 1e-3;
 
-/**
- * Returns the limits outside of which a value gets the `below` or `above` color. The limits are wider than the range by
- * the rounding error of interpolated 32-bit floats.
- */
+/** Values outside these limits get the color `below` or `above`. The limits allow for 32-bit rounding errors. */
 export function limitsOf(scale: ColorScale): Range {
   if (!hasWidth(scale)) return [-Infinity, Infinity];
   const [low, high] = scale.range;

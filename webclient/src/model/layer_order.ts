@@ -1,14 +1,11 @@
-// Order of layers in the list, the legends and the drawing. Where surfaces of several layers coincide, the surface of
-// the last layer is visible.
+// Order of layers in the list, the legends and the drawing. Where surfaces coincide, the last layer is visible.
 import type { Layer, Scene } from "../generated/protocol";
 import type { JsonObject } from "./merge_patch";
 
 type Entry = [string, Layer];
 
-/** A scene, or only the member `layers` of a scene. */
 export type Layered = Pick<Scene, "layers">;
 
-/** Layers in the order in which the server draws them: by `order`, then by id. */
 export const layersInOrder = (scene: Layered | null): Entry[] =>
   Object.entries(scene?.layers ?? {}).sort(
     ([a, x], [b, y]) => (x.order ?? 0) - (y.order ?? 0) || (a < b ? -1 : a > b ? 1 : 0),

@@ -1,5 +1,5 @@
-// Names that distinguish several legends of one array. A name lists the layers that use the legend. Same rules as
-// server/geometry/legend_names.hpp. The cases in tests/support/legend_cases.json test both files.
+// Names of layers that distinguish several legends of one array. Same rules as server/geometry/legend_names.hpp. The
+// cases in tests/support/legend_cases.json test both files.
 import type { Layer, SliceLayer } from "../generated/protocol";
 import { numberAlone, timesPowerOfTen } from "../wasm/numbers_as_text";
 
@@ -18,7 +18,6 @@ function nameOfSlice({ axis, value, origin, normal }: SliceLayer): string {
   return `Slice at ${"xyz".charAt(only)} = ${numberAlone(origin?.[only] ?? 0)}`;
 }
 
-/** Short name of a layer, shown above a color bar. */
 export function legendNameOf(layer: Layer, part: "layers" | "contours"): string {
   switch (layer.type) {
     case "iso":
@@ -50,7 +49,7 @@ export interface NamedLegend {
   names: readonly string[];
 }
 
-/** Returns one name for each legend. The name is empty if no other legend has the same array. */
+/** A name is empty if no other legend has the same array. */
 export function legendNames(legends: readonly NamedLegend[]): string[] {
   const taken = new Map<string, number>();
   return legends.map(({ array, names }, index) => {

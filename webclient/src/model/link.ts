@@ -23,13 +23,12 @@ async function through(
   return new Uint8Array(await new Response(stream as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
 }
 
-/** Returns a scene as a fragment with leading "#". */
 export async function encodeScene(scene: Scene): Promise<string> {
   const json = new TextEncoder().encode(JSON.stringify(scene));
   return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
 }
 
-/** Returns the scene of a fragment; null if it contains no scene. Throws Error if the scene's text is damaged. */
+/** Returns null if the fragment contains no scene. Throws Error if the scene's text is damaged. */
 export async function decodeScene(fragment: string): Promise<Scene | null> {
   const start = fragment.replace(/^#/, "");
   if (!start.startsWith(KEY)) return null;
@@ -47,5 +46,4 @@ export async function decodeScene(fragment: string): Promise<Scene | null> {
 /** Returns a session's id as a fragment with leading "#". Anyone who has the id may change the session's scene. */
 export const encodeSession = (id: string): string => `#j=${id}`;
 
-/** Returns the session id of a fragment, or null if the fragment contains no session id. */
 export const decodeSession = (fragment: string): string | null => SESSION.exec(fragment)?.[1] ?? null;

@@ -7,7 +7,6 @@ export function isObject(value: unknown): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** Returns the patched document. Changes neither argument. */
 export function applyPatch(document: Json | undefined, patch: Json): Json {
   if (!isObject(patch)) return patch;
   const before = isObject(document) ? document : {};
@@ -16,10 +15,7 @@ export function applyPatch(document: Json | undefined, patch: Json): Json {
   return Object.fromEntries([...kept, ...set.map(([key, value]) => [key, applyPatch(before[key], value)] as const)]);
 }
 
-/**
- * Returns one patch that has the effect of `first` followed by `second`. Returns null if no such patch exists: one
- * patch cannot replace an object of the document by another object, because RFC 7396 merges the two objects.
- */
+/** Returns null if no patch has the effect of both, because RFC 7396 merges objects instead of replacing them. */
 export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
   const result: JsonObject = { ...first };
   for (const [key, value] of Object.entries(second)) {
@@ -47,10 +43,7 @@ export function diff(from: JsonObject, to: JsonObject): JsonObject {
   return patch;
 }
 
-/**
- * Returns a document equal to `after`. Wherever `before` has an equal part, the result reuses the object of `before`.
- * Code that reads an unchanged part therefore need not run again.
- */
+/** Returns `after` with equal parts reused from `before`. Code that reads an unchanged part need not run again. */
 export function keepEqual(before: Json | undefined, after: Json): Json {
   if (Array.isArray(before) && Array.isArray(after)) {
     const items = after.map((value, index) => keepEqual(before[index], value));

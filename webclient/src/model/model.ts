@@ -15,7 +15,6 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
   return Object.fromEntries(entries) as Model;
 }
 
-/** Sets several members in one batch, so that code that reads several of these members runs only once. */
 export function update(model: Model, change: Partial<PageState>): void {
   batch(() => {
     for (const [name, value] of Object.entries(change))
@@ -23,10 +22,7 @@ export function update(model: Model, change: Partial<PageState>): void {
   });
 }
 
-/**
- * Returns the camera of the current scene. If the scene has no camera, returns the camera that the server chose. Until
- * that camera has arrived, returns the default view. Returns null if there is no scene or the bounds are unknown.
- */
+/** Without a camera in the scene, returns the server's choice, or the default view until that choice has arrived. */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;
   if (scene === null) return null;

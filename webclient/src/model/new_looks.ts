@@ -1,5 +1,4 @@
-// Colors of new layers. If possible, a new layer gets a color that no layer of the same type has. Layers colored by the
-// same array share one color scale.
+// Colors of new layers: a color that no other layer of the type has, or the existing color scale of the array.
 import { complete, type FullCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
 import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer } from "../generated/protocol";
@@ -7,18 +6,12 @@ import { AXES } from "./axes";
 import type { Layered } from "./layer_order";
 import { firstScalar, fullName, layersOf, legendsOf } from "./scalars";
 
-/**
- * Solid colors of surfaces. The first color is the default. The other colors are from Okabe and Ito (2008). Color-blind
- * readers can distinguish these colors.
- */
+/** The first color is the default. The others, by Okabe and Ito (2008), can be distinguished by color-blind readers. */
 export const SOLIDS = ["#cccccc", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#d55e00", "#cc79a7", "#0072b2"] as const;
 
 type Described = DatasetDescription | null;
 
-/**
- * Returns a coloring by `array`. If the scene has a color scale of this array, the coloring is a copy of that scale.
- * The layers then share one legend.
- */
+/** Copies the scene's color scale of this array, if there is one, so that the layers share one legend. */
 export function coloredBy(scene: Layered | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
   const shared = legendsOf(scene, description).find(({ coloring }) => coloring.array === name);
@@ -27,10 +20,7 @@ export function coloredBy(scene: Layered | null, description: Described, array: 
   return scale;
 }
 
-/**
- * Returns a coloring with the first color of SOLIDS that no layer of this type has. {} is the default color. If all
- * colors are used, also returns {}.
- */
+/** Returns {}, the default color, if no layer has the default color or if all colors are used. */
 export function freshSolid(scene: Layered | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
@@ -61,10 +51,7 @@ export function freshArray(scene: Layered | null, description: Described): strin
 const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
-/**
- * Returns the coloring of a new clip layer's caps, by the first scalar. Returns {} if a visible layer shows the whole
- * boundary colored by an array, because the caps then have the colors of that layer.
- */
+/** Returns {} if a layer shows the whole boundary colored by an array, because the caps then have the same colors. */
 export function capColoring(scene: Layered | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
     (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
@@ -73,10 +60,7 @@ export function capColoring(scene: Layered | null, description: Described): Pick
   return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
-/**
- * Whether a new clip should keep the half to which the normal points. True if the camera is on the opposite side,
- * because the other half would hide the cut.
- */
+/** True if the camera is on the side opposite to the normal, because the other half would hide the cut. */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);

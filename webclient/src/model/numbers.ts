@@ -25,8 +25,7 @@ export function formatMeasured(value: number, range: Range | null): string {
   return formatNumber(value, span > 0 ? Math.min(span, Math.abs(value)) : undefined);
 }
 
-// Numbers with groups of three digits, separated by spaces (thin, no-break or plain) or commas. The first group has one
-// to three digits and does not start with 0.
+// Groups of three digits, separated by spaces (thin, no-break or plain) or commas.
 const SPACED = /^[-+]?[1-9]\d{0,2}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d ])/;
 const COMMAS = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?=\.|$|e)/i;
 const EITHER = /^[-+]?[1-9]\d{0,2},\d{3}(?=$|e)/i;
@@ -46,10 +45,7 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/**
- * Returns the reason why parseNumber rejects the text. One comma before three digits is ambiguous: it may separate
- * thousands or decimals.
- */
+/** One comma before three digits is ambiguous: it may separate thousands or decimals. */
 export function whyNoNumber(text: string): string {
   const typed = withHyphen(text);
   if (typed === "") return "The number is missing";
@@ -61,7 +57,7 @@ export const formatCount = (count: number): string => count.toLocaleString("en-U
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** Returns the range with one end set to `to`. If `to` is beyond the other end, both ends become `to`. */
+/** If `to` is beyond the other end, both ends become `to`. */
 export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
   end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
 
@@ -71,10 +67,7 @@ export function niceStep([low, high]: Range): number {
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
-/**
- * Returns the ends and the step of a slider for a range. The step is 1, 2 or 5 times a power of ten, and at most a
- * two-hundredth of the range's width. The ends are multiples of the step and include the whole range.
- */
+/** The step is 1, 2 or 5 times a power of ten, at most 1/200 of the width. The ends are multiples of the step. */
 export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
   const span = high - low;
   if (!(span > 0) || !Number.isFinite(span)) return { min: low, max: high, step: 1 };
@@ -85,10 +78,9 @@ export function sliderTrack([low, high]: Range): { min: number; max: number; ste
   return { min: end(Math.floor, low), max: end(Math.ceil, high), step };
 }
 
-/** Largest number of decades of a logarithmic slider. */
 const DECADES = 6;
 
-/** Returns the lowest value of a logarithmic slider; null if the range has negative values or no width. */
+/** Null if the range has negative values or no width. */
 export function logarithmicStart([low, high]: Range): number | null {
   const start = Math.max(low, high / 10 ** DECADES);
   return low >= 0 && start > 0 && start < high ? start : null;

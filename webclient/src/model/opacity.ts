@@ -1,5 +1,5 @@
-// Opacity curve of a volume: points in ascending order of position. Positions go from 0 to 1 over the range of the
-// color scale. An opacity is the opacity of a ray after one unit length.
+// Opacity curve of a volume: points with positions from 0 to 1 over the range of the color scale, in ascending order.
+// An opacity is the opacity of a ray after one unit length.
 import { DEFAULTS, LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 
@@ -13,10 +13,7 @@ const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4))
 /** Opacity of common values. After ten unit lengths (default: the diagonal), they absorb a seventh of the light. */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
-/**
- * Rare values are the lowest and the highest tenth of the values. Rare values get their own opacity only if they cover
- * more than this fraction of the range.
- */
+/** The lowest or highest tenth of the values gets its own opacity if it covers more than this part of the range. */
 const LEAST_TAIL = 0.02;
 /** Initial curve if no rare values are known. */
 const UNKNOWN: readonly OpacityPoint[] = [
@@ -33,10 +30,7 @@ function quantile(counts: readonly number[], share: number): number {
   return (bin + 0.5) / counts.length;
 }
 
-/**
- * Returns the initial opacity curve of a volume. Common values are almost transparent, so that rare values are visible.
- * `counts`: histogram over the range; null if unknown.
- */
+/** Common values are almost transparent, so that rare values are visible. `counts`: histogram; null if unknown. */
 export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   if (counts === null || !counts.some((count) => count > 0)) return [...UNKNOWN];
   const [low, high] = [quantile(counts, 0.1), quantile(counts, 0.9)];
@@ -57,14 +51,13 @@ export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   return [...start, ...end];
 }
 
-/** Moves a point of the curve. Its new position is clamped to the positions of the two neighboring points. */
 export function moved(points: readonly OpacityPoint[], index: number, to: OpacityPoint): OpacityPoint[] {
   const low = points[index - 1]?.[0] ?? 0;
   const high = points[index + 1]?.[0] ?? 1;
   return points.map((point, i) => (i === index ? [rounded(clamp(to[0], low, high)), rounded(to[1])] : point));
 }
 
-/** Returns the curve with `point` inserted, and the index of the new point. */
+/** Also returns the index of the new point. */
 export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): [OpacityPoint[], number] {
   const after = points.findIndex(([position]) => position > point[0]);
   const index = after < 0 ? points.length : after;
@@ -72,14 +65,10 @@ export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): 
   return [[...points.slice(0, index), whole, ...points.slice(index)], index];
 }
 
-/** Removes a point of the curve. Does nothing if the curve has only this point. */
 export const removed = (points: readonly OpacityPoint[], index: number): OpacityPoint[] =>
   points.length === 1 ? [...points] : points.filter((_, i) => i !== index);
 
-/**
- * Returns a new point in the middle of the widest gap. The point lies on the curve, so that its insertion does not
- * change the curve's shape.
- */
+/** The new point lies on the curve, so that its insertion does not change the shape of the curve. */
 export function middleOfGap(points: readonly OpacityPoint[]): OpacityPoint {
   const ends: OpacityPoint[] = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];
   let best: OpacityPoint = [0.5, 0.5];
@@ -100,7 +89,6 @@ const STEPS: Record<string, [number, number]> = {
   ArrowDown: [0, -1],
 };
 
-/** Returns the point moved by an arrow key, or null for other keys. */
 export function keyedPoint(key: string, shift: boolean, [position, opacity]: OpacityPoint): OpacityPoint | null {
   const step = STEPS[key];
   if (step === undefined) return null;

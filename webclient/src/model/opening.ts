@@ -1,20 +1,16 @@
-// State of the page from the choice of a dataset until its first picture. Meanwhile the page must not show numbers of
-// the previous dataset under the name of the new dataset.
+// Until the first picture of a chosen dataset, the page must not show numbers of the previous dataset.
 import type { Scene } from "../generated/protocol";
 import type { PageState } from "./state";
 
 type Opening = Pick<PageState, "chosen" | "scene" | "shownDataset" | "fatal" | "failedRevision">;
 
-/**
- * Returns the name of the dataset that is being opened. Returns null if the picture already shows the scene's dataset,
- * or if the server cannot draw the scene.
- */
+/** Returns null if the picture already shows the scene's dataset, or if the server cannot draw the scene. */
 export function openingDataset({ chosen, scene, shownDataset, fatal, failedRevision }: Opening): string | null {
   if (chosen !== null || scene === null || fatal !== null || failedRevision !== null) return chosen;
   return scene.dataset === shownDataset ? null : scene.dataset;
 }
 
-/** Returns the state change that clears everything about the previous dataset; {} if `scene` has the same dataset. */
+/** Clears everything about the previous dataset. Returns {} if `scene` has the same dataset. */
 export function forgottenWith(state: Pick<PageState, "scene" | "upcoming">, scene: Scene | null): Partial<PageState> {
   if (scene === null || scene.dataset === state.scene?.dataset) return {};
   const description = state.upcoming?.name === scene.dataset ? state.upcoming : null;

@@ -10,7 +10,7 @@ export interface Patch {
 }
 
 export interface PatchFamily {
-  /** Common prefix of the patches' names. Empty for a single patch. */
+  /** Common prefix of the patches' names; empty for a single patch. */
   prefix: string;
   patches: Patch[];
 }
@@ -30,14 +30,10 @@ export const patchesOf = (description: DatasetDescription | null): Patch[] =>
 
 const prefixOf = (name: string): string => /^[^_.:/\s]+(?=[_.:/\s].)/.exec(name)?.[0] ?? "";
 
-/** Returns a patch name without its family's prefix and the separator. */
 export const withoutPrefix = (name: string, prefix: string): string =>
   prefix === "" ? name : name.slice(prefix.length + 1);
 
-/**
- * Groups patches into families with a common name prefix. Families are in the order of their first patches. A patch is
- * alone in its family if no other patch of `among` has the same prefix.
- */
+/** Groups patches by name prefix. A patch is alone in its family if no other patch of `among` has the same prefix. */
 export function families(patches: readonly Patch[], among = patches): PatchFamily[] {
   const found = new Map<string, PatchFamily>();
   const sharing = new Map<string, number>();
@@ -52,7 +48,6 @@ export function families(patches: readonly Patch[], among = patches): PatchFamil
   return [...found.values()];
 }
 
-/** Returns the patches whose names contain all words of the search text, in any order. Case is ignored. */
 export function searched(patches: readonly Patch[], text: string): Patch[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return patches.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
@@ -60,7 +55,7 @@ export function searched(patches: readonly Patch[], text: string): Patch[] {
 
 const namesOf = (shown: Shown): readonly string[] => shown ?? [];
 
-/** Returns the chosen names in the dataset's order, so that equal choices give equal scenes; null for no name. */
+/** Returns the names in the dataset's order, so that equal choices give equal scenes. */
 function inOrder(all: readonly Patch[], names: ReadonlySet<string>): Shown {
   const chosen = all.filter(({ name }) => names.has(name)).map(({ name }) => name);
   return chosen.length === 0 ? null : chosen;
@@ -71,17 +66,12 @@ export function withAll(all: readonly Patch[], shown: Shown, these: readonly Pat
   return inOrder(all, new Set([...namesOf(shown), ...these.map(({ name }) => name)]));
 }
 
-/** Returns the choice without the patches in `these`. The whole boundary is treated as the choice of all patches. */
 export function withNone(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown);
   const gone = new Set(these.map(({ name }) => name));
   return inOrder(all, new Set(before.filter((name) => !gone.has(name))));
 }
 
-/**
- * Inverts the choice of the patches in `these`. The whole boundary is treated as the choice of all patches, and the
- * choice of all patches becomes the whole boundary.
- */
 export function inverted(all: readonly Patch[], shown: Shown, these: readonly Patch[]): Shown {
   const before = new Set(shown !== null && shown.length === 0 ? all.map(({ name }) => name) : namesOf(shown));
   for (const { name } of these) if (!before.delete(name)) before.add(name);

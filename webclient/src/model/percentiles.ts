@@ -1,5 +1,4 @@
-// Percentiles of an array's values. A few outliers can make the bars of a histogram too wide. Therefore the percentiles
-// are found by repeated histograms over narrower ranges.
+// Percentiles of an array, found by histograms over narrower ranges, because a few outliers make the bars too wide.
 import type { Range } from "../generated/protocol";
 
 export interface Counts {
@@ -16,10 +15,7 @@ const MOST_LOOKS = 12;
 /** A result narrower than this fraction of the histogram's range is refined by a histogram over the result. */
 const WIDE_ENOUGH = 0.125;
 
-/**
- * Returns the range from the lower edge of the bar that contains the first quantile to the upper edge of the bar that
- * contains the second quantile. `all`: number of all values.
- */
+/** Range from the lower edge of the bar of the first quantile to the upper edge of the bar of the second quantile. */
 function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
   const width = (high - low) / counts.length;
   let seen = below;
@@ -36,7 +32,7 @@ function between({ range: [low, high], counts, below }: Counts, shares: readonly
   return [first, last];
 }
 
-/** Returns the range between two quantiles, given as shares from 0 to 1. null if there are no values. */
+/** `shares`: two quantiles from 0 to 1. Returns null if there are no values. */
 export async function percentiles(count: Count, shares: readonly [number, number]): Promise<Range | null> {
   let found = await count(null);
   const all = found.counts.reduce((sum, n) => sum + n, found.below + found.above);

@@ -52,37 +52,27 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
   return hasMagnitude === true ? magnitude : scalar;
 }
 
-/** Returns the array that a scalar belongs to. */
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/**
- * Returns the array of a scalar, or the array of this name. A probe also returns values of arrays that no layer can
- * use.
- */
+/** Also finds arrays that no layer can use, because a probe returns their values too. */
 const arrayNamed = (description: DatasetDescription | null, name: string): ArrayInfo | undefined =>
   arrayOf(description, name) ??
   description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
 
-/** Units of a scalar or of a whole array. */
 export const unitsOf = (description: DatasetDescription | null, name: string): string =>
   prettyUnits(arrayNamed(description, name)?.units ?? "");
 
-/** Formats a probed value with units, and with enough digits to distinguish it from other values of the array. */
 export const measured = (description: DatasetDescription | null, name: string, value: number): string =>
   `${formatMeasured(value, arrayNamed(description, name)?.range ?? null)} ${unitsOf(description, name)}`.trim();
 
-/**
- * Returns the range of a scalar over all time steps; null if unknown. The range is known for single-component arrays
- * and for magnitudes, but not for vector components.
- */
+/** Returns null for the components of a vector array, whose ranges are unknown. */
 export function rangeOfAllSteps(description: DatasetDescription | null, scalar: string): Range | null {
   const array = arrayOf(description, scalar);
   if (array === undefined || (array.components > 1 && !scalar.endsWith(":magnitude"))) return null;
   return array.range;
 }
 
-/** Returns the index of the time step nearest to `time`. Without `time`, returns the first step. */
 export function nearestStep(times: readonly number[], time = times[0] ?? 0): number {
   let best = 0;
   times.forEach((candidate, index) => {
@@ -96,12 +86,10 @@ export const shownTime = (description: DatasetDescription | null, scene: Scene |
 
 export type LayerOf<T extends Layer["type"]> = Extract<Layer, { type: T }>;
 
-/** Layers of one type with their ids, in drawing order. */
 export function layersOf<T extends Layer["type"]>(scene: Layered | null, type: T): [string, LayerOf<T>][] {
   return layersInOrder(scene).filter((entry): entry is [string, LayerOf<T>] => entry[1].type === type);
 }
 
-/** Returns an unused layer id: prefix, prefix2, prefix3 ... */
 export function freeId(scene: Scene, prefix: string): string {
   const taken = scene.layers ?? {};
   if (!(prefix in taken)) return prefix;
@@ -123,15 +111,11 @@ export type ScaledColoring = Coloring & { array: string };
 
 interface ScaleOf {
   part: keyof Colored;
-  /** Id of the layer that holds the coloring. */
   id: string;
   coloring: ScaledColoring;
 }
 
-/**
- * Returns the color scales of the caps of visible clip layers. Returns [] unless `layer` is the whole boundary, because
- * only the whole boundary has caps.
- */
+/** Returns [] unless `layer` is the whole boundary, because only the whole boundary has caps. */
 function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
@@ -141,7 +125,6 @@ function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   );
 }
 
-/** Returns the color scales of one visible layer: of the layer itself, of its contour lines and of its caps. */
 function scalesOf(scene: Layered | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
@@ -158,10 +141,7 @@ export interface LegendOf {
   name: string;
 }
 
-/**
- * Returns the legends of a scene in layer order. There is one legend for each distinct color scale of the visible
- * layers. The member `of` lists the layers that use the scale. Skips the layers in `empty`.
- */
+/** One legend for each distinct color scale of the visible layers, in layer order, without the layers in `empty`. */
 export function legendsOf(
   scene: Layered | null,
   description: Pick<DatasetDescription, "arrays"> | null,

@@ -1,5 +1,4 @@
-// Recent scenes by revision. The shown picture may be older than the newest scene. Therefore the revision of the
-// picture is used to look up the camera and the dataset of the picture.
+// Recent scenes by revision, because the shown picture may be older than the newest scene.
 import { complete, type FullCamera } from "./camera";
 import type { Scene } from "../generated/protocol";
 
@@ -9,7 +8,6 @@ interface Known {
 }
 
 export class ShownScenes {
-  /** Scenes in ascending order of revision. */
   private known: Known[] = [];
 
   /** Forgets all scenes. Call for a new session: revisions of different sessions are not comparable. */
@@ -22,17 +20,13 @@ export class ShownScenes {
     this.known = [...others, { revision, scene }].sort((a, b) => a.revision - b.revision);
   }
 
-  /**
-   * Returns the newest scene with a revision up to `revision`, or null if no such scene is known. Drops all older
-   * scenes, because no later picture shows them.
-   */
+  /** Returns the newest scene up to `revision`. Drops all older scenes, because no later picture shows them. */
   of(revision: number): Scene | null {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);
     if (newest > 0) this.known = this.known.slice(newest);
     return newest < 0 ? null : (this.known[0]?.scene ?? null);
   }
 
-  /** Returns the camera of the scene at `revision`. null if the scene is unknown or has no camera. */
   cameraOf(revision: number): FullCamera | null {
     const camera = this.of(revision)?.camera;
     return camera ? complete(camera) : null;

@@ -10,7 +10,6 @@ export type Slices = readonly [string, SliceLayer][];
 type Looks = Pick<SliceLayer, "color" | "opacity" | "contours" | "edges">;
 type Plane = Pick<SliceLayer, "axis" | "value" | "origin" | "normal">;
 
-/** Normals of new free planes. A new plane gets the first normal that no slice has. */
 const NORMALS: readonly Vec3[] = [
   [1, 1, 0],
   [1, -1, 0],
@@ -37,19 +36,13 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
   return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
-/**
- * Returns a new slice with the coloring `color`. A plane across an axis lies in the widest gap between the other
- * slices. The rest of the looks is copied from the last slice.
- */
+/** A plane across an axis lies in the widest gap between the slices. Other looks are copied from the last slice. */
 export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
   return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
 }
 
-/**
- * Returns the change that makes a slice perpendicular to another axis, or free. A free plane starts at the position of
- * the slice. If the slice was free, its new position is the coordinate of its origin along the axis.
- */
+/** A plane that becomes free keeps its position. A free plane keeps the coordinate of its origin along `across`. */
 export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
   const { axis, value } = slice;
   if (across === (axis ?? "free")) return {};
@@ -62,10 +55,7 @@ export function planeChange(slices: Slices, slice: SliceLayer, across: Across, b
   return { axis: across, value: clamp(at, ...endsOf(across, bounds)), origin: null, normal: null };
 }
 
-/**
- * Returns the changes by layer id that give all other slices the looks of slice `id`. Leaves out slices that already
- * have equal looks.
- */
+/** Returns the changes by layer id that give all slices the looks of slice `id`. */
 export function likeThis(slices: Slices, id: string): Record<string, object> {
   const looks = looksOf(slices.find(([other]) => other === id)?.[1] ?? { type: "slice" });
   const changes = slices.map(
@@ -74,7 +64,6 @@ export function likeThis(slices: Slices, id: string): Record<string, object> {
   return Object.fromEntries(changes.filter(([, change]) => Object.keys(change).length > 0));
 }
 
-/** Describes a slice's looks: array or color, contour lines, cell edges. */
 export function looksInWords({ color, contours, edges }: SliceLayer): string {
   const lines = contours !== undefined && contours.visible !== false ? [`lines of ${contours.array}`] : [];
   const cells = edges !== undefined && edges.visible !== false ? ["cell edges"] : [];

@@ -67,7 +67,6 @@ export interface Histogram {
   cells?: CellExtremes | undefined;
 }
 
-/** A call that makes a picture or a file. */
 export interface LongCall {
   words: string;
   /** Name of the call in call.progress. */
@@ -78,7 +77,6 @@ export interface LongCall {
 export interface PageState {
   connection: ConnectionState;
   draining: boolean;
-  /** Reason why a server that answers HTTP does not open a WebSocket; null if connected or unknown. */
   refusal: Refusal | null;
   /** Sentence shown instead of the canvas when nothing can be drawn. */
   fatal: string | null;
@@ -91,9 +89,7 @@ export interface PageState {
   chosen: string | null;
   /** Description of the chosen dataset, until the scene uses this dataset. */
   upcoming: DatasetDescription | null;
-  /** Name of the dataset in the shown picture. */
   shownDataset: string | null;
-  /** Scene of the shown picture; null if unknown. */
   shownScene: Scene | null;
   scene: Scene | null;
   /** Camera that the server chose for a scene of `dataset` that has no camera. */

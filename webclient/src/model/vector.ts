@@ -20,7 +20,6 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Returns the unit vector of `a`, or `fallback` for the zero vector. */
 export function normalize(a: Vec3, fallback: Vec3 = [0, 0, 1]): Vec3 {
   const size = length(a);
   return size > 0 ? scale(a, 1 / size) : fallback;

@@ -23,18 +23,17 @@ function usePage(): Page {
 
 export const useCommands = (): Commands => usePage().commands;
 
-/** Returns the result of `select`. The panel is rendered again when this result changes. */
+/** The panel is rendered again when the result of `select` changes. */
 export function useModel<V>(select: (model: Model) => V): V {
   const { model } = usePage();
   return useComputed(() => select(model)).value;
 }
 
-/** Returns the layers of the scene. A panel that reads no other member is not rendered again when the camera moves. */
+/** A panel that reads no other member is not rendered again when the camera moves. */
 export function useLayers(): Layered {
   return { layers: useModel((model) => model.scene.value?.layers) };
 }
 
-/** Returns the simulation time of the scene's time step. */
 export const useShownTime = (): number => useModel((model) => shownTime(model.description.value, model.scene.value));
 
 /** Returns the camera of the shown picture, which may be older than the camera of the scene. */

@@ -13,10 +13,7 @@ async function sentenceOf(response: Response): Promise<string> {
   return `${new URL(response.url).host} is not a CIEL server; check the address. Its answer was ${response.status} ${response.statusText}`.trim();
 }
 
-/**
- * Returns the reason why the server refuses the WebSocket, or null if no server answers over HTTP. `base`: the page's
- * address.
- */
+/** Returns null if no server answers over HTTP. `base`: the page's address. */
 export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | null> {
   try {
     const headers = { "Content-Type": "application/json" };
@@ -29,18 +26,14 @@ export async function askRefusal(base: string, fetch: Fetch): Promise<Refusal | 
   }
 }
 
-/** Returns the token in the user's input. Accepts a bare token, or the whole address that the server printed. */
+/** Accepts a bare token, or the whole address that the server printed. */
 export function tokenIn(typed: string): string {
   const text = typed.trim();
   const query = /\?[^#]*/.exec(text)?.[0];
   return (query === undefined ? null : new URLSearchParams(query).get("token")) ?? text;
 }
 
-/**
- * Sends the token to the server. Returns true if the server accepts the token, and false if the token is wrong. The
- * server stores an accepted token in a cookie that the page cannot read. Throws Error if the server refuses for another
- * reason.
- */
+/** Returns false if the token is wrong. Throws Error if the server refuses for another reason. */
 export async function offerToken(base: string, token: string, fetch: Fetch): Promise<boolean> {
   const address = new URL("./", base);
   address.searchParams.set("token", token);

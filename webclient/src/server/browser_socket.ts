@@ -2,10 +2,7 @@
 import type { SocketLike } from "./connection";
 import { Disconnected, type Post } from "./rpc";
 
-/**
- * Removes the token from the page's address, so that copied links do not contain it. The server has already stored it
- * in a cookie.
- */
+/** Copied links must not contain the token. The server has already stored the token in a cookie. */
 export function hideToken(): void {
   const address = new URL(location.href);
   if (!address.searchParams.has("token")) return;

@@ -31,7 +31,6 @@ export interface StreamFacts {
 
 export interface Choice {
   stream: Kind;
-  /** Reason for the choice, shown to the user. */
   why: string;
 }
 
@@ -39,22 +38,13 @@ export interface Choice {
 const USUAL_DRAW_MS = 16;
 /** Draw time of polygons in milliseconds above which pictures are used, if a picture arrives sooner. */
 const TOO_SLOW_MS = 100;
-/**
- * During a value gesture, the stream changes only if the new stream is faster by this factor. This prevents repeated
- * switching.
- */
+/** During a value gesture, the new stream must be faster by this factor, which prevents repeated switching. */
 const BETTER = 1.3;
-/**
- * Longest transfer of all polygons, in seconds, for which polygons are chosen: without a gesture, and during a camera
- * gesture.
- */
+/** Longest transfer of all polygons, in seconds, without a gesture and during a camera gesture. */
 const FETCH_AT_REST = 3;
 const FETCH_IN_GESTURE = 0.3;
 
-/**
- * NEAR_RATE is the line rate in bytes per second that is assumed if the round trip is at most NEAR_MS, and no frame was
- * long enough to measure the rate.
- */
+/** Until a rate is measured, NEAR_RATE in bytes per second is assumed for round trips of at most NEAR_MS. */
 const NEAR_MS = 25;
 const NEAR_RATE = 12.5e6;
 
@@ -94,10 +84,7 @@ export function chooseStream(facts: StreamFacts): Choice {
     : pictures(cost);
 }
 
-/**
- * Chooses the stream if the line rate is unknown. Chooses polygons if they have no more bytes than a picture. During a
- * value gesture, does not switch to polygons, because each change makes new polygons.
- */
+/** During a value gesture, does not switch to polygons, because each change makes new polygons. */
 function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
   const isFewer = sawStill && polygonBytes <= pictureBytes;
   if (isFewer && (gesture !== "value" || current === "geometry"))
@@ -110,7 +97,6 @@ function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: 
 
 const pictures = (why: string): Choice => ({ stream: "image", why });
 
-/** Whether the browser draws WebGL2 with a graphics card. Software renderers are recognized by their names. */
 export function hasHardwareWebGL(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (gl === null) return false;

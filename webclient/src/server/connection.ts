@@ -33,10 +33,7 @@ export const LAST_RETRY_MS = 15_000;
 export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
-/**
- * Returns the milliseconds until the next attempt. The delay doubles from FIRST_RETRY_MS to LAST_RETRY_MS. A random
- * part of up to a quarter is subtracted, so that the clients do not all reconnect at the same time.
- */
+/** A random part of up to a quarter is subtracted, so that the clients do not all reconnect at the same time. */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
   return delay * (0.75 + 0.25 * random);
@@ -64,7 +61,6 @@ export class Connection {
     this.events.state({ kind: "closed" });
   }
 
-  /** Connects at once instead of after the delay. Does nothing while a socket exists. */
   retryNow(): void {
     if (this.socket === null) this.connect();
   }

@@ -9,7 +9,6 @@ import type { Histograms } from "./histograms";
 import type { Latency } from "./latency";
 import type { Session, StreamWish } from "./session";
 
-/** Receives binary messages with the frames of a view. */
 export interface FrameReceiver {
   /** Call before view.open. Frames of the new view may arrive before show(). */
   expect(): void;
@@ -20,12 +19,10 @@ export interface FrameReceiver {
 /** Functions of the rest of the page that this folder calls. */
 export interface Page {
   background(): "dark" | "light";
-  /** Scene of the link that opened the page; null if the page was opened without a link. */
   link(): Scene | null;
   /** Receiver of frames; null until the canvases exist. */
   frames(): FrameReceiver | null;
   clearPicture(): void;
-  /** Which of the two canvases is visible. */
   shown(): "none" | "image" | "geometry";
   stopPlaying(): void;
 }

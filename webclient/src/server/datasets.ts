@@ -10,7 +10,6 @@ export async function listDatasets(server: Core): Promise<void> {
   }
 }
 
-/** Fetches the description of the scene's dataset if it is not known, or in any case if `again` is true. */
 export async function describeDataset(server: Core, again = false): Promise<void> {
   const { model } = server;
   const name = model.scene.peek()?.dataset;

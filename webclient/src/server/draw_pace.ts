@@ -1,6 +1,5 @@
-// Measures the time from a redraw request to drawn polygons. WebGL calls return before the GPU has drawn the polygons.
-// But the next animation frame starts only after the GPU has finished. During repeated redraws, the measured time
-// therefore contains the drawing time.
+// Measures the time from a redraw request to drawn polygons. During repeated redraws, this time contains the drawing
+// time, because the next animation frame starts only after the GPU has finished.
 
 const REMEMBERED = 8;
 /** Number of measurements needed for a result, because the first measurements include the compilation of shaders. */
@@ -13,7 +12,6 @@ export class DrawPace {
     this.waits = [...this.waits.slice(1 - REMEMBERED), at - requestedAt];
   }
 
-  /** Median time from request to drawn polygons in milliseconds; null if not measured. */
   get milliseconds(): number | null {
     if (this.waits.length < FEWEST) return null;
     const sorted = [...this.waits].sort((a, b) => a - b);

@@ -1,5 +1,4 @@
-// Local copy of the scene, synchronized with the server's scene. A change applies to the local scene at once. Changes
-// are sent to the server at most once per animation frame.
+// Local copy of the scene. A change applies to the copy at once, and is sent at most once per animation frame.
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, keepEqual, type Json, type JsonObject } from "../model/merge_patch";
 import { Disconnected } from "./rpc";
@@ -19,10 +18,7 @@ export type Step = "undo" | "redo";
 export interface EditorEvents {
   /** The local scene, canUndo or canRedo has changed. */
   changed(): void;
-  /**
-   * The server has accepted a change of this page. `since`: time of the change (performance.now). `scene`: the scene
-   * after the change, with this revision.
-   */
+  /** The server has accepted a change made at `since` (performance.now). `scene` has this revision. */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
   /** A change of this layer was dropped, because another client has removed the layer. */
@@ -42,17 +38,13 @@ interface Change {
   since: number;
   /** The local scene after this change. */
   scene: Scene;
-  /**
-   * A part of the change was dropped, because another client has removed the layer. The user has been told this.
-   * Therefore a refusal by the server is not reported in addition.
-   */
+  /** A part was dropped, and the user has been told this. A refusal by the server is then not reported in addition. */
   targetsRemovedLayer?: boolean;
 }
 
 const patched = (scene: Scene, patch: JsonObject): Scene =>
   applyPatch(scene as unknown as Json, patch) as unknown as Scene;
 
-/** Returns a scene equal to `after`. A member that is equal in `before` stays the same object. */
 const keptEqual = (before: Scene | null, after: Scene): Scene =>
   keepEqual(before as unknown as Json, after as unknown as Json) as unknown as Scene;
 
@@ -62,10 +54,7 @@ export class SceneEditor {
   private queue: Change[] = [];
   private unanswered: Change[] = [];
   private differsFromServer = false;
-  /**
-   * Whether the local scene may differ from the server's scene. If so, the server's scene is fetched after all changes
-   * have been answered.
-   */
+  /** Whether the local scene may differ from the server's, which is then fetched after all changes are answered. */
   private doubtful = false;
   private asking = false;
   /** Number of unanswered undos, redos and proposed scenes. */
@@ -103,7 +92,7 @@ export class SceneEditor {
     return this.history.around(scene);
   }
 
-  /** Returns a new gesture name. All changes with one gesture name are one undo step. */
+  /** All changes with one gesture name are one undo step. */
   newGesture(): string {
     return `${this.name}-${++this.gestures}`;
   }
@@ -128,7 +117,6 @@ export class SceneEditor {
     this.change(patch, `${this.name}-${this.gestures}`);
   }
 
-  /** Replaces the whole scene as one undo step. */
   replace(scene: Scene, gesture?: string): void {
     if (this.document === null) return;
     this.change(diff(this.document as unknown as JsonObject, scene as unknown as JsonObject), gesture);
@@ -153,7 +141,7 @@ export class SceneEditor {
     await this.travel((server) => server.redo(), moved, stuck);
   }
 
-  /** Call when a session was opened. Changes made while disconnected are sent to the session as one undo step. */
+  /** Changes made while disconnected are sent to the session as one undo step. */
   connected(server: SceneServer, state: SessionState): void {
     this.server = server;
     this.patchesAtOnce = new PatchesAtOnce();
@@ -218,10 +206,7 @@ export class SceneEditor {
     this.events.changed();
   }
 
-  /**
-   * Removes the changes of layers that another client has removed. With such changes, the server would make incomplete
-   * layers.
-   */
+  /** With changes of layers that another client has removed, the server would make incomplete layers. */
   private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
     const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
     for (const id of stray) this.events.gone(this.lost.get(id) as Layer);

@@ -4,10 +4,7 @@ import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 
 const get: Fetch = (address, init) => fetch(address, init);
 
-/**
- * Number of consecutive HTTP answers after which WebSockets are treated as blocked. One answer is not enough, because a
- * restarted server answers HTTP before the page tries a WebSocket again.
- */
+/** One answer is not enough, because a restarted server answers HTTP before the page tries a WebSocket again. */
 const TRIES_BEFORE_NO_SOCKET = 2;
 
 export class Entry {
@@ -18,7 +15,7 @@ export class Entry {
     private readonly retry: () => void,
   ) {}
 
-  /** Finds the reason of a failed WebSocket and writes it into the model. Call after each failure. */
+  /** Call after each failure of the WebSocket. */
   async explain(): Promise<void> {
     const refusal = await askRefusal(document.baseURI, get);
     if (this.model.connection.peek().kind === "open") return;
@@ -32,7 +29,7 @@ export class Entry {
     this.model.refusal.value = null;
   }
 
-  /** Sends the token that the user typed. Returns null if the server accepted it, otherwise an error sentence. */
+  /** Returns an error sentence, or null if the server accepted the token. */
   async enter(typed: string): Promise<string | null> {
     try {
       if (!(await offerToken(document.baseURI, tokenIn(typed), get)))

@@ -1,5 +1,4 @@
-// First scene of a page: the scene of the link, otherwise the scene of the tab's session, otherwise the default scene
-// of the first usable dataset.
+// First scene of a page: the scene of the link, of the tab's session, or of the first usable dataset.
 import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
 import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
 import { subtract } from "../model/vector";
@@ -23,7 +22,6 @@ function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect
   return fit(bounds, subtract(target, position), up, aspect, fov, parallel);
 }
 
-/** Returns the dataset's default scene, with a camera fitted to this canvas, and with the background of the theme. */
 export function openingScene(description: DatasetDescription, size: CanvasSize, background: "dark" | "light"): Scene {
   const scene = description.default_scene;
   const bounds = description.default_bounds;
@@ -31,7 +29,7 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
-/** Adds the default camera to a scene that has no camera, because overlays of the canvas need a camera. */
+/** Overlays of the canvas need a camera. */
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {
@@ -45,7 +43,7 @@ async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise
   }
 }
 
-/** Returns the first scene, or null if the server has no usable dataset. */
+/** Returns null if the server has no usable dataset. */
 export async function firstScene(call: Caller, options: FirstSceneOptions): Promise<Scene | null> {
   if (options.link !== null) return withCamera(call, options.link, options.size);
   try {

@@ -5,10 +5,7 @@ import type { ColorScale } from "../model/color_scale";
 import type { Coloring, Range, Vec3 } from "../generated/protocol";
 import { scaleOf } from "../model/color_range";
 
-/**
- * Clip plane (nx, ny, nz, d). The plane keeps the points p with dot(n, p) + d >= 0, where p is relative to the batch's
- * origin.
- */
+/** Clip plane (nx, ny, nz, d). It keeps the points p, relative to the batch's origin, with dot(n, p) + d >= 0. */
 export type ClipPlane = [number, number, number, number];
 
 export interface GeometryBatch {
@@ -101,11 +98,7 @@ class Rest {
 class KeptArrays {
   private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
-  /**
-   * Returns the arrays of a mesh or of its values, and marks them as used by this frame. `decode` decodes the arrays
-   * from the batch; it is null if the batch contains only the id. In that case, throws MissingArrays if the arrays are
-   * not kept.
-   */
+  /** `decode` is null if the batch contains only the id. Throws MissingArrays if the arrays are then not kept. */
   use<Arrays>(id: string, frame: number, decode: (() => Arrays) | null): Arrays {
     const arrays = decode === null ? this.kept.get(id)?.arrays : decode();
     if (arrays === undefined)
@@ -158,10 +151,7 @@ function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, res
   return { positions, normals: directions, indices: corners };
 }
 
-/**
- * Returns the values as offsets from `sent.origin`. Without this origin, values of a small range far from 0 would lose
- * digits as 32-bit floats.
- */
+/** Offsets from `sent.origin`, because values of a small range far from 0 would lose digits as 32-bit floats. */
 function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest: Rest): Float32Array {
   const count = sent.of === "vertices" ? vertices : indices / CORNERS[sent.of];
   const values = new Float32Array(count);
@@ -201,10 +191,7 @@ export class GeometryDecoder {
     this.kept = new KeptArrays();
   }
 
-  /**
-   * Decodes one message. Returns null if the frame has no polygons. Throws Error if the sizes are inconsistent, and
-   * MissingArrays if the batch refers to arrays that are not kept.
-   */
+  /** Returns null if the frame has no polygons. Throws Error if the sizes are inconsistent, or MissingArrays. */
   decode(message: ArrayBuffer): GeometryBatch | null {
     const bytes = message.byteLength - FRAME_HEADER_BYTES;
     if (bytes < 4) throw new Error("A geometry frame is cut off. Reload the page");

@@ -5,10 +5,7 @@ import { Disconnected, RpcError } from "./rpc";
 import type { Histogram } from "../model/state";
 
 const KEPT = 200;
-/**
- * Largest number of simultaneous requests. The server computes few histograms at a time. It refuses further requests of
- * a connection that has too many.
- */
+/** The server computes few histograms at a time, and refuses further requests of a connection with too many. */
 const AT_ONCE = 2;
 const RETRY_MILLISECONDS = 1000;
 
@@ -23,7 +20,7 @@ export class Histograms {
   private wanted: Of[] = [];
   private underWay = 0;
   private isDue = false;
-  /** Number of calls of clear(). If clear() is called between a request and its answer, the answer is ignored. */
+  /** Number of calls of clear(). An answer is ignored if clear() was called after the request. */
   private cleared = 0;
 
   constructor(
@@ -32,9 +29,8 @@ export class Histograms {
   ) {}
 
   /**
-   * Returns the histogram of a scalar at a time. Returns null until it has arrived, and if the array has no values at
-   * this time. Code that reads signals runs again when the histogram arrives. The fetch starts after the current
-   * rendering.
+   * Returns null until the histogram has arrived, and if the array has no values at this time. Code that reads signals
+   * runs again when the histogram arrives.
    */
   get(...of: Of): Histogram | null {
     const known = this.knownOf(of);
@@ -42,7 +38,6 @@ export class Histograms {
     return known.histogram.value;
   }
 
-  /** Forgets all histograms and requests. A histogram is fetched again when it is read. */
   clear(): void {
     for (const known of this.known.values()) {
       known.state = "forgotten";

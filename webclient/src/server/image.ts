@@ -6,7 +6,7 @@ const SIGNATURES: Record<string, number[]> = {
   "image/jpeg": [0xff, 0xd8, 0xff],
 };
 
-/** Returns the PNG or JPEG of an image frame. Throws Error for any other payload. */
+/** Throws Error for a payload that is neither PNG nor JPEG. */
 export function pictureOf(message: ArrayBuffer): Blob {
   const picture = new Uint8Array(message, FRAME_HEADER_BYTES);
   for (const [type, signature] of Object.entries(SIGNATURES))

@@ -8,10 +8,7 @@ export class Latency {
   private times: number[] = [];
   last: number | null = null;
 
-  /**
-   * Call when the server has accepted a change made at time `since` as `revision`. The picture of this revision may
-   * already have been shown, before the server's answer arrived.
-   */
+  /** The picture of this revision may already have been shown, before the server's answer arrived. */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
     else this.waiting.push({ revision, since });

@@ -1,10 +1,10 @@
 // Measures the bandwidth in bytes per second from the pieces of a frame (protocol/frame.md): the number of bytes after
-// the first piece, divided by the time since the first piece arrived. A frame of one piece gives no result.
+// the first piece, divided by the time since the first piece arrived.
 import type { FrameHeader } from "../generated/frame_header";
 
 /**
- * Smallest number of bytes after the first piece for a measurement, because fewer bytes may arrive at once from a
- * buffer. If at least this many bytes follow the first piece, the server makes the first piece short.
+ * Fewer bytes after the first piece may arrive at once from a buffer. If at least this many bytes follow the first
+ * piece, the server makes the first piece short.
  */
 const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
@@ -38,10 +38,7 @@ export class LineRate {
     return true;
   }
 
-  /**
-   * Median of the last rates; null if no rate was measured. A busy page may receive all pieces of a frame at once. The
-   * rate of such a frame is too high, but a single high rate does not change the median much.
-   */
+  /** A busy page may receive a whole frame at once. A single rate that is too high hardly changes the median. */
   get bytesPerSecond(): number | null {
     const sorted = [...this.rates].sort((a, b) => a - b);
     return sorted[Math.floor((sorted.length - 1) / 2)] ?? null;

@@ -1,5 +1,4 @@
-// Joins the pieces of pictures and batches. The server splits long messages, because proxies reject them
-// (protocol/frame.md).
+// Joins the pieces of long messages, which the server splits because proxies reject long messages (protocol/frame.md).
 import { FRAME_HEADER_BYTES, writeFrameHeader, type FrameHeader } from "../generated/frame_header";
 
 interface Begun {
@@ -35,7 +34,6 @@ export class Pieces {
     return begun.message;
   }
 
-  /** Drops the pieces of an incomplete frame. */
   clear(): void {
     this.begun = null;
   }

@@ -7,19 +7,17 @@ export class PolygonBytes {
   private newest: { bytes: number; triangles: number } | null = null;
   private mostOfTriangle = 0;
 
-  /** Call for each frame of polygons. `triangles`: number of triangles of the whole scene. */
+  /** `triangles`: number of triangles of the whole scene. */
   presented(bytes: number, triangles: number): void {
     this.newest = { bytes, triangles };
     if (triangles > 0) this.mostOfTriangle = Math.max(this.mostOfTriangle, bytes / triangles);
   }
 
-  /** Forgets all frames. Call when another dataset is shown. */
   forget(): void {
     this.newest = null;
     this.mostOfTriangle = 0;
   }
 
-  /** Estimated bytes of all polygons of a scene with this number of triangles. */
   all(triangles: number): number {
     return (this.mostOfTriangle > 0 ? this.mostOfTriangle : USUAL_TRIANGLE_BYTES) * triangles;
   }
@@ -32,7 +30,6 @@ export class PolygonBytes {
       : (newest.bytes / newest.triangles) * triangles;
   }
 
-  /** Number of triangles of the scene in the newest frame; 0 before the first frame. */
   get triangles(): number {
     return this.newest?.triangles ?? 0;
   }

@@ -1,5 +1,4 @@
-// JSON-RPC 2.0 over a text channel: calls, answers, notifications. An answer that is too long for a WebSocket message
-// is fetched by HTTP POST.
+// JSON-RPC 2.0 over a text channel. An answer that is too long for a WebSocket message is fetched by HTTP POST.
 import { ErrorCode, PROTOCOL, type Methods, type Notifications } from "../generated/protocol";
 
 export type MethodName = keyof Methods;
@@ -26,7 +25,6 @@ export class Disconnected extends Error {
   }
 }
 
-/** Sends a JSON-RPC request by HTTP POST and returns the text of the answer. `signal` cancels the call. */
 export type Post = (request: string, signal?: AbortSignal) => Promise<string>;
 
 interface Pending {
@@ -44,26 +42,16 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
-/**
- * Methods that are always called by HTTP POST, because a picture or a surface file may exceed the limit of a WebSocket
- * message.
- */
+/** Always called by HTTP POST, because the result may exceed the limit of a WebSocket message. */
 const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
 
-/**
- * Method to call by POST if the answer to a call was too long for a WebSocket message. Undo and redo have already taken
- * effect and must not be repeated.
- */
+/** Called by POST after an answer that was too long for a WebSocket message. Undo and redo must not be repeated. */
 const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.undo": "scene.get",
   "scene.redo": "scene.get",
 };
 
-/**
- * Returns the text of a request, or of a notification if `id` is absent. The text contains the page's version of the
- * contract, because the server may have been upgraded after the page was loaded. A server of another major version
- * refuses the request with an error sentence.
- */
+/** Without `id`: a notification. A server with another major version of the contract refuses the request. */
 const requestText = (method: MethodName, params: unknown, id?: number): string =>
   JSON.stringify({ jsonrpc: "2.0", protocol: PROTOCOL, id, method, params });
 
@@ -77,7 +65,7 @@ export class Rpc {
     private readonly post: Post,
   ) {}
 
-  /** Calls a method of the server. `signal` cancels a call that is made by POST. */
+  /** `signal` cancels a call that is made by POST. */
   call<M extends MethodName>(method: M, params: Params<M>, signal?: AbortSignal): Promise<Result<M>> {
     if (BY_POST.has(method)) return this.byPost(method, params, signal) as Promise<Result<M>>;
     const id = this.nextId++;

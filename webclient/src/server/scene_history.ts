@@ -2,10 +2,7 @@
 import { LIMITS, type Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
-/**
- * Undo and redo steps as merge patches. The step nearest to the current scene is first. The first patch applies to the
- * current scene. Each further patch applies to the result of the previous patch.
- */
+/** Merge patches. The step nearest to the current scene is first. Each patch applies to the previous result. */
 export interface Steps {
   undo: JsonObject[];
   redo: JsonObject[];
@@ -18,7 +15,6 @@ const MOST_BYTES = 1_000_000;
 const OF_OTHERS = "others";
 
 export class SceneHistory {
-  /** The server's scene; null until a session has been opened. */
   private scene: JsonObject | null = null;
   private steps: Steps = { undo: [], redo: [] };
   private gesture = "";
@@ -35,10 +31,7 @@ export class SceneHistory {
     else this.become(found, OF_OTHERS);
   }
 
-  /**
-   * Call when an undo or redo of this page led to this scene. The scene may be several steps away, because the server
-   * skips steps whose scene it cannot show.
-   */
+  /** The scene may be several steps away, because the server skips steps whose scene it cannot show. */
   moved(step: keyof Steps, scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null || equal(this.scene, found)) return;
@@ -60,10 +53,7 @@ export class SceneHistory {
     this.steps = step === "undo" ? { undo: taken, redo: back } : { undo: back, redo: taken };
   }
 
-  /**
-   * Returns the steps to open a session with, starting at this scene. The scene may contain changes that the server has
-   * not accepted.
-   */
+  /** Returns the steps to open a session with. The scene may contain changes that the server has not accepted. */
   around(scene: Scene): Steps {
     const begun = scene as unknown as JsonObject;
     if (this.scene === null) return { undo: [], redo: [] };

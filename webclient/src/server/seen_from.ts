@@ -1,5 +1,4 @@
-// Fetches the camera that the server chooses for a scene without a camera. This camera leaves room for annotations.
-// Overlays of the canvas and the first camera gesture use this camera.
+// Fetches the camera that the server chooses for a scene without a camera, for the canvas's overlays and gestures.
 import { complete } from "../model/camera";
 import type { Core } from "./core";
 
@@ -8,7 +7,7 @@ export class SeenFrom {
 
   constructor(private readonly server: Core) {}
 
-  /** Fetches the camera again if needed. Call after the scene or the canvas size has changed. */
+  /** Call after the scene or the canvas size has changed. */
   async reconsider(): Promise<void> {
     const { editor, model, session, size, tab } = this.server;
     const { scene } = editor;

@@ -29,10 +29,7 @@ const clock = {
   clearTimeout: (timer: number): void => window.clearTimeout(timer),
 };
 
-/**
- * Number of bins. It is a power of two, because the server then answers from the stored histogram of the array and
- * reads no values.
- */
+/** A power of two, because the server then answers from the stored histogram and reads no values. */
 const HISTOGRAM_BINS = 128;
 const RATE_MS = 500;
 
@@ -92,7 +89,6 @@ export class Server implements Core {
     setInterval(() => this.refreshRate(), RATE_MS);
   }
 
-  /** Requests pictures of the new size. Call after the canvas size has changed. */
   resized(): void {
     this.session.resize();
     void this.seenFrom.reconsider();
@@ -103,14 +99,13 @@ export class Server implements Core {
     if (!(error instanceof Disconnected)) showToast(this.model, wordsFor(error as Error), "error");
   }
 
-  /** Call when the page knows the server's scene at this revision. A picture of the scene may already be shown. */
   taken(revision: number, scene: Scene): void {
     this.scenes.taken(revision, scene);
     const { readout } = this.model;
     if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session
   }
 
-  /** Call when a frame has been drawn on the canvas. `bytes`: size of the messages of the frame. */
+  /** `bytes`: size of the messages of the frame. */
   presented(header: FrameHeader, bytes: number): void {
     const { model, page } = this;
     const at = now();

@@ -18,7 +18,6 @@ export interface StreamWish {
 }
 
 export interface SessionHost {
-  /** Returns the scene for a new session, or null if there is nothing to show. */
   firstScene(call: Caller): Promise<Scene | null>;
   viewSize(): ViewSize;
   stream(): StreamWish;
@@ -42,10 +41,7 @@ export class Session {
   private readonly connection: Connection;
   private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
-  /**
-   * Scene passed to begin() and not shown yet; null if there is none. The session is opened with this scene instead of
-   * the editor's scene.
-   */
+  /** Scene passed to begin() and not shown yet. The session is opened with it instead of the editor's scene. */
   private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
@@ -85,7 +81,7 @@ export class Session {
     this.connection.lost();
   }
 
-  /** Calls a method of the server. Rejects with Disconnected while there is no connection. `signal`: see Rpc. */
+  /** Rejects with Disconnected while there is no connection. */
   call<M extends MethodName>(method: M, params: Params<M>, signal?: AbortSignal): Promise<Result<M>> {
     return this.rpc === null ? Promise.reject(new Disconnected()) : this.rpc.call(method, params, signal);
   }
@@ -115,10 +111,7 @@ export class Session {
     this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
-  /**
-   * Shows this scene. If no session is open, opens the session with this scene. No session is open if the page had no
-   * scene, or if the server refused to open the session.
-   */
+  /** If no session is open (no scene, or the server refused the session), opens a session with this scene. */
   async begin(scene: Scene): Promise<void> {
     this.chosen = scene;
     await this.joining;

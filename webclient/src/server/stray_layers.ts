@@ -6,10 +6,7 @@ export function removedBetween(before: Scene | null, after: Scene): [string, Lay
   return Object.entries(before?.layers ?? {}).filter(([id]) => !(id in (after.layers ?? {})));
 }
 
-/**
- * Returns the ids of layers that the patch changes but the scene does not have. Skips a change with a `type`, because
- * such a change adds a layer.
- */
+/** Skips a change with a `type`, because such a change adds a layer. */
 export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
   if (!isObject(layers)) return [];
   return Object.keys(layers).filter((id) => {

@@ -24,23 +24,19 @@ export class Streams {
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
-  /**
-   * Bytes and server time in milliseconds of the newest interactive picture. The time excludes extraction, which
-   * depends on the iso-value.
-   */
+  /** Of the newest interactive picture. The milliseconds exclude extraction, which depends on the iso-value. */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
   private readonly polygons = new PolygonBytes();
 
   constructor(private readonly server: Core) {}
 
-  /** Returns the stream to request when a view is opened. */
   current(): StreamWish {
     this.asked = this.wanted();
     return this.asked;
   }
 
-  /** Call when a message of the view has arrived. The line rate can be measured before the frame is complete. */
+  /** The line rate can be measured before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
     if (this.rate.arrived(header, at)) this.reconsider();
   }
@@ -68,7 +64,7 @@ export class Streams {
     this.reconsider();
   }
 
-  /** Chooses the stream again. Call when a measured value may have changed. */
+  /** Call when a measured value may have changed. */
   reconsider(): void {
     const wanted = this.wanted();
     if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
@@ -109,20 +105,13 @@ export class Streams {
     return stream;
   }
 
-  /**
-   * Shows the reason for the choice. The text stays while `about` is the same, because the numbers in the text vary
-   * with every frame.
-   */
+  /** The text stays while `about` is the same, because the numbers in the text vary with every frame. */
   private say(about: string, streamWhy: string): void {
     if (about === this.said) return;
     this.said = about;
     this.server.model.streamWhy.value = streamWhy;
   }
 
-  /**
-   * Returns the estimated time to draw `triangles` triangles in milliseconds; null if not measured. The measured time
-   * is scaled by the number of triangles if it is above SMOOTH_MS.
-   */
   private drawMs(triangles: number): number | null {
     const { milliseconds } = this.pace;
     const drawn = this.polygons.triangles;
@@ -130,10 +119,7 @@ export class Streams {
     return (milliseconds * triangles) / drawn;
   }
 
-  /**
-   * Returns the server time of an interactive picture in milliseconds. The result is at most the time of the still
-   * picture, because the first interactive picture includes the compilation of shaders.
-   */
+  /** At most the still picture's time, because the first interactive picture includes the compilation of shaders. */
   private pictureMs(): number {
     if (this.picture === null) return USUAL_PICTURE.ms;
     return Math.min(this.picture.ms, this.still?.ms ?? Infinity);

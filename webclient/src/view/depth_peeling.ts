@@ -1,6 +1,5 @@
-// Depth peeling: draws transparent surfaces, lines and points in depth order at every pixel, even where they intersect.
-// A layer contains, at each pixel, the nearest fragment behind the previous layer. Same method as
-// server/render/surfaces/depth_peeling.hpp. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
+// Depth peeling, as in server/render/surfaces/depth_peeling.hpp: a layer contains, at each pixel, the nearest fragment
+// behind the previous layer. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
 import type { BatchPrograms, Picture } from "./uploaded_batches";
 import { buildProgram, type Program } from "./gl_program";
 import { LayerCount, MOST_LAYERS } from "./layer_count";
@@ -14,10 +13,7 @@ import {
 import { makeSheetTexture, SheetMaker, type Sheet, type Sheets } from "./peeling_sheets";
 import { LINE_FRAGMENT, LINE_VERTEX, POINT_FRAGMENT, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
-/**
- * Largest number of picture pixels for which layers are drawn at twice the picture's resolution. The render targets
- * then take at most 0.4 GB: 28 bytes per target pixel, or 44 bytes with transparent lines.
- */
+/** Limits the render targets to 0.4 GB. They take 28 bytes per target pixel, or 44 bytes with transparent lines. */
 const MOST_PIXELS_AT_TWICE_THE_RESOLUTION = 2 << 20;
 
 /** Texture units of the peeling shaders' samplers. Unit 0 has the color scale. */
@@ -67,13 +63,11 @@ export class DepthPeeling {
     this.noLines = makeSheetTexture(gl, gl.RGBA8, 1, 1);
   }
 
-  /** Frees the render targets. The next draw allocates them again. */
   free(): void {
     this.maker.free();
     this.sheets = null;
   }
 
-  /** Blends the transparent layers over the opaque picture on the canvas. */
   draw(scene: PeeledScene): void {
     const { gl } = this;
     const twice = scene.width * scene.height <= MOST_PIXELS_AT_TWICE_THE_RESOLUTION ? 2 : 1;
@@ -100,7 +94,7 @@ export class DepthPeeling {
     this.putOnCanvas(sheets, pixels);
   }
 
-  /** Whether a new draw would show more layers than the newest picture; null until the query results are available. */
+  /** Whether a new draw would show more layers; null until the query results are available. */
   lacksLayers(): boolean | null {
     const { gl } = this;
     const asked = this.queries.slice(0, this.asked);
@@ -140,8 +134,7 @@ export class DepthPeeling {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // Draws the depth of opaque surfaces at the centers of the layers' pixels. The canvas is multisampled, so its depth
-  // cannot be used.
+  // The canvas's depth cannot be used, because the canvas is multisampled.
   private drawOpaque(scene: PeeledScene, { opaque }: Sheets, picture: Picture): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, opaque.framebuffer);

@@ -1,11 +1,7 @@
-// Keeps frames that arrive before the answer to view.open, because only this answer contains the id of the new view
-// (protocol/frame.md).
+// Keeps frames that arrive before the answer to view.open, which contains the id of the view (protocol/frame.md).
 import type { FrameHeader } from "../generated/frame_header";
 
-/**
- * Largest number of frames kept for a view. Early frames are not acknowledged. By default, the server sends at most
- * this many frames before the first acknowledgement (its limit unacknowledged_frames).
- */
+/** The server's default limit unacknowledged_frames, because early frames are not acknowledged. */
 const MOST_FRAMES = 2;
 
 interface EarlyFrame {
@@ -25,7 +21,6 @@ export class EarlyFrames {
     if (frames.length > MOST_FRAMES) frames.shift();
   }
 
-  /** Returns the kept messages of a view in order of arrival. */
   of(view: number): ArrayBuffer[] {
     return (this.views.get(view) ?? []).flatMap(({ messages }) => messages);
   }

@@ -17,12 +17,11 @@ import {
 
 const isOpaqueSurface = (batch: GeometryBatch): boolean => isSurface(batch) && batch.color[3] >= 1;
 const isTransparent = (batch: GeometryBatch): boolean => batch.color[3] > 0 && batch.color[3] < 1;
-// If depth peeling is used, its layers also contain the lines and points. If lines and points were drawn before the
-// layers, their soft edges would hide the layers behind them.
+// With depth peeling, the layers also contain lines and points, whose soft edges would hide the layers behind them.
 const isInLayers = (batch: GeometryBatch): boolean => isTransparent(batch) || (!isSurface(batch) && batch.color[3] > 0);
 const isJoined = (batch: GeometryBatch): boolean => batch.lines && isTransparent(batch);
 
-/** Canvas for the polygon stream. The constructor throws Error if the browser has no WebGL2. */
+/** The constructor throws Error if the browser has no WebGL2. */
 export class GeometryCanvas {
   private readonly gl: WebGL2RenderingContext;
   private programs!: BatchPrograms;
@@ -54,15 +53,11 @@ export class GeometryCanvas {
     if (!this.isPeeled) this.peeling?.free();
   }
 
-  /**
-   * Whether depth peeling is used. If so, fewer layers are drawn while the camera moves. The picture must be drawn
-   * again when the camera has stopped.
-   */
+  /** If true, fewer layers are drawn while the camera moves, and the picture must be drawn again afterwards. */
   get isPeeled(): boolean {
     return this.uploaded.has(isTransparent);
   }
 
-  /** Whether drawing again would show more transparent layers; null if not known yet. */
   lacksLayers(): boolean | null {
     return this.isPeeled && this.peeling !== null ? this.peeling.lacksLayers() : false;
   }

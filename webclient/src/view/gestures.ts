@@ -3,7 +3,6 @@ import { orbit, pan, roll, type FullCamera, type Size } from "../model/camera";
 import type { Vec3 } from "../model/vector";
 
 export interface GestureTarget {
-  /** Camera that a gesture moves; null if there is none. */
   camera(): FullCamera | null;
   size(): Size; // of the canvas, in CSS pixels
   /** Returns the camera zoomed about pixel (x, y), or the same camera at the limit of zooming. */
@@ -11,9 +10,7 @@ export interface GestureTarget {
   /** Moves the camera. `gesture` is the same name from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  /** Called when an orbit gesture begins at pixel (x, y). */
   turns(x: number, y: number): void;
-  /** Returns the point about which an orbit gesture rotates. */
   pivot(camera: FullCamera): Vec3;
   click(x: number, y: number): void;
   doubleClick(x: number, y: number): void;

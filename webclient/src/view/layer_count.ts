@@ -1,12 +1,8 @@
-// Number of depth peeling layers to draw. The results of occlusion queries, which show the empty layers, are available
-// only after a picture. Therefore each picture uses the results of the previous picture.
+// Number of layers of depth peeling. The results of occlusion queries are available only for the next picture.
 
 export const MOST_LAYERS = 32; // also the server's limit; further layers are dropped
 export const MOST_MOVING_LAYERS = 8;
-/**
- * Number of layers that the next picture has in addition to the filled layers, because a moving camera may reveal more
- * layers.
- */
+/** Layers in addition to the filled layers, because a moving camera may reveal more layers. */
 const SPARE = 2;
 
 export class LayerCount {
@@ -16,10 +12,7 @@ export class LayerCount {
     return Math.min(this.wanted, moving ? MOST_MOVING_LAYERS : MOST_LAYERS);
   }
 
-  /**
-   * Takes the query results of a picture. `filled`: whether each layer had any fragments. Returns whether a picture
-   * with more layers may show more.
-   */
+  /** `filled`: whether each layer had any fragments. Returns whether a picture with more layers may show more. */
   heard(filled: readonly boolean[]): boolean {
     const empty = filled.indexOf(false);
     this.wanted = empty < 0 ? Math.min(2 * filled.length, MOST_LAYERS) : Math.min(empty + SPARE, MOST_LAYERS);

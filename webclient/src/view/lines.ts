@@ -1,6 +1,5 @@
-// Lines of any width, drawn as rectangles, because WebGL lines are one pixel wide. The vertex shader fetches line ends
-// from a texture and makes six vertices per line. Instanced drawing with four vertices per line would use only a small
-// part of the GPU.
+// Lines of any width, drawn as rectangles, because WebGL lines are one pixel wide. Instanced drawing with four vertices
+// per line would use only a small part of the GPU.
 import type { GeometryBatch } from "../server/geometry";
 
 const FLOATS_PER_END = 4;

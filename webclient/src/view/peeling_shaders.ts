@@ -1,12 +1,10 @@
-// Shader code of depth peeling: the parts that PEELED enables, and programs that cover a whole render target
-// (depth_peeling.ts). The shaders write the depth that they compare, because the fixed-function depth may differ in the
-// last bit.
+// Shader code of depth peeling. The shaders write the depth that they compare, because the fixed-function depth may
+// differ in the last bit.
 
 import DEPTH_LAYERS from "../../../protocol/shading/depth_layers.glsl?raw";
 
 const VERSION = "#version 300 es\n";
 
-/** Returns the shader source with a #define for each name. */
 export const defining = (source: string, ...names: string[]): string =>
   source.replace(VERSION, VERSION + names.map((name) => `#define ${name}\n`).join(""));
 

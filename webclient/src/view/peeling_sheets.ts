@@ -7,10 +7,7 @@ export interface Sheet {
   record: WebGLTexture | null;
 }
 
-/**
- * Render targets of a picture. The two sheets in `layers` are the current and the previous layer in turn. Both sheets
- * share one color texture.
- */
+/** The two sheets in `layers` are the current and the previous layer in turn, and share one color texture. */
 export interface Sheets {
   opaque: Sheet;
   layers: [Sheet, Sheet];
@@ -42,9 +39,7 @@ export class SheetMaker {
     this.hasFloats = gl.getExtension("EXT_color_buffer_float") !== null;
   }
 
-  /**
-   * Allocates render targets and frees the earlier ones. `recorded`: layers also record the last line at each pixel.
-   */
+  /** Frees the earlier render targets. `recorded`: layers also record the last line at each pixel. */
   make(width: number, height: number, recorded: boolean): Sheets {
     const { gl } = this;
     this.free();

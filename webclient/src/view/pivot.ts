@@ -1,5 +1,4 @@
-// Center of an orbit: the surface point under the cursor, otherwise the center of the drawn geometry. The server finds
-// this point. Until the server's answer arrives, the orbit is about the camera's target.
+// Center of an orbit: the surface point under the cursor, otherwise the center of the drawn geometry.
 import type { FullCamera } from "../model/camera";
 import type { Vec3 } from "../generated/protocol";
 import type { Server } from "../server/server";
@@ -10,7 +9,7 @@ export class Pivot {
 
   constructor(private readonly server: Server) {}
 
-  /** Asks the server for the center of an orbit that begins at (x, y), in CSS pixels of the canvas. */
+  /** (x, y) is the start of the orbit, in CSS pixels of the canvas. */
   seek(x: number, y: number): void {
     const { editor, session, size, tab } = this.server;
     const dataset = editor.scene?.dataset;

@@ -108,7 +108,7 @@ export class Presenter {
         }
       },
       (error: unknown) => {
-        // Acknowledges the damaged frame. Otherwise the server would not send the next frame.
+        // Without this acknowledgement, the server would not send the next frame.
         if (view === this.view) this.events.acknowledge(view, header.frame);
         this.events.failed(error as Error);
       },

@@ -6,10 +6,8 @@ export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !bat
 type Described = Pick<GeometryBatch, "layer" | "lines" | "points" | "color" | "width">;
 
 /**
- * Returns one number for each batch, from 1. Where batches coincide, the batch with the highest number is in front.
- * Points have higher numbers than lines, lines higher than surfaces; then the layer id decides. The scene's layer order
- * has no effect. All surfaces of one layer have the same number. Lines or points of one layer have the same number if
- * color and width are equal.
+ * Where batches coincide, the batch with the highest number is in front: points before lines before surfaces, then by
+ * layer id. The scene's layer order has no effect.
  */
 export function placesOf(batches: readonly Described[]): number[] {
   const keys = batches.map(({ layer, lines, points, color, width }) =>

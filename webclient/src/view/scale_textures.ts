@@ -16,12 +16,9 @@ const ROW_SIZE = 1024;
 /** Number of textures of each kind that are kept. A drag of a color point or a range makes many textures. */
 const MOST_KEPT = 16;
 
-/** The numbers and colors of a row of scale_rules. All are finite 32-bit floats. */
+/** All members are finite 32-bit floats. */
 export interface ScaleRules {
-  /**
-   * Number that is subtracted from values, from the low end in `rule`, and from `inside`. Values of a small range far
-   * from 0 then keep their digits as 32-bit floats.
-   */
+  /** Subtracted from values and limits. Values of a small range far from 0 then keep their digits as 32-bit floats. */
   origin: number;
   /** Low end, 1 / width, number of steps, and way, as defined in color_scale.glsl. */
   rule: [number, number, number, number];
@@ -91,7 +88,6 @@ class KeptTextures {
   }
 }
 
-/** The textures of color scales in one WebGL context. */
 export class ScaleTextures {
   private readonly colors: KeptTextures;
   private readonly rules: KeptTextures;
@@ -101,10 +97,7 @@ export class ScaleTextures {
     this.rules = new KeptTextures(gl);
   }
 
-  /**
-   * Binds the textures of a scale to texture unit 0 (scale_colors) and to `rulesUnit` (scale_rules). Returns the origin
-   * that the shader subtracts from values. Unit 0 is active afterwards.
-   */
+  /** Uses texture units 0 and `rulesUnit`. Returns the origin of ScaleRules. Unit 0 is active afterwards. */
   bind(scale: ColorScale, rulesUnit: number): number {
     const { gl } = this;
     const rules = scaleRules(scale);

@@ -1,6 +1,5 @@
-// Shader programs of surfaces, lines and points in GLSL ES 3.00. The server uses the same code for colors and lighting,
-// so that pictures and polygons look the same. With PEELED defined, the shaders draw layers of depth peeling
-// (peeling_shaders.ts).
+// Shaders of surfaces, lines and points. The server uses the same code for colors and lighting, so that pictures and
+// polygons look the same. PEELED is defined for depth peeling (peeling_shaders.ts).
 import COLOR_SCALE from "../../../protocol/shading/color_scale.glsl?raw";
 import LIGHTING from "../../../protocol/shading/lighting.glsl?raw";
 import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
@@ -101,8 +100,7 @@ void main() {
   result = vec4(base, color.a * cover);
 }`;
 
-// Draws a line as a rectangle in pixels with soft edges. Clips the line at the near plane, because points behind the
-// camera have no pixel.
+// Draws a line as a rectangle with soft edges. Clips the line, because points behind the camera have no pixel.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform float value_origin;

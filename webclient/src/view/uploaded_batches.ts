@@ -11,7 +11,6 @@ import { ScaleTextures } from "./scale_textures";
 
 /** Texture unit of line ends. Unit 0 has the colors of the scale; depth_peeling.ts uses units 1 to 6. */
 const ENDS_UNIT = 7;
-/** Texture unit of the color scale's rules. */
 const RULES_UNIT = 8;
 
 export interface BatchPrograms {
@@ -25,7 +24,7 @@ interface UploadedBatch {
   place: number;
   vertexArray: WebGLVertexArrayObject;
   buffers: WebGLBuffer[];
-  /** Texture with the ends of the batch's lines, which have no vertex buffers. null for surfaces and points. */
+  /** Texture with the ends of the batch's lines; null for surfaces and points. */
   ends: WebGLTexture | null;
 }
 
@@ -36,10 +35,7 @@ export interface Picture {
   pixels: number;
 }
 
-/**
- * Whether two batches have the same arrays. It is enough to compare references, because the decoder returns an
- * unchanged array as the same object.
- */
+/** It is enough to compare references, because the decoder returns an unchanged array as the same object. */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
   a.normals === b.normals &&
@@ -56,7 +52,6 @@ export class UploadedBatches {
     this.textures = new ScaleTextures(gl);
   }
 
-  /** Uploads new batches, keeps unchanged batches on the GPU, and frees all other batches. */
   set(batches: GeometryBatch[]): void {
     const before = new Set(this.batches);
     const places = placesOf(batches);
@@ -82,16 +77,13 @@ export class UploadedBatches {
     return this.batches.some(({ batch }) => wanted(batch));
   }
 
-  /**
-   * Largest distance in picture pixels from the middle of a line or point to its edge, clamped to the range from 1 to
-   * 6. The server computes the same value.
-   */
+  /** From the middle of the widest line or point to its edge, in picture pixels. The server computes the same value. */
   reachOfOverlays(): number {
     const widths = this.batches.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);
   }
 
-  /** Sets the uniforms that all batches of a picture share. Call once per picture and before draw(). */
+  /** Call once per picture and before draw(). */
   prepare({ surface, lines, points }: BatchPrograms, look: Look, { width, height, pixels }: Picture): void {
     const { gl } = this;
     const depths = depthRange(look.camera, look.bounds);

@@ -36,7 +36,6 @@ export class View {
     this.pivot = new Pivot(server);
   }
 
-  /** Starts drawing. Call when the canvases exist. */
   async attach(imageCanvas: HTMLCanvasElement, geometryCanvas: HTMLCanvasElement): Promise<void> {
     const { model, server } = this;
     const viewport = new Viewport(

@@ -20,7 +20,6 @@ export class Viewport implements Screen {
   constructor(
     imageCanvas: HTMLCanvasElement,
     private readonly geometryCanvas: HTMLCanvasElement,
-    /** Returns camera, background and lights; null until there is a scene. */
     private readonly look: () => Look | null,
     /** Size of the canvas in device pixels. */
     readonly size: () => { width: number; height: number },
@@ -43,14 +42,11 @@ export class Viewport implements Screen {
     this.switchTo("geometry");
   }
 
-  /** Hides both canvases until the next frame. */
   clear(): void {
     this.switchTo("none");
   }
 
-  /**
-   * Draws the polygons again in the next animation frame. Call after a change of camera, size, background or lights.
-   */
+  /** Call after a change of camera, size, background or lights. */
   redraw(): void {
     if (this.shown !== "geometry" || this.redrawRequested) return;
     this.redrawRequested = true;

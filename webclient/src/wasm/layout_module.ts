@@ -1,5 +1,4 @@
-// Loads the WebAssembly module of server/page: the server's own layout of annotations and numbers. The page and its
-// saved pictures therefore have the same annotations.
+// Loads the WebAssembly module of server/page, so that the page and saved pictures have the same annotations.
 import { messageOf, ResultReader, type Item } from "./message";
 import { textMeasure, type TextMeasure } from "./text_measure";
 
@@ -15,16 +14,12 @@ type Exports = Record<FunctionName, Call> & {
 
 let loaded: Exports | null = null;
 
-/**
- * Functions that the C library of the module imports. These functions do nothing, because the library writes only to
- * report a defect of the module.
- */
+/** The C library of the module writes only to report a defect of the module, so these functions do nothing. */
 function systemCalls(): WebAssembly.ModuleImports {
   const none = (): number => 0;
   return { fd_close: none, fd_seek: none, fd_write: none };
 }
 
-/** Measures UTF-8 text in the module's memory with the page's font. */
 function measureIn(memory: () => WebAssembly.Memory, measure: TextMeasure): WebAssembly.ModuleImports {
   const decoder = new TextDecoder();
   return {

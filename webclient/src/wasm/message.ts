@@ -7,7 +7,7 @@ const decoder = new TextDecoder();
 
 export type Item = number | boolean | string | readonly Item[];
 
-/** Appends an argument to a message. Arrays are written without their length. */
+/** Arrays are written without their length. */
 function append(message: number[], item: Item): void {
   if (typeof item === "number") message.push(item);
   else if (typeof item === "boolean") message.push(item ? 1 : 0);
@@ -28,7 +28,6 @@ export function messageOf(items: readonly Item[]): number[] {
   return message;
 }
 
-/** Reads the results of a call in order. */
 export class ResultReader {
   private at = 0;
 
@@ -48,7 +47,6 @@ export class ResultReader {
     return decoder.decode(bytes);
   }
 
-  /** Reads a list: the number of items, then each item with `read`. */
   list<T>(read: () => T): T[] {
     return Array.from({ length: this.number() }, read);
   }

@@ -1,5 +1,4 @@
-// The layout of annotations over the canvas, computed by the code of server/annotations/layout.hpp. Coordinates are CSS
-// pixels from the upper left corner of the stage.
+// Layout of annotations by the code of server/annotations/layout.hpp, in CSS pixels from the stage's upper left.
 import { call } from "./layout_module";
 import type { Item, ResultReader } from "./message";
 
@@ -95,7 +94,6 @@ export interface AnnotatedView extends Picture {
   triad: boolean;
   axes: boolean;
   lengthUnits: string;
-  /** Boxes that other overlays cover. The annotations avoid these boxes. */
   taken: readonly Box[];
 }
 
@@ -187,7 +185,6 @@ export interface AnnotatedTexts extends Picture {
 
 export interface Texts {
   overlay: Overlay;
-  /** Boxes that the texts cover. */
   taken: Box[];
 }
 

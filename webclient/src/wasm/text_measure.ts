@@ -6,7 +6,6 @@ export interface TextMeasure {
   /** Heights above and below the base line, both positive. */
   ascent: (pixels: number) => number;
   descent: (pixels: number) => number;
-  /** Height of a digit above the base line. */
   digitHeight: (pixels: number) => number;
 }
 
@@ -18,7 +17,6 @@ const ASCENT = 0.93;
 const DESCENT = 0.24;
 const DIGIT_HEIGHT = 0.73;
 
-/** Measures with a canvas in the font of the document. */
 export function textMeasure(): TextMeasure {
   const kept = new Map<string, number>();
   let context: CanvasRenderingContext2D | null = null;

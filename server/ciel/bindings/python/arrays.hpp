@@ -13,9 +13,8 @@ namespace ciel::python {
 
 namespace py = pybind11;
 
-// Returns a view of the array; the view does not own the array. `name`: names the array in error messages. Throws
-// ValueError unless the array has one or two dimensions. Throws TypeError for a number type that the kernel does not
-// read.
+// The view does not own the array. `name`: for error messages. Throws ValueError unless the array has one or two
+// dimensions, and TypeError for a number type that the kernel does not read.
 [[nodiscard]] ArrayView view_of(const py::array& array, const char* name);
 [[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // empty for nullopt
 

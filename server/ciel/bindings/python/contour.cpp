@@ -9,7 +9,6 @@ namespace ciel::python {
 
 namespace {
 
-// A Contour, and the mesh whose surface_origin is added to the positions of surfaces.
 // The mutex is held during a call. The GIL does not protect the object, because calls release the GIL.
 struct PyContour {
     PyContour(const Mesh& of, const Field& field, const Options& options)

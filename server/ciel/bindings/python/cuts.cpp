@@ -34,7 +34,6 @@ PySurface slice_at(const Options& options, const Mesh& mesh, const std::array<do
     return surface_of(slice(mesh, origin, normal, options), mesh);
 }
 
-// Returns the cut of one block as a surface without normals.
 Surface surface_of_cut(Index block, const BlockPolygons& cut) {
     Surface surface;
     surface.positions.assign(cut.positions.begin(), cut.positions.end());

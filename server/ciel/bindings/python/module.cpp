@@ -1,6 +1,5 @@
-// Python bindings of the kernel: the module ciel_mesh._kernel. The kernel reads NumPy arrays without a copy.
-// Exception: contour_lines converts values to float64. The bindings release the GIL while the kernel works. Docstrings
-// give the shapes of arrays; ciel_mesh/__init__.pyi has the type annotations.
+// Python bindings of the kernel: ciel_mesh._kernel. The kernel reads NumPy arrays without a copy, except in
+// contour_lines, which converts values to float64. The bindings release the GIL while the kernel works.
 #include "parts.hpp"
 
 PYBIND11_MODULE(_kernel, module) {

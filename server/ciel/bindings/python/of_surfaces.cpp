@@ -20,8 +20,7 @@ py::array interpolate_at(const PySurface& surface, const Mesh& mesh, const py::a
     return array_of<float>(std::vector<float>(out.begin(), out.end()), numbers.columns());
 }
 
-// Returns the half-space that `normal` points to, bounded by the plane through `origin`. The normal of the result has
-// unit length, so that `slack` is a length.
+// The normal of the result has unit length, so that `slack` is a length.
 HalfSpace half_space_of(const std::array<double, 3>& origin, const std::array<double, 3>& normal) {
     const double length = std::hypot(normal[0], normal[1], normal[2]);
     if (!(length > 0) || !std::isfinite(length))

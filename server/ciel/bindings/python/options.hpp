@@ -12,7 +12,6 @@ namespace ciel::python {
 [[nodiscard]] Decider decider_of(const std::string& name);
 [[nodiscard]] std::optional<Normals> normals_of(const std::optional<std::string>& name);
 
-// Returns the docstring `text` with a paragraph about the options.
 [[nodiscard]] std::string with_options_text(const char* text);
 
 // Returns a function like `f` that takes each option as a parameter instead of an Options object.
@@ -26,7 +25,7 @@ template <class Result, class... Args>
     };
 }
 
-// Calls define(keyword arguments of all options...). `define` passes the arguments to pybind11's def().
+// `define` passes its arguments to pybind11's def().
 template <class Define>
 void with_option_keywords(const Define& define) {
     define(py::arg("algorithm") = "signatures", py::arg("decider") = "isolate-high", py::arg("normals") = "gradient",

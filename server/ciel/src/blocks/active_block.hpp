@@ -10,9 +10,8 @@
 
 namespace ciel {
 
-// The cut of one block at the iso-value nu. A vertex is high if its value is >= nu. The cut depends only on the set of
-// high vertices, unless `decided` is set. Therefore the cut stays valid while this set is the same. The next cut reuses
-// the buffers.
+// A vertex is high if its value is >= the iso-value nu. The cut is valid while the same vertices are high, unless
+// `decided` is set. The next cut reuses the buffers.
 struct ActiveBlock {
     std::vector<std::uint64_t> signature;   // one bit per local vertex, set if high
     bool known = false;                     // true if the other members are the cut for `signature`

@@ -20,7 +20,6 @@ void add_face(std::span<const Index> loop, Index owner, Index neighbour, FaceLis
     lists.neighbour.push_back(neighbour);
 }
 
-// Finds the faces between two cells whose owner, the cell with the lower id, is in one block.
 class InnerFacesOf {
 public:
     InnerFacesOf(const Topology& topology, Index b) : topology_(topology), b_(b) {
@@ -63,8 +62,7 @@ private:
             }
         }
     }
-    // `half_edge`: a local half-edge of `cell`. Returns whether the cell owns the face of this half-edge. If it does,
-    // appends the two cells of the face to owner_ and neighbour_.
+    // Appends the two cells of the face to owner_ and neighbour_ if `cell` owns the face.
     bool owns(Index cell, Index half_edge) {
         const HalfEdge mate = topology_.mate_polyhedron(half_edge_in(b_, half_edge));
         if (mate == no_half_edge) return false;

@@ -1,24 +1,21 @@
 // The cells of a block. Surfaces, slices and pictures need only this part of the paper's half-edge structure (section
 // 2.2, figure 3). A block has consecutive cells of the mesh. Its links are local ids, not pointers; the ids have 16
-// bits, except in a block of one giant cell. Any thread may read a block, because the kernel does not change it after
-// the build.
+// bits, except in a block of one giant cell. Any thread may read a block.
 //
-// The cells of one standard type in a block form a StandardSection. It stores the vertices and the edges of each cell.
-// All other data are the same for all cells of the type and are in StandardShape. All other cells of a block form its
-// PolyhedralSection. It stores each face as a loop of vertices, in the same direction as the loop of the face in the
-// mesh. An inner face lies between two cells of the section and is stored once. A tail face has only one cell in the
-// section.
+// The cells of one standard type form a StandardSection. It stores the vertices and the edges of each cell; all other
+// data are in StandardShape. All other cells of a block form its PolyhedralSection. It stores each face as a loop of
+// vertices, in the direction of the face's loop in the mesh. An inner face lies between two cells of the section and is
+// stored once. A tail face has only one cell in the section.
 //
 // Local half-edges are numbered section by section. In a standard cell, they have the order of its shape. In a
-// PolyhedralSection, an inner face has two half-edges per corner, with the numbers 2 * corner + side. The half-edges of
-// tail faces follow, one per corner. Side 0 of a face belongs to the owner cell; its half-edges run along the stored
-// loop. Side 1 belongs to the neighbor cell; its half-edges run against the stored loop.
-// An entry is one occurrence of a vertex: a corner of a standard cell or a corner of a stored loop.
+// PolyhedralSection, an inner face has the half-edges 2 * corner + side. The half-edges of tail faces follow, one per
+// corner. Side 0 belongs to the owner cell and runs along the stored loop; side 1 belongs to the neighbor cell and runs
+// against the loop. An entry is one occurrence of a vertex: a corner of a standard cell or a corner of a stored loop.
 //
-// The elements of a viewed array may change after they were checked (RecordSource). The sizes of the arrays and all
-// other members do not change. Therefore an element may be used as an index in three cases only: into an array of a
-// record, into a scratch array with room for every 16-bit number (local_ids), or after a comparison with the size of
-// the array. Ids of 32 bits do not change, because topology.cpp copies the records that have them.
+// The elements of a viewed array may change after they were checked (RecordSource); sizes and other members do not.
+// Therefore an element may be used as an index in three cases only: into an array of a record, into a scratch array
+// with room for every 16-bit number (local_ids), or after a comparison with the size of the array. Ids of 32 bits do
+// not change, because topology.cpp copies the records that have them.
 #pragma once
 
 #include "blocks/record.hpp"
@@ -45,9 +42,8 @@ using Owned = std::vector<T>;
 template <class T>
 using Viewed = std::span<const T>;
 
-// The ghosts of a block: vertices or edges that the block has, but that an earlier block owns. A record stores two
-// indices for each ghost: the index of the owner in the record's list of neighbors, and the index of the ghost among
-// the vertices or edges of this owner.
+// The ghosts of a block: vertices or edges that the block has, but that an earlier block owns. `narrow` or `wide` has
+// the index of the owner in the record's list of neighbors, and the index of the ghost among those that the owner owns.
 struct Ghosts {
     std::span<const std::array<std::uint16_t, 2>> narrow; // pairs (neighbor, index); empty if an index needs 32 bits
     std::span<const std::array<std::uint32_t, 2>> wide;
@@ -55,7 +51,6 @@ struct Ghosts {
     Index last = 0;           // greatest vertex or edge id of the mesh
 
     [[nodiscard]] std::size_t size() const { return narrow.size() + wide.size(); }
-    // Returns the mesh-wide id of ghost i.
     [[nodiscard]] Index operator[](std::size_t i) const {
         if (wide.empty()) return id(read_once(narrow[i][0]), read_once(narrow[i][1]));
         return id(read_once(wide[i][0]), read_once(wide[i][1]));
@@ -68,8 +63,7 @@ struct Ghosts {
     }
 
 private:
-    // Returns an id that exists in the mesh, even if the record has changed. A record with a ghost has a neighbor
-    // (check_ghosts), so `begin` is not empty.
+    // Returns an id that exists in the mesh, even if the record has changed.
     [[nodiscard]] Index id(Index neighbour, Index index) const {
         return std::min(begin[std::min(neighbour, static_cast<Index>(begin.size() - 1))] + index, last);
     }
@@ -140,8 +134,7 @@ struct PolyhedralSection {
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
-    // Returns the face that has the corner. Here and in previous_in_loop, the result does not wrap around below 0, even
-    // if the record has changed.
+    // Here and in previous_in_loop, the result does not wrap around below 0, even if the record has changed.
     [[nodiscard]] Index face(Index corner_id) const {
         const std::uint64_t up_to = ~std::uint64_t{0} >> (63 - corner_id % 64);
         const Index begun = Index{read_once(face_rank[corner_id / 64])} +
@@ -171,15 +164,13 @@ struct PolyhedralSection {
         const Index begin = read_once(cell_face_begin[i]), end = read_once(cell_face_begin[i + 1]);
         return {cell_face.data() + begin, std::max(begin, end) - begin};
     }
-    // Calls f(face, corner) for all corners, face by face. The corner never decreases, so the loop ends even if the
-    // record changes.
+    // Calls f(face, corner), face by face. Ends even if the record changes, because the corner never decreases.
     template <class F>
     void for_corners(F&& f) const {
         for (Index face_id = 0, k = 0, faces = face_count(); face_id < faces; ++face_id)
             for (const Index end = read_once(face_begin[face_id + 1]); k < end; ++k) f(face_id, k);
     }
-    // Calls f(cell of the section, entry of cell_face) for each face of each cell. Ends even if the record changes,
-    // because `at` never decreases.
+    // Calls f(cell of the section, entry of cell_face). Ends even if the record changes: `at` never decreases.
     template <class F>
     void for_cell_faces(F&& f) const {
         for (Index i = 0, at = 0, cells = count(); i < cells; ++i)
@@ -202,8 +193,7 @@ struct BlockOf {
     Index vertex_begin = 0, vertex_count = 0;   // vertex_begin + local vertex is a "slot", unique in the mesh
     Index own_vertex_begin = 0;                 // mesh-wide id of the first owned vertex
     Index last_vertex = none, last_edge = none; // greatest ids of the mesh; set only in a view
-    // Mesh-wide ids of the ghosts, ascending. Ghost i has the local id i; the owned vertices or edges have the
-    // following local ids.
+    // Mesh-wide ids, ascending. Ghost i has the local id i; the local ids of owned vertices or edges follow.
     std::conditional_t<std::is_same_v<Array<Index>, Owned<Index>>, std::vector<Index>, Ghosts> ghost_vertex, ghost_edge;
     std::vector<StandardSectionOf<Array>> standard;
     std::variant<PolyhedralSection<std::uint16_t, Array>, PolyhedralSection<std::uint32_t, Array>> polyhedra;
@@ -216,15 +206,13 @@ struct BlockOf {
         return local < ghosts ? ghost_vertex[local] : std::min(own_vertex_begin + local - ghosts, last_vertex);
     }
     [[nodiscard]] Index cell(Index local) const { return cell_begin + std::min(local, cell_count - 1); }
-    // The local vertices are divided into parts of consecutive vertices, at most 64 parts. Returns the number of
-    // vertices in a part.
+    // Returns the size of a part. The local vertices are divided into at most 64 parts of consecutive vertices.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
         return local < ghosts ? ghost_edge[local] : std::min(edge_begin + local - ghosts, last_edge);
     }
-    // Return the index in `standard` of the section that has the local half-edge or the entry. Return standard.size()
-    // if it is in the PolyhedralSection.
+    // Return an index in `standard`, or standard.size() if the half-edge or entry is in the PolyhedralSection.
     [[nodiscard]] std::size_t section_of_half_edge(Index h) const {
         std::size_t s = 0;
         while (s < standard.size() &&

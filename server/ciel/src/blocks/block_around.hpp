@@ -1,5 +1,4 @@
-// The links around each vertex of a block: the list of the vertex's entries in the block, and the other blocks that
-// have the vertex. Gradients and next_around_vertex (paper, section 2.2 and appendix A) follow these links.
+// The links around each vertex of a block, for gradients and next_around_vertex (paper, section 2.2 and appendix A).
 #pragma once
 
 #include "blocks/block.hpp"
@@ -43,7 +42,6 @@ struct BlockAroundOf {
 };
 using BlockAround = BlockAroundOf<Viewed>;
 
-// Calls f with the PolyhedralSection and the AroundArrays of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {
@@ -51,9 +49,8 @@ decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f)
     });
 }
 
-// Returns the next entry of the vertex that has `entry`. `list`: next_entry of the section with `entry`. `begin`: first
-// entry of this section. Throws Error if the next entry is not greater than `entry`, because a walk along a changed
-// list might otherwise never end.
+// `list`: next_entry of the section with `entry`. `begin`: first entry of this section. Throws Error if the next entry
+// is not greater than `entry`, because a walk along a changed list might otherwise never end.
 template <class Local>
 [[nodiscard]] Index next_entry(std::span<const Local> list, Index entry, Index begin) {
     const Index next = read_once(list[entry - begin]);
@@ -62,8 +59,7 @@ template <class Local>
     return next;
 }
 
-// Returns the first entry of the vertex that is not less than `begin`. If there is none, returns end_of_list, which is
-// greater than all entries.
+// Returns the first entry of the vertex from `begin` on, or end_of_list, which is greater than all entries.
 [[nodiscard]] Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin);
 
 } // namespace ciel

@@ -48,8 +48,7 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// Returns true when 16 bits are enough for each kind of local id: entries (block.hpp), half-edges of standard cells
-// together with the twins, which are numbered after them (BlockMatesOf::mate), sides of faces, vertices, and edges.
+// The twins of the half-edges of standard cells are numbered after these half-edges (BlockMatesOf::mate).
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
@@ -126,8 +125,7 @@ void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> 
     set_anchors<shape>(cells, section.half_edge_begin);
 }
 
-// Sets anchor_ for the faces of standard cells. On side 0, the anchor leaves the first corner of the loop; on side 1,
-// it leads to this corner.
+// On side 0, the anchor leaves the first corner of the face's loop; on side 1, it leads to this corner.
 template <const StandardShape& shape>
 void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edge_begin) {
     for (const Recognised& cell : cells) {
@@ -167,7 +165,7 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built) {
     }
 }
 
-// Links the entries of each vertex into a list. Goes from the last entry to the first, so that each list ascends.
+// Goes from the last entry to the first, so that each list ascends.
 template <class Local>
 void BlockBuilder::list_entries(const BlockOf<Owned>& block, BlockAroundOf<Owned>& around) {
     auto& arrays = around.arrays.emplace<AroundArrays<Local, Owned>>();

@@ -15,8 +15,7 @@ struct BuiltBlock {
     BlockMatesOf<Owned> mates;
     std::vector<Index> vertices;                 // local vertex -> mesh vertex
     std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local end vertices, the lower first
-    // One side of a face. The mates of its half-edges (mate_polyhedron) are in another block or section, or do not
-    // exist. link_blocks stores the mate of the first half-edge as a twin (BlockMates::twin).
+    // One side of a face. The mates of its half-edges are in another block or section, or do not exist.
     struct Tail {
         Index face, side; // mesh face; side 0 is the owner's, side 1 the neighbor's
         Index anchor;     // local half-edge that leaves the face's first corner (side 0) or leads to it (side 1)
@@ -26,14 +25,12 @@ struct BuiltBlock {
     std::vector<Tail> tails; // tails[i] belongs to twin i
 };
 
-// Builds many blocks with the same buffers. Each thread needs its own object. Does not own the mesh and the lists of
-// faces; both must outlive the object.
+// Each thread needs its own object. The mesh and the lists of faces must outlive the object.
 class BlockBuilder {
 public:
     BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces) : loops_(mesh, faces) {}
 
-    // Builds the block of the cells [cell_begin, cell_end). Throws Error with the id of the cell if a cell is not
-    // closed.
+    // Builds the block of the cells [cell_begin, cell_end). Throws Error with the id of a cell that is not closed.
     [[nodiscard]] BuiltBlock build(Index cell_begin, Index cell_end);
 
 private:
@@ -61,9 +58,8 @@ private:
     std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: as BuiltBlock::Tail::anchor, or none
 };
 
-// Fills the PolyhedralSection of `built` with `cells`, and sets the mates of their half-edges. The local half-edges of
-// the section follow the half-edges of the standard sections. Appends a tail to `built` for each face that only one of
-// `cells` has. Sets `anchor` for the sides of `cells`. Throws Error with the id of the cell if a cell is not closed.
+// Fills the PolyhedralSection of `built` with `cells`. Appends a tail for each face that only one of `cells` has. Sets
+// `anchor` for the sides of `cells`. Throws Error with the id of a cell that is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor);

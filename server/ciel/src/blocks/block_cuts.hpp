@@ -9,10 +9,8 @@
 
 namespace ciel {
 
-// Keeps the cuts of the blocks that the current surface crosses. Let N be the number of these blocks. Also keeps the
-// cuts of other blocks that earlier surfaces crossed: at most N of them, or `always_kept` if that is more. Therefore
-// the memory depends on the current surface, not on all earlier surfaces. Not thread-safe, but several threads may use
-// different blocks at the same time.
+// Keeps the cuts of the N blocks that the current surface crosses, and at most max(N, always_kept) cuts of other blocks
+// that earlier surfaces crossed. Not thread-safe, but several threads may use different blocks at the same time.
 class BlockCuts {
 public:
     static constexpr std::size_t always_kept = 1024; // number of blocks; their cuts take about 10 MB
@@ -24,9 +22,8 @@ public:
     [[nodiscard]] ActiveBlock& operator[](Index block) { return *cuts_[block]; }
     [[nodiscard]] const ActiveBlock& operator[](Index block) const { return *cuts_[block]; }
 
-    // Ensures that each of `blocks` (ascending) has a cut. A block without a cut gets a new cut with `known` set to
-    // false (ActiveBlock). The new cut takes the buffers of a cut that need not be kept, if there is one: the cut of
-    // the block that the surface left earliest.
+    // Ensures that each of `blocks` (ascending) has a cut. A new cut has `known` set to false. It takes the buffers of
+    // a cut that need not be kept, if there is one: the cut of the block that the surface left earliest.
     void keep(std::span<const Index> blocks);
     void forget(); // sets `known` of all cuts to false
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -19,7 +19,6 @@ void for_blocks(std::size_t count, F&& body) {
     });
 }
 
-// Sorts a list of blocks and removes duplicates.
 void sort_once(std::vector<Index>& blocks) {
     std::ranges::sort(blocks);
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
@@ -122,8 +121,7 @@ void Linker::count_half_edges() {
     out_.counts.vertices = mesh_.vertex_count();
 }
 
-// Separates ghost vertices from owned vertices. A block owns the vertices that no earlier block has. Vertices are
-// numbered by first use, so the owned vertices of a block have consecutive ids.
+// Vertices are numbered by first use, so the vertices that a block owns have consecutive ids.
 void Linker::own_vertices() {
     Index owned = 0;
     for (BuiltBlock& b : built_) {
@@ -168,8 +166,6 @@ void Linker::ring_vertices() {
     for_blocks(built_.size(), [&](Index b) { link_border(b, next); });
 }
 
-// Sets BlockAround::neighbour, border_block and border_place of a block. `next`: by slot, the next slot in the ring of
-// the vertex.
 void Linker::link_border(Index b, std::span<const Index> next) {
     const BlockOf<Owned>& block = built_[b].block;
     BlockAroundOf<Owned>& around = built_[b].around;
@@ -198,8 +194,7 @@ void Linker::link_border(Index b, std::span<const Index> next) {
         around.arrays);
 }
 
-// Returns the edges of each block that other blocks may also have: the edges whose two ends are border vertices. The
-// first member of each pair is the lower mesh vertex of the edge.
+// Returns the edges whose two ends are border vertices, each with its lower mesh vertex.
 std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_edges() const {
     std::vector<std::vector<std::pair<Index, SharedEdge>>> shared(built_.size());
     for_blocks(built_.size(), [&](Index b) {
@@ -216,9 +211,7 @@ std::vector<std::vector<std::pair<Index, Linker::SharedEdge>>> Linker::shared_ed
     return shared;
 }
 
-// Makes the first of the blocks that share an edge the owner of the edge. `edges`: shared edges with the same lower
-// vertex, ordered by block. A long list, at a vertex that many blocks have, is sorted by upper vertex to avoid
-// quadratic time.
+// `edges` have the same lower vertex and are ordered by block. Sorting a long list avoids quadratic time.
 void Linker::give_to_first(std::span<SharedEdge> edges) {
     constexpr std::size_t short_list = 64;
     const auto give = [this](const SharedEdge& ghost, const SharedEdge& owner) {
@@ -239,7 +232,6 @@ void Linker::give_to_first(std::span<SharedEdge> edges) {
     }
 }
 
-// Returns the shared edges, grouped by lower mesh vertex. Each group is ordered by block.
 Linker::SharedLists Linker::list_by_lower_vertex() const {
     const auto shared = shared_edges();
     SharedLists lists;
@@ -254,8 +246,7 @@ Linker::SharedLists Linker::list_by_lower_vertex() const {
     return lists;
 }
 
-// Finds the owner of each shared edge: the first block that has the edge. All copies of an edge are in the list of its
-// lower vertex.
+// All copies of an edge are in the list of its lower vertex.
 void Linker::own_edges() {
     SharedLists lists = list_by_lower_vertex();
     ghosts_.resize(built_.size());
@@ -263,8 +254,7 @@ void Linker::own_edges() {
         give_to_first(std::span(lists.edge).subspan(lists.begin[v], lists.begin[v + 1] - lists.begin[v]));
 }
 
-// Assigns mesh-wide edge ids. The edges that a block owns have consecutive ids; a ghost edge has the id that its owner
-// assigns.
+// The edges that a block owns have consecutive ids; a ghost edge has the id that its owner assigns.
 void Linker::number_edges() {
     new_edge_.resize(built_.size());
     std::uint64_t edges = 0;
@@ -345,7 +335,6 @@ void Linker::name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& ma
         mates.arrays);
 }
 
-// Writes the blocks as records and frees them.
 void Linker::write_records() {
     const std::size_t count = built_.size();
     for (const BuiltBlock& b : built_) {

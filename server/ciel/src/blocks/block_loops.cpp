@@ -19,8 +19,7 @@ void BlockLoops::gather(Index from, Index to) {
     find_edges();
 }
 
-// Copies the loops of the faces that cells of the block own. These faces are consecutive in the mesh. Then removes
-// repeated vertices from the loops, if there are any.
+// The faces that cells of the block own are consecutive in the mesh.
 void BlockLoops::copy_own(Index face_begin, Index face_end) {
     const auto offsets = mesh.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
     own_offset_.assign(offsets.begin(), offsets.end());
@@ -59,8 +58,7 @@ void BlockLoops::remove_repeats() {
         append_loop(std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]));
 }
 
-// Appends the loop `ids` without its repeated vertices. Returns false when the loop has collapsed to a point, so that
-// no corner was appended.
+// Returns false when the loop has collapsed to a point, so that no corner was appended.
 bool BlockLoops::append_loop(std::span<const Index> ids) {
     const bool any = append_without_repeats(ids, vertex) > 0;
     if (!any && !ids.empty()) collapsed_.push_back(ids.front());
@@ -123,8 +121,7 @@ void BlockLoops::number_vertices() {
     for (Index& v : vertex) v = local_vertex_[v];
 }
 
-// Numbers the edges of the block by first appearance in its loops. For the edges that the block owns, this order is
-// also the mesh-wide order. It does not depend on the block size.
+// Numbers the edges by first appearance, so that their mesh-wide order does not depend on the block size.
 void BlockLoops::find_edges() {
     edge.resize(vertex.size());
     edge_ends.clear();

@@ -1,5 +1,4 @@
-// The faces of the cells of one block, with local vertex and edge ids. BlockBuilder makes the sections of the block
-// from these faces. This is the first step of Algorithm 5 (paper, appendix A) in a block.
+// The faces of the cells of one block, with local ids: the first step of Algorithm 5 (paper, appendix A) in a block.
 #pragma once
 
 #include "blocks/local_numbers.hpp"
@@ -12,11 +11,10 @@ namespace ciel {
 // One side of a face, stored as 2 * loop + side. Side 0 runs along the stored loop, side 1 against the stored loop.
 using LoopRef = Index;
 
-// Gathers the faces of many blocks with the same buffers. Each thread needs its own object. Does not own the mesh and
-// the lists of faces; both must outlive the object. Repeated vertices, which collapsed cells have, are removed from the
-// loops. A loop that collapsed to a point is empty, and no cell has the loop in its list. The mesh may be in a mapped
-// file that another process changes. Therefore each array is read once and then checked. `gather` throws Error when the
-// data contradict each other.
+// Reused for many blocks. Each thread needs its own object. The mesh and the lists of faces must outlive the object.
+// Repeated vertices, which collapsed cells have, are removed from the loops. A loop that collapsed to a point is empty,
+// and no cell has it in its list. The mesh may be in a mapped file that changes. Therefore each array is read once and
+// then checked; `gather` throws Error when the data contradict each other.
 class BlockLoops {
 public:
     BlockLoops(const FaceMeshView& mesh, const CellFaces& faces);
@@ -30,7 +28,6 @@ public:
         return ref % 2 == 0 ? begin[ref / 2] + i : begin[ref / 2 + 1] - 1 - i;
     }
     [[nodiscard]] Index vertex_at(LoopRef ref, Index i) const { return vertex[corner(ref, i)]; }
-    // Returns the local edge from the i-th corner to the next.
     [[nodiscard]] Index edge_at(LoopRef ref, Index i) const {
         return edge[ref % 2 == 0 ? corner(ref, i) : corner(ref, i + 1 == size(ref) ? 0 : i + 1)];
     }

@@ -1,5 +1,4 @@
-// The mates of a block's half-edges, for the operators mate_face and mate_polyhedron (paper, section 2.2). Propagation
-// uses the mates; other surfaces and pictures do not.
+// The mates of a block's half-edges (paper, section 2.2). Only propagation uses the mates.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -27,9 +26,8 @@ struct MateArrays {
     static constexpr Index escape = 15, longest_search = 256;
     static constexpr Local no_block = std::numeric_limits<Local>::max();
 
-    // Four bits per half-edge of the PolyhedralSection. They are the index, modulo `escape`, of the face with the mate
-    // among the faces of the cell. The value `escape` means that the mate is in mate_escapes. It is stored if `mate`
-    // would otherwise search more than longest_search corners or find a wrong half-edge.
+    // Four bits per half-edge of the PolyhedralSection: the index, modulo `escape`, of the face with the mate among the
+    // faces of the cell. The value `escape` means that the mate is in mate_escapes, because `mate` would not find it.
     Array<std::uint8_t> mate_face;
     Array<MateEscape> mate_escapes; // sorted by half_edge
     // By twin: its block as an index into BlockMatesOf::neighbour; no_block on the boundary.
@@ -56,13 +54,11 @@ struct BlockMatesOf {
     std::variant<MateArrays<std::uint16_t, Array>, MateArrays<std::uint32_t, Array>> arrays;
     RecordBytes copied; // like BlockOf::copied
 
-    // Returns the half-edge that is the i-th twin, or no_half_edge on the boundary. If the record has changed, the
-    // half-edge may not exist, but its block exists.
+    // Returns no_half_edge on the boundary. In a changed record, the half-edge may not exist, but its block exists.
     [[nodiscard]] HalfEdge twin(Index i) const;
 };
 using BlockMates = BlockMatesOf<Viewed>;
 
-// Calls f with the PolyhedralSection and the MateArrays of a block. The ids of both have the same size.
 template <class F>
 decltype(auto) with_mates(const Block& block, const BlockMates& mates, F&& f) {
     return block.with([&]<class Local>(const PolyhedralSection<Local>& polyhedra) -> decltype(auto) {

@@ -1,7 +1,6 @@
-// Writes the three records of a block, and views them (not in the paper). After the build, the kernel reads only the
-// records. A record has no pointer, no position and no mesh-wide number. It refers to another block by an index into
-// its list of neighbors. The entries of this list are differences between block numbers. Local ids of cells, vertices
-// and edges have the order of the mesh-wide ids.
+// Writes the three records of a block, and views them (not in the paper). A record has no pointer and no mesh-wide
+// number. It refers to another block by an index into its list of neighbors; the list has differences between block
+// numbers. Local ids of cells, vertices and edges have the order of the mesh-wide ids.
 #pragma once
 
 #include "blocks/block_around.hpp"
@@ -10,13 +9,11 @@
 
 namespace ciel {
 
-// The first mesh-wide ids of each block. The first four lists have one entry per block, and at the end the first unused
-// id.
+// The first four lists have one entry per block, and at the end the first unused id.
 struct BlockNumbers {
     std::vector<Index> cell, vertex, edge; // first cell, first owned vertex and first owned edge of each block
     std::vector<Index> slot;               // sum of vertex_count of all earlier blocks (Block::vertex_begin)
-    // By block: its number of half-edges and its number of border vertices. Links from other blocks are checked against
-    // these numbers.
+    // By block. Links from other blocks are checked against these numbers.
     std::vector<Index> half_edges, border_vertices;
 
     [[nodiscard]] std::size_t block_count() const { return cell.empty() ? 0 : cell.size() - 1; }

@@ -1,5 +1,4 @@
-// The tables of all blocks of a mesh as bytes (not in the paper). They have the data about each block that are needed
-// before its records are read.
+// The data of all blocks of a mesh that are needed before their records are read, as bytes (not in the paper).
 #pragma once
 
 #include "blocks/block_records.hpp"
@@ -11,8 +10,7 @@ namespace ciel {
 // the vertex counts of all earlier blocks. Sections 6 and 7 have one number per block (u32). 6: number of half-edges;
 // 7: number of border vertices.
 [[nodiscard]] RecordBytes tables_of(const BlockNumbers& numbers, const TopologyCounts& counts);
-// Reads the result of tables_of. Throws Error when the tables contradict each other or a number needs more than 32
-// bits.
+// Throws Error when the tables contradict each other or a number needs more than 32 bits.
 void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, TopologyCounts& counts);
 
 } // namespace ciel

@@ -38,11 +38,9 @@ struct Topology::Blocks {
     [[nodiscard]] std::size_t memory_bytes() const;
 
     [[nodiscard]] Index block_of_cell(Index cell) const;
-    // Returns the block that owns the vertex, and the local id of the vertex there. Returns {none, none} if no cell has
-    // the vertex.
+    // Returns the block that owns the vertex, and the local id there; {none, none} if no cell has the vertex.
     [[nodiscard]] BlockVertex first_with(Index vertex) const;
-    // Returns the next block in the ring of a vertex, and the index of the vertex there. `start`: block in which the
-    // walk around the ring began. Throws Error if a damaged record would keep the walk from coming back to `start`.
+    // `start`: block in which the walk around the ring began. Throws Error if a damaged ring does not lead to `start`.
     [[nodiscard]] BorderVertex next_in_ring(BorderVertex at, Index start) const {
         const BlockAround& here = around(at.block);
         const auto next = here.with([&](const auto& all) {
@@ -64,17 +62,13 @@ struct Topology::Blocks {
             refuse_changed("a border vertex leads to a vertex that does not exist");
         return vertex;
     }
-    // Returns the first half-edge in the block that leaves the vertex; no_half_edge if only collapsed faces have the
-    // vertex.
+    // Returns the first half-edge that leaves the vertex; no_half_edge if only collapsed faces have the vertex.
     [[nodiscard]] HalfEdge first_at(BlockVertex at) const;
-    // Returns the first half-edge at `entry` that leaves the vertex. If `entry` is end_of_list, returns the result of
-    // first_after_block.
+    // Returns the first half-edge at `entry` that leaves the vertex; for end_of_list, calls first_after_block.
     [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // Searches the blocks in the ring of the vertex, from the block after at.block to at.block itself. Returns the
-    // first half-edge that leaves the vertex, or no_half_edge.
+    // Searches the ring from the block after at.block to at.block itself. May return no_half_edge.
     [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
-    // Returns the block and the local number of a half-edge. Throws Error if the mesh does not have the half-edge,
-    // because a record has changed or because the caller passed an invalid half-edge.
+    // Throws Error if the half-edge does not exist: the record has changed, or the caller passed an invalid one.
     struct Place {
         const Block& block;
         Index number, local;
@@ -104,15 +98,13 @@ private:
     bool is_trusted_ = true;
 };
 
-// Ensures that a walk from half-edge to half-edge ends. If the records change, the walk might otherwise never come back
-// to its start.
+// Ensures that a walk from half-edge to half-edge ends, even if the records change.
 class WalkEnds {
 public:
     explicit WalkEnds(const TopologyCounts& counts) : most_(counts.half_edges) {}
 
-    // Call at each step. Throws Error when the walk runs in a circle that does not contain its start, or has more steps
-    // than the mesh has half-edges. Compares `h` with only one earlier half-edge. This half-edge is replaced at the
-    // steps 8, 16, 32 and so on (Brent's algorithm).
+    // Call at each step. Throws Error when the walk runs in a circle without its start. Compares `h` with one earlier
+    // half-edge, which is replaced at the steps 8, 16, 32 and so on (Brent's algorithm).
     void step(HalfEdge h) {
         if (h == seen_ || steps_ > most_) [[unlikely]]
             refuse_changed("the half-edges around a vertex do not come back to the first");

@@ -1,5 +1,4 @@
-// Reads the faces of a block's cells as loops of vertices. A walk around each face with the paper's operators (section
-// 2.2) would find the same loops.
+// Reads the faces of a block's cells as loops of vertices, without the paper's operators (section 2.2).
 #pragma once
 
 #include "blocks/block.hpp"
@@ -22,7 +21,6 @@ struct CellLoops {
     void end_face() { begin.push_back(static_cast<Index>(vertex.size())); }
 };
 
-// Appends a face of the i-th cell of a section to `loops`.
 inline void add_face(const Block& block, const StandardSection& section, Index i, std::size_t face, CellLoops& loops) {
     const StandardShape& shape = *section.shape;
     for (std::size_t h = shape.face_begin[face]; h < shape.face_begin[face + 1]; ++h)
@@ -30,8 +28,7 @@ inline void add_face(const Block& block, const StandardSection& section, Index i
     loops.end_face();
 }
 
-// Returns the range of the corners of a face. Throws Error if the face or its corners do not exist, because the record
-// has changed.
+// Throws Error if the face or its corners do not exist, because the record has changed.
 template <class Local, template <class> class Array>
 [[nodiscard]] auto corners_of_face(const PolyhedralSection<Local, Array>& section, Index face) {
     if (face >= section.face_count()) refuse_changed("a cell has a face that does not exist");
@@ -40,7 +37,6 @@ template <class Local, template <class> class Array>
     return loop;
 }
 
-// Appends the face with the corners `loop` to `loops`, wound outwards from its cell on side `side`.
 template <class Local, template <class> class Array>
 void add_face(const Block& block, const PolyhedralSection<Local, Array>& section,
               const typename PolyhedralSection<Local, Array>::Loop& loop, Index side, CellLoops& loops) {
@@ -51,7 +47,6 @@ void add_face(const Block& block, const PolyhedralSection<Local, Array>& section
     loops.end_face();
 }
 
-// Replaces the contents of `loops` by the faces of the i-th cell of a section.
 inline void read_loops(const Block& block, const StandardSection& section, Index i, CellLoops& loops) {
     loops.clear();
     for (std::size_t face = 0; face < section.shape->faces; ++face) add_face(block, section, i, face, loops);
@@ -69,9 +64,8 @@ void read_loops(const Block& block, const PolyhedralSection<Local, Array>& secti
     }
 }
 
-// Calls f(mesh-wide cell id, loops) for each cell of the block, section by section. `loops` is overwritten for the next
-// cell. Throws Error if the cells have more corners than the block has half-edges. Therefore the function ends even if
-// the record has changed.
+// Calls f(mesh-wide cell id, loops), section by section. `loops` is overwritten for the next cell. Throws Error if a
+// changed record has too many corners.
 template <class F>
 void for_cells(const Block& block, CellLoops& loops, F&& f) {
     std::size_t corners = 0;
@@ -88,7 +82,7 @@ void for_cells(const Block& block, CellLoops& loops, F&& f) {
     block.with(for_section);
 }
 
-// Replaces the contents of `loops` by the faces of one cell. Leaves `loops` empty if the block does not have the cell.
+// Leaves `loops` empty if the block does not have the cell.
 inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
     const auto find_in = [&](const auto& section) {
         const auto cells = section.cell;

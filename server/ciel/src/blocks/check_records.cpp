@@ -28,7 +28,6 @@ private:
     Index number_;
 };
 
-// The local end vertices of each edge, taken from the first face or cell that has the edge.
 class EdgeEnds {
 public:
     explicit EdgeEnds(Index edges) : ends_(edges, unknown) {}
@@ -82,8 +81,7 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
-// Checks that `begin` runs from 0 to `end` in steps of at least `least`. The number of steps is also checked by itself,
-// because the entries may change during the check.
+// The number of steps is also checked by itself, because the entries may change during the check.
 template <class Array>
 void check_begins(const Checker& checker, const Array& begin, std::size_t end, std::size_t least, const char* what) {
     bool ascend = begin.front() == 0 && begin.back() == end;
@@ -91,7 +89,6 @@ void check_begins(const Checker& checker, const Array& begin, std::size_t end, s
     checker.require(ascend && (begin.size() - 1) * least <= end, what);
 }
 
-// Checks the tables that lead from a corner to its face.
 template <class Local>
 void check_face_starts(const Checker& checker, const PolyhedralSection<Local>& section) {
     const std::size_t corners = section.vertex.size(), words = (corners + 63) / 64;
@@ -113,7 +110,6 @@ void check_face_starts(const Checker& checker, const PolyhedralSection<Local>& s
     checker.require(agree, "the table of face starts contradicts the faces");
 }
 
-// Checks that each face refers to its cells, and each cell to its faces.
 template <class Local>
 void check_face_cells(const Checker& checker, const PolyhedralSection<Local>& section) {
     checker.require(section.face_cell.size() == section.face_count(),
@@ -168,8 +164,7 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
         checker.require(pairs.run(section, i, left, [](Index, Index, Index) {}), "a cell is not closed");
 }
 
-// Checks that each ghost exists in the block that owns it, that this block comes before block `number`, and that the
-// ghosts ascend. `begin`: first id that each block owns.
+// The owner of each ghost must come before block `number`. `begin`: first id that each block owns.
 void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const Index> begin, Index number) {
     Index last = none, owner = none, first = 0, count = 0; // count: number of ids that the owner has
     const auto check = [&](Index neighbour, Index index) {

@@ -36,9 +36,8 @@ void InnerFaces::for_blocks(const std::function<void(const OfBlock&)>& f) const 
     }
 }
 
-// Returns the blocks that may have a face between a kept cell and a cell that is not kept. These are the blocks with
-// cells of both kinds, and the blocks with only kept cells whose box touches the box of a block with a cell that is not
-// kept.
+// Returns the blocks with cells of both kinds, and the blocks with only kept cells whose box touches the box of a block
+// with a cell that is not kept.
 std::vector<Index> InnerFaces::blocks_to_read() const {
     std::vector<Index> others; // blocks with a cell that is not kept, sorted by the low x of their box
     double widest = 0;

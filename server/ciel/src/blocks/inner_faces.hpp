@@ -9,9 +9,8 @@
 
 namespace ciel {
 
-// The faces between a kept cell and a cell that is not kept. Reads the blocks that have cells of both kinds. Also reads
-// a block with only kept cells if its box touches the box of a block with a cell that is not kept. `kept`: one flag per
-// cell. boxes: the result of block_boxes for the positions. The arguments must outlive the object.
+// The faces between a kept cell and a cell that is not kept. `kept`: one flag per cell. boxes: the result of
+// block_boxes for the positions. The arguments must outlive the object.
 class InnerFaces {
 public:
     struct OfBlock {
@@ -21,8 +20,7 @@ public:
 
     InnerFaces(const Topology& topology, const BlockBoxes& boxes, std::span<const std::uint8_t> kept);
 
-    // Calls f for one block after another, on this thread. Uses all threads of the parallel loop to find the faces.
-    // Throws Error when a record is damaged.
+    // Calls f for one block after another, on this thread. Throws Error when a record is damaged.
     void for_blocks(const std::function<void(const OfBlock&)>& f) const;
 
 private:

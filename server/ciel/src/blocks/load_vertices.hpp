@@ -6,8 +6,7 @@
 
 namespace ciel {
 
-// Call it before the positions of the block's vertices are read. `loader`: FaceMeshView::loader; null if all positions
-// are ready. `b`: number of the block.
+// Call it before the positions are read. `loader`: FaceMeshView::loader; null if all positions are ready.
 inline void load_vertices(const VertexLoader* loader, Index b, const Block& block) {
     if (loader == nullptr || loader->has_block(b)) return;
     const auto own = block.vertex_count - static_cast<Index>(block.ghost_vertex.size());

@@ -27,8 +27,7 @@ void LocalNumbers::add_hashed(Index id) {
     if (2 * added_.size() > hashed_.size()) grow();
 }
 
-// Hashed ids are less than all ids in the window, so they get the first numbers. The window is in ascending order
-// already.
+// Hashed ids are less than all ids in the window, and the window is in ascending order already.
 void LocalNumbers::number(std::vector<Index>& ids) {
     std::ranges::sort(added_);
     ids = added_;

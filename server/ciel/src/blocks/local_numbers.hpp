@@ -1,7 +1,6 @@
-// Maps the mesh-wide vertex ids of one block to local numbers. The memory grows with the size of the block, not with
-// the size of the mesh. The ids of the vertices that a block owns are consecutive, and they are its highest ids.
-// Therefore most ids are in a window of consecutive ids, for which an array has the local numbers. The other ids are in
-// a hash table. Not in the paper, which has no blocks.
+// Maps the mesh-wide vertex ids of one block to local numbers. The memory does not grow with the size of the mesh. The
+// vertices that a block owns have the highest ids of the block, without gaps; an array has their local numbers. The
+// other ids are in a hash table. Not in the paper, which has no blocks.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -13,8 +12,7 @@ namespace ciel {
 // Not thread-safe. Reused for many blocks.
 class LocalNumbers {
 public:
-    // Removes all ids. `highest`: highest id that will be added. `most`: maximum number of calls of `add` that will
-    // follow.
+    // Removes all ids. `highest`: highest id that will be added. `most`: maximum number of calls of `add`.
     void begin(Index highest, std::size_t most);
     void add(Index id) {
         if (id < window_begin_)

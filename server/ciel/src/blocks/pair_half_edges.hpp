@@ -1,5 +1,4 @@
-// Finds the mate of each half-edge within one cell, as Algorithm 5 does (paper, appendix A). Used to build and check
-// blocks, and to cut cells that touch themselves.
+// Finds the mate of each half-edge within one cell, as Algorithm 5 does (paper, appendix A).
 #pragma once
 
 #include "blocks/block.hpp"
@@ -10,11 +9,9 @@ namespace ciel {
 class HalfEdgePairs {
 public:
     // Calls paired(half-edge, mate, index of the mate's face among the faces of the cell) for each half-edge of a cell.
-    // If a cell touches itself along an edge, the edge has more than two half-edges in the cell. Any pairing of
-    // half-edges in opposite directions is then valid; pairs in different faces are preferred. Returns false if a
-    // half-edge has no mate, because the cell is not closed. `left`: number of half-edges that this cell and all later
-    // cells may have together. Set it to the section's half_edge_count before the first cell. Returns false if a
-    // changed record has more half-edges.
+    // Where a cell touches itself along an edge, any pairing of opposite directions is valid; pairs in different faces
+    // are preferred. Returns false if the cell is not closed. `left`: number of half-edges that this cell and all later
+    // cells may have together; the section's half_edge_count before the first cell. Returns false if there are more.
     template <class Section, class Paired> // Section: a PolyhedralSection
     [[nodiscard]] bool run(const Section& section, Index cell, Index& left, Paired&& paired) {
         for (const Index edge : touched_) open_[edge] = none; // entries that a call left when it returned early
@@ -61,8 +58,7 @@ private:
         paired(mate.half_edge, here.half_edge, here.face_of_cell);
     }
 
-    // Pairs the half-edges that `meet` left unpaired. If a face has collapsed to a line, both half-edges of a pair may
-    // be in this face.
+    // If a face has collapsed to a line, both half-edges of a pair may be in this face.
     template <class Paired>
     [[nodiscard]] bool pair_inside_faces(Paired& paired) {
         bool closed = true;

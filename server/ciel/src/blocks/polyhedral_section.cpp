@@ -63,8 +63,7 @@ void Filler<Local>::append_face(Index loop) {
     out_.face_begin.push_back(static_cast<Local>(out_.vertex.size()));
 }
 
-// Stores the faces in three groups: first the faces between two cells of the section, then the faces with only their
-// owner in the section, then the faces with only their neighbor in the section.
+// Faces between two cells of the section come first, then faces with only the owner in the section, then the others.
 template <class Local>
 void Filler<Local>::place_faces() {
     section_cell_.assign(built_.block.cell_count, none);
@@ -141,8 +140,7 @@ void Filler<Local>::pair() {
     std::ranges::sort(mates_.mate_escapes, {}, &MateEscape::half_edge);
 }
 
-// Stores the mate of half-edge h. `mate_face`: index of the face of the mate among the faces of the cell. Stores four
-// bits in mate_face if MateArrays::mate finds the mate with them. Otherwise adds an entry to mate_escapes.
+// `mate_face`: index of the face of the mate among the faces of the cell.
 template <class Local>
 void Filler<Local>::set_mate(Index h, Index mate, Index mate_face) {
     const auto put = [&](Index bits) {

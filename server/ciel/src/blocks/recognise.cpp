@@ -6,8 +6,7 @@ namespace ciel {
 
 namespace {
 
-// Returns the index of the base face of a type, from which find_corners finds the other corners. The base is a triangle
-// of a tetrahedron or wedge, or a quadrangle of a hexahedron or pyramid.
+// The base is a triangle of a tetrahedron or wedge, or a quadrangle of a hexahedron or pyramid.
 constexpr std::size_t base_face(CellType type) {
     switch (type) {
     case CellType::tetrahedron:

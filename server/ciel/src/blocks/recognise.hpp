@@ -1,6 +1,5 @@
-// Recognizes a standard cell: finds its corners, in the order of the standard type, from its faces. Such a cell does
-// not store the half-edge members (paper, section 2.2) that are the same for all cells of its type. Any thread may call
-// the function.
+// Recognizes a standard cell from its faces. Such a cell does not store the half-edge members (paper, section 2.2) that
+// are the same for all cells of its type.
 #pragma once
 
 #include "blocks/block_loops.hpp"
@@ -14,8 +13,7 @@ struct StandardCell {
     std::array<Index, 6> turn{};   // by face of the shape: corner of the loop that the face's first half-edge leaves
 };
 
-// Returns false when the cell has collapsed, or when its faces do not match the faces of the shape. The contents of
-// `out` are then unspecified.
+// Returns false when the cell has collapsed or does not match the shape; `out` is then unspecified.
 template <const StandardShape& shape>
 [[nodiscard]] bool recognise(const BlockLoops& loops, Index local_cell, StandardCell& out);
 

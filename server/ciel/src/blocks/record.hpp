@@ -28,8 +28,7 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         if (!array.empty()) sections_.push_back({id, critical, sizeof(T), std::as_bytes(array)});
     }
-    // Appends a section that is not critical, unless the array is empty. A reader that does not know the section skips
-    // it.
+    // Appends a section that a reader may skip, unless the array is empty.
     template <class T>
     void add_optional(std::uint16_t id, std::span<const T> array) {
         if (!array.empty()) sections_.push_back({id, 0, sizeof(T), std::as_bytes(array)});
@@ -47,17 +46,14 @@ private:
     std::vector<Section> sections_;
 };
 
-// Does not own the bytes, which must outlive the view. Their address must be a multiple of 8. They may be in a mapped
-// file.
+// Does not own the bytes, which must outlive the view. Their address must be a multiple of 8.
 class RecordView {
 public:
-    // Throws Error if the record has another kind or a newer version, has a wrong length, or has a section that goes
-    // beyond its end or is given twice.
+    // Throws Error for another kind, a newer version, a wrong length, or a section beyond the end or given twice.
     RecordView(std::span<const std::byte> bytes, RecordKind kind);
 
-    // Returns the array of a section, or an empty array if the record does not have the section. The address of the
-    // empty array is the end of the record: an index from a changed record may be applied to the array, and the bytes
-    // after the record can be read (RecordSource). Throws Error if the elements have another size.
+    // Returns an empty array if the record does not have the section. The address of the empty array is the end of the
+    // record, because the bytes there can be read (RecordSource). Throws Error if the elements have another size.
     template <class T>
     [[nodiscard]] std::span<const T> get(std::uint16_t id) const {
         const std::span<const std::byte> found = find(id, sizeof(T));
@@ -65,8 +61,7 @@ public:
     }
     // Returns the size of the section's elements in bytes; 0 if the record does not have the section.
     [[nodiscard]] std::size_t element_size(std::uint16_t id) const;
-    // Call after the last `get`. Throws Error if the record has a critical section that no `get` asked for, because
-    // this program does not know such a section.
+    // Call after the last `get`. Throws Error if the record has a critical section that no `get` asked for.
     void check_all_known() const;
 
 private:
@@ -81,8 +76,7 @@ private:
     mutable std::vector<bool> known_; // by entry: whether `get` has returned the section
 };
 
-// Reads an element of a record once. The bytes of a record may change (RecordSource), and without `volatile` the
-// compiler may read an element again for each use.
+// The bytes of a record may change (RecordSource). Without `volatile`, the compiler may read an element again.
 template <class T>
 [[nodiscard]] inline T read_once(const T& entry) {
     return *const_cast<const volatile T*>(&entry);

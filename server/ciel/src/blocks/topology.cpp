@@ -14,10 +14,8 @@ namespace ciel {
 
 namespace {
 
-// Divides the cells into blocks of at most `cells_per_block`. Returns the first cell of each block, then the number of
-// cells. A block gets fewer cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits). `used` counts
-// the half-edges of its cells, and counts half-edges of standard cells twice. `corners` counts the corners of its
-// faces. Only a block of one giant cell may exceed the limits of these two counts.
+// A block gets fewer than `cells_per_block` cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits).
+// Only a block of one giant cell may exceed `room` and `corner_room`.
 std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};
@@ -45,7 +43,6 @@ std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Inde
     return begin;
 }
 
-// Returns the number of sets of cells that are connected by faces.
 std::uint64_t count_components(const FaceMeshView& mesh) {
     std::vector<Index> parent(mesh.cell_count());
     for (Index c = 0; c < parent.size(); ++c) parent[c] = c;
@@ -124,9 +121,7 @@ void Topology::Blocks::begin() {
     is_trusted_ = source->is_trusted();
 }
 
-// Checks one step of a walk around a ring: both blocks must name the same mesh vertex, and the step must not pass the
-// block `start`. The blocks of a ring ascend, except at the step from the last block to the first. Therefore a walk of
-// such steps ends.
+// The blocks of a ring ascend, except at one step. Therefore a walk whose steps do not pass the block `start` ends.
 void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
     const bool onwards =
         at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;
@@ -135,8 +130,7 @@ void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index star
              " of the mesh contradict each other about a vertex that they share; import the dataset again");
 }
 
-// A changed 32-bit id may lead to any address. Therefore the records of a block with such ids are copied. The copies
-// cannot change; the copies are checked.
+// A changed 32-bit id may lead to any address. Therefore records with such ids are copied, and the copies checked.
 Block Topology::Blocks::read_cells(Index b) const {
     const std::span<const std::byte> record = source->record(b, RecordKind::cells);
     Block block = view_cells(record, b, numbers);

@@ -13,8 +13,7 @@ struct InCell {
     Index cell, half_edge;
 };
 
-// Divides by a constant that the compiler knows for each shape, because this division is most of the work of an
-// operator.
+// Divides by a compile-time constant for each shape, because the division is most of the work of an operator.
 InCell in_cell(const StandardSection& section, Index local_half_edge) {
     InCell place{};
     const Index at = local_half_edge - section.half_edge_begin;
@@ -24,10 +23,8 @@ InCell in_cell(const StandardSection& section, Index local_half_edge) {
     return place;
 }
 
-// Returns the first half-edge that leaves the vertex at an entry. At a corner of a standard cell, this half-edge is the
-// first in the list of the shape (first_at_corner). At a corner of a stored loop, it runs along the loop, or against
-// the loop if only side 1 of the face is in the section.
-// Returns the local number of the half-edge in the block. If a record has changed, the half-edge may not exist.
+// At a corner of a stored loop, the half-edge runs along the loop, or against the loop if only side 1 of the face is in
+// the section. If a record has changed, the half-edge may not exist.
 Index first_at_entry(const Block& block, Index entry) {
     if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -135,9 +132,8 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     });
 }
 
-// Visits the entries of the vertex. An entry at a corner of a standard cell gives the half-edges of the cell that leave
-// the corner. An entry at a corner of a stored loop gives the half-edge that leaves along the loop, and then the
-// half-edge that leaves against the loop.
+// An entry at a corner of a standard cell gives the half-edges of the cell that leave the corner. An entry at a corner
+// of a stored loop gives the half-edge along the loop, and then the half-edge against the loop.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Blocks::Place at = blocks_->place_of(h);
     const Block& block = at.block;

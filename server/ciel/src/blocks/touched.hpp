@@ -9,7 +9,7 @@
 
 namespace ciel {
 
-// One view per block, each made once and kept. Thread-safe.
+// Thread-safe.
 template <class View>
 class Touched {
 public:
@@ -26,15 +26,13 @@ public:
         size_ = blocks;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
-    // Returns the view of a block. Calls make() if the view is not made yet. If make() throws, this function throws the
-    // same exception, and a later call tries again.
+    // If make() throws, this function throws the same exception, and a later call tries again.
     template <class Make>
     [[nodiscard]] const View& of(std::size_t block, Make&& make) const {
         if (const View* const made = views_[block].load(std::memory_order_acquire); made != nullptr) [[likely]]
             return *made;
         return touch(block, make);
     }
-    // Calls f(view) for each view made so far.
     template <class F>
     void for_each(F&& f) const {
         for (std::size_t b = 0; b < size_; ++b)

@@ -1,6 +1,5 @@
-// SharedEdges and MetEdges: two ways to record the active edges of a cut. Polygons store a local edge id with
-// SharedEdges, and a point number with MetEdges. The records replace the is_marked of the paper's half-edge (section
-// 2.2, figure 3).
+// SharedEdges and MetEdges: two ways to record the active edges of a cut, instead of the is_marked of the paper's
+// half-edge (section 2.2, figure 3).
 #pragma once
 
 #include "extraction/cut_block.hpp"
@@ -9,8 +8,7 @@
 
 namespace ciel {
 
-// For surfaces whose points are shared between blocks. Sets one bit for each active edge. Polygons store local edge
-// ids.
+// For surfaces whose points are shared between blocks. Polygons store local edge ids.
 class SharedEdges {
 public:
     explicit SharedEdges(CutScratch& scratch) : active_(scratch.active.data()), ends_(scratch.ends.data()) {}
@@ -31,16 +29,14 @@ private:
     std::array<Index, 2>* ends_;
 };
 
-// For cuts of one block alone. Numbers the points in the order of first use, so that inactive edges cost nothing.
-// Polygons store point numbers.
+// For cuts of one block alone. Polygons store point numbers, in the order of first use.
 class MetEdges {
 public:
     explicit MetEdges(CutScratch& scratch)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 
-    // Branch-free, because it is unpredictable whether the edge already has a point. If it has a point, the ends are
-    // written to the first unused entry of `ends_`, and the next new point overwrites them.
+    // Branch-free. If the edge already has a point, the next new point overwrites the ends that are written here.
     Index activate(Index edge, Index a, Index b) {
         const Index known = met_[edge], is_new = known < before_ ? 1 : 0;
         const Index number = known ^ ((known ^ next_) & (0 - is_new));

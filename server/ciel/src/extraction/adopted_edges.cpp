@@ -8,7 +8,6 @@ namespace ciel {
 
 namespace {
 
-// Appends the active edges of block `b` whose owner is a left-out block.
 void list_edges(const Topology::Blocks& blocks, const Cutter& cutter, Index b, const ActiveBlock& cut,
                 std::vector<AdoptedEdges::Edge>& out) {
     const Block& block = blocks.cells(b);

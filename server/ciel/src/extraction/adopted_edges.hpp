@@ -1,9 +1,6 @@
-// AdoptedEdges: points of a surface of some blocks (Query::set_blocks), on edges that a left-out block owns. Not in the
-// paper.
-//
-// The first block that has an edge owns the edge and makes the point on it. If the owner is left out, the first
-// remaining block that has the edge adopts the edge and makes the point. The point is the same, because all blocks have
-// the same values at the ends of the edge.
+// AdoptedEdges: points of a surface of some blocks (Query::set_blocks), on edges that a left-out block owns. The first
+// remaining block that has such an edge adopts the edge and makes its point. The point is the same, because all blocks
+// have the same values at the ends of the edge. Not in the paper.
 #pragma once
 
 #include "extraction/cutter.hpp"
@@ -19,15 +16,13 @@ public:
         Index point;      // index of the point in the surface
     };
 
-    // Finds the active edges of the cutter's blocks whose owner is left out. Sets ActiveBlock::adopted in the cutter's
-    // cuts.
+    // Finds the active edges whose owner is left out. Sets ActiveBlock::adopted in the cutter's cuts.
     void find(const Topology::Blocks& blocks, Cutter& cutter);
-    // Numbers the points of the adopted edges below `edge` that have no number yet, beginning with `next`. Returns the
-    // next unused number. The calls must have ascending `edge`.
+    // Numbers the points of the adopted edges below `edge` from `next` on. Returns the next unused number. The calls
+    // must have ascending `edge`.
     [[nodiscard]] std::uint64_t number_below(Index edge, std::uint64_t next);
 
     [[nodiscard]] std::span<const Edge> edges() const { return edges_; } // ascending by edge
-    // Returns the point of the adopted edge with the mesh-wide id `edge`.
     [[nodiscard]] Index point_of(Index edge) const;
     [[nodiscard]] std::size_t memory_bytes() const;
 

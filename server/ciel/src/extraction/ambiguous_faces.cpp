@@ -1,5 +1,4 @@
-// Counts the ambiguous faces: faces on which the points of a surface can be joined in more than one way (paper, section
-// 4).
+// Counts the faces on which the points of a surface can be joined in more than one way (paper, section 4).
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
 #include "ciel/field.hpp"
@@ -32,8 +31,7 @@ std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView
         fail("counting ambiguous faces needs one value for each vertex; pass as many values as the topology has "
              "vertices");
     const Topology::Blocks& blocks = topology.blocks();
-    // Each ambiguous face is counted twice: a face inside the mesh once for each of its cells, a boundary face once in
-    // the blocks and once in the loop over `boundary`.
+    // A face inside the mesh is counted from both of its cells; a boundary face here and in the loop over `boundary`.
     std::atomic<std::uint64_t> sides{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;

@@ -13,7 +13,6 @@
 namespace ciel {
 namespace {
 
-// Replaces the vertex and cell ids of the stored mesh by the caller's ids.
 void name_as_given(const Mesh& mesh, std::span<EdgePoint> points, std::span<Index> cells) {
     const std::span<const Index> vertex = mesh.original_vertex(), cell = mesh.original_cell();
     if (!vertex.empty())
@@ -58,8 +57,7 @@ const Mesh& mesh_of(const Field& field) {
     return *mesh;
 }
 
-// Returns one row for each point of the mesh, in the caller's order: the mean of the cells around the point, as in
-// Field::from_cells.
+// Returns one row for each point of the mesh, in the caller's order: the mean of the cells around the point.
 std::vector<double> at_points(const Mesh& mesh, const ArrayView& of_cells) {
     const std::span<const Index> vertex = mesh.original_vertex();
     const std::size_t width = of_cells.columns();
@@ -147,8 +145,7 @@ bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_c
     };
     bool done = false;
     // With a thread limit, a loop that a callback starts runs on the callback's thread only. Without a limit, this
-    // thread could take another block while it waits for that loop. It would then call the callback again and overwrite
-    // the cut of the first call.
+    // thread could take another block while it waits for that loop, and overwrite the cut that the callback reads.
     with_threads(options.threads > 0 ? options.threads : thread_count(), [&] {
         SweepScratch scratch;
         done = sweep(mesh.topology(), mesh.stored(), field, levels, named, scratch, stop,

@@ -29,8 +29,7 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Appends the active cells among the cells begin to end - 1 to scratch.cell. Branch-free, because it is unpredictable
-// which cells are active.
+// Branch-free, because it is unpredictable which cells are active.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -45,10 +44,8 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// Finds the parts of the block's vertices (Block::vertices_per_part) that have low vertices, and the parts that have
-// high vertices. Sets a bit for each in scratch.low_parts and scratch.high_parts. A group of cells has vertices in few
-// parts, and most parts are all low or all high. Therefore most groups can be skipped. The padding after the last
-// vertex is low; at worst, a group is visited in vain.
+// A group of cells has vertices in few parts (Block::vertices_per_part), and most parts are all low or all high.
+// Therefore most groups can be skipped. The padding after the last vertex is low; at worst, a group is visited in vain.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -90,9 +87,7 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-// Sets a bit in scratch.crossed_cells for each cell that has a face with low and high corners. In such a face two
-// successive corners differ. Compares 64 corners at a time, because a loop over the unpredictable number of corners of
-// a face mispredicts branches. Does not read 64 corners whose vertices are in parts that are all low or all high.
+// Compares 64 corners at a time, because a loop over the corners of each face mispredicts branches.
 template <class Local>
 void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     const std::size_t corners = section.vertex.size();
@@ -151,8 +146,7 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
     }
 }
 
-// Clears `cut` and grows the buffers of `scratch`. `ends` and `cell` get one extra entry, because branch-free loops
-// write an inactive entry after the last active entry.
+// `ends` and `cell` get one extra entry, because branch-free loops write an entry after the last active entry.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, std::max<std::size_t>(block.edge_count, local_ids) + 1);
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -163,7 +157,7 @@ void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.decided = false;
 }
 
-// Sorts the polygons of the cut by cell. Before, they are sorted by section, then by cell.
+// Before, the polygons are sorted by section, then by cell.
 void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());
@@ -194,8 +188,7 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Throws Error if a finished cut has a cell or an edge that does not exist, because the record changed during the cut.
-// `edges`: number of edge ids that polygons may store.
+// Throws Error if the record changed during the cut. `edges`: number of edge ids that polygons may store.
 void check_cut(const Block& block, Index edges, const ActiveBlock& cut) {
     const Index cells = block.cell_count;
     // Branch-free, so that the check takes only a small part of the time of the cut.
@@ -212,8 +205,7 @@ void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     std::fill_n(scratch.active.begin(), words, std::uint64_t{0});
 }
 
-// Copies the active edges from `scratch` to `cut`. Clears the bits after the block's last edge. Only a changed record
-// can set these bits.
+// Clears the bits after the block's last edge. Only a changed record can set these bits.
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     check_cut(block, block.edge_count, cut);
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
@@ -255,11 +247,9 @@ void cut_sections(const Block& block, const BlockValues& in, CutScratch& scratch
     if (!std::ranges::is_sorted(cut.polygon_cell)) sort_polygons(scratch, cut);
 }
 
-// Does the same as cut_sections, but tests only the cells in `cells`.
 template <class Edges>
 void cut_listed(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                 ActiveBlock& cut) {
-    // Calls found(index in the section) for each cell in `cells` that belongs to the section.
     const auto for_each_in = [&](const auto& section, auto&& found) {
         scratch.cells = 0;
         for (const Index cell : cells) {

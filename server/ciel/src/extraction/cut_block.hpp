@@ -9,8 +9,7 @@
 
 namespace ciel {
 
-// Buffers for cutting many blocks; one object for each thread. The buffers by local vertex, edge and half-edge have
-// room for all 16-bit ids, because a record may change after its check (block.hpp).
+// One object for each thread. The buffers have room for all 16-bit ids, because a record may change (block.hpp).
 struct CutScratch {
     struct ActiveCell {
         Index index; // index of the cell in its section
@@ -23,15 +22,13 @@ struct CutScratch {
     Index cells = 0;                        // number of active cells in `cell`
     std::vector<std::array<Index, 2>> ends; // by active local edge: its two vertices; for MetEdges, by point
     std::vector<std::uint64_t> active;      // for SharedEdges: one bit for each local edge, set if active
-    // For MetEdges, by local edge: met_before + the number of the edge's point. Less than met_before if the edge has no
-    // point in this cut.
+    // For MetEdges, by local edge: met_before + number of the edge's point; less than met_before if it has no point.
     std::vector<Index> met;
     Index met_before = 1, met_count = 0, met_most = 0;
     // One bit for each cell of the polyhedra, set if the cell has a face with low and high corners.
     std::vector<std::uint64_t> crossed_cells;
-    // A face of a polyhedron with low and high corners. Edge i of a face begins at corner i of the stored loop. Bit i
-    // of `climbs` is set if edge i goes from low to high. Bit i of `descends` is set if it goes from high to low. A
-    // face with more than 64 corners is always listed, with all bits of `climbs` set.
+    // Edge i of a face begins at corner i of the stored loop. Bit i of `climbs` is set if edge i goes from low to high;
+    // bit i of `descends`, if from high to low. A face with more than 64 corners has all bits of `climbs` set.
     struct CrossedFace {
         Index face, side;
         std::uint64_t climbs, descends;
@@ -63,9 +60,8 @@ struct CutScratch {
 // Sets high[i] to 1 if values[i] >= threshold, else to 0. `high` must not overlap `values`.
 void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
 void mark_high(const double* values, std::size_t count, double threshold, std::uint8_t* high);
-// Classifies the block's vertices: sets scratch.high and cut.signature. Returns true if the cut is known and the
-// signature is the same as before. A vertex without a value becomes low; therefore callers ignore the result for blocks
-// with such vertices.
+// Sets scratch.high and cut.signature. Returns true if the cut is known and the signature is the same as before. Ignore
+// the result for blocks with gaps, because a vertex without a value becomes low.
 bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut);
 
 struct BlockValues {
@@ -80,18 +76,16 @@ struct BlockValues {
 
 // Cuts the block and writes the result to `cut`. REQUIRES: `classify` was called with the same scratch and cut.
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// Cuts the block for output that is not kept and shares no points with other blocks. Classifies the vertices itself. In
-// `cut`, sets only the polygons; polygon_edge has point numbers. Sets scratch.met_count to the number of points, and
-// scratch.ends to the two vertices of each point's edge.
+// For output that is not kept and shares no points with other blocks. Classifies the vertices itself. In `cut`, sets
+// only the polygons; polygon_edge has point numbers. Sets scratch.met_count, and scratch.ends for each point.
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// Do the same as cut_block and cut_block_alone, but test only `cells`: the local ids of all cells that may be active,
-// ascending.
+// Test only `cells`: the local ids of all cells that may be active, ascending.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                ActiveBlock& cut);
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                      ActiveBlock& cut);
 
-// Cut the active cells of one section, which scratch.cell lists. Edges: SharedEdges or MetEdges (active_edges.hpp).
+// Edges: SharedEdges or MetEdges (active_edges.hpp).
 template <class Edges>
 void cut_standard(const StandardSection& section, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 template <class Edges, class Local>

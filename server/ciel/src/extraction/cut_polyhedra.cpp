@@ -1,16 +1,11 @@
 // Algorithm 4 of the paper: intersection polygons by turning around the faces of a polyhedron.
-//
-// A polygon is a walk over faces of the cell. All directions are as seen from outside the cell. The walk enters a face
-// at an active edge where the loop of the face climbs from low to high. It leaves the face at the next active edge of
-// the loop, which descends from high to low. Then it enters the adjacent face across that edge. Therefore each run of
-// high corners of a face is separated from the others, and both cells of the face join its points in the same way. If a
-// decider joins the high runs of a face, the walk leaves the face at the previous active edge instead.
-// If no two faces of the cell are entered over the same edge, a table from entry edge to exit edge is enough
-// (`follow`). Otherwise the cell touches itself along an edge, and the walk finds the adjacent face by mate_face
-// (`walk_all`).
-//
-// A record may change at any time (block.hpp). Therefore no loop relies on values that were read before: `spend` limits
-// the steps through faces, `follow` uses each entry edge once, and `finish` checks the edges of each polygon.
+// A polygon is a walk over faces of the cell, seen from outside. The walk enters a face at an active edge where the
+// loop of the face climbs from low to high. It leaves the face at the next active edge of the loop, which descends, and
+// enters the adjacent face across that edge. If a decider joins the high runs of a face, the walk leaves the face at
+// the previous active edge instead. A table from entry edge to exit edge (`follow`) is enough, unless the cell touches
+// itself along an edge (`walk_all`).
+// A record may change at any time (block.hpp). Therefore `spend` limits the steps through faces, `follow` uses each
+// entry edge once, and `finish` checks the edges of each polygon.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -21,7 +16,7 @@ namespace ciel {
 
 namespace {
 
-// Returns a new stamp. Entries of `marks` with another stamp belong to earlier cells and are stale. 0 is never a stamp.
+// Entries of `marks` with another stamp belong to earlier cells and are stale. 0 is never a stamp.
 template <class Marks>
 Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
     // After 2^32 stamps, the numbers repeat. Old entries must not match them.
@@ -54,8 +49,7 @@ public:
 
 private:
     using Loop = typename PolyhedralSection<Local>::Loop;
-    // Number of steps that a cut may take for each half-edge of the section. A record that does not change needs fewer
-    // steps. The steps of find_crossings in `walk` are not counted.
+    // Number of steps that a cut may take for each half-edge of the section. An unchanged record needs fewer steps.
     static constexpr unsigned visits = 8;
 
     void spend(std::uint64_t steps) {
@@ -100,8 +94,7 @@ private:
     std::uint64_t left_; // number of steps that the cut may still take
 };
 
-// Prefetches the faces of a cell, which are scattered in memory. Without prefetching, waiting for the faces took half
-// of the time.
+// The faces of a cell are scattered in memory. Without prefetching, waiting for the faces took half of the time.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::fetch(Index cell) const {
     for (const Index ref : section_.faces_of(cell)) {
@@ -122,8 +115,7 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) {
     return false;
 }
 
-// Returns one bit for each corner of a face, set if the corner is high. Reads eight corners and clears the bits after
-// the last corner, because a loop over the unpredictable number of corners mispredicts branches.
+// Reads eight corners at once, because a loop over the unpredictable number of corners mispredicts branches.
 template <class Edges, class Local>
 std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
     const Local* vertex = vertex_ + begin;
@@ -136,8 +128,7 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
     return bits;
 }
 
-// Returns the faces of the cell that have low and high corners. Branch-free. Tests a face again for its second cell,
-// because a cache of the results was slower.
+// Tests a face again for its second cell, because a cache of the results was slower.
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
@@ -156,7 +147,6 @@ std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_cr
     return {scratch_.crossed.data(), to};
 }
 
-// Records that a polygon enters a face over the edge at corner `entry`, and leaves it over the edge at corner `exit`.
 // `after`: the corner after `entry` in the stored loop. Activates only the entry edge, because each active edge of the
 // cell is the entry edge of some face. Returns false if the edge already is an entry edge in this cell.
 template <class Edges, class Local>
@@ -169,8 +159,7 @@ bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) 
     return true;
 }
 
-// Links a face with one run of high corners. A cell on side 1 of the face sees the stored loop reversed, so that the
-// descending edge is the entry edge.
+// A cell on side 1 of the face sees the stored loop reversed, so that the descending edge is the entry edge.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
     const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
@@ -179,8 +168,7 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
     const Index entry = face.side == 0 ? climbing : descending, exit = face.side == 0 ? descending : climbing;
     const Index after = entry + 1 == end ? begin : entry + 1;
     if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
-    // The face has collapsed to a line, and a polygon enters and leaves it over the same edge. The edge is activated
-    // here, because perhaps no other face has the edge.
+    // The face has collapsed to a line. The edge is activated here, because perhaps no other face has the edge.
     activate(entry, after);
     scratch_.returning.push_back(edge_[entry]);
     return true;
@@ -203,8 +191,7 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
     return simple;
 }
 
-// Sets scratch_.crossing to the active edges of a face, in the order of its stored loop. Climbing and descending edges
-// alternate, and the first edge climbs.
+// Follows the order of the stored loop. Climbing and descending edges alternate, and the first edge climbs.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::find_crossings(Loop loop) {
     scratch_.crossing.clear();
@@ -313,7 +300,6 @@ void PolyhedronCutter<Edges, Local>::walk(Index cell, Index start) {
     finish_walk(cell, begin);
 }
 
-// Returns the corner of the next active edge of a face after `entry`, along the stored loop or against it.
 template <class Edges, class Local>
 Index PolyhedronCutter<Edges, Local>::exit_of(Loop loop, Index entry, bool forward) {
     if (!loop.has(entry)) refuse_changed("a face does not have its corners");
@@ -325,8 +311,7 @@ Index PolyhedronCutter<Edges, Local>::exit_of(Loop loop, Index entry, bool forwa
     return corner;
 }
 
-// Ends the polygon that begins at index `begin` of polygon_edge. In a cell that touches itself or has collapsed, a walk
-// may pass an edge more than once. A polygon of fewer than three distinct edges is dropped.
+// In a cell that touches itself or has collapsed, a walk may pass an edge more than once.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
@@ -340,9 +325,8 @@ void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) 
     finish(cell, begin);
 }
 
-// Ends a polygon and reverses it. Seen from outside the cell, the walk has the high side on its left, but the
-// right-hand normal of the polygon must point to the high side. Throws Error if a changed record has led to an edge
-// that is not active.
+// Reverses the polygon: seen from outside the cell, the walk has the high side on its left, but the right-hand normal
+// must point to the high side. Throws Error if a changed record has led to an edge that is not active.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;

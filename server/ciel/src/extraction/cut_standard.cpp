@@ -1,5 +1,4 @@
-// Algorithm 4 in standard cells. A table has the polygons of each combination of high corners, as edges of the shape
-// (standard_cases.hpp). The code here replaces the edges of the shape by the edges of each cell.
+// Algorithm 4 in standard cells: replaces the edges of the shape (standard_cases.hpp) by the edges of each cell.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 #include "extraction/standard_cases.hpp"
@@ -20,8 +19,7 @@ public:
 
     void run() {
         if (in_.gaps) pass_over();
-        // Reserves room for all polygons. Each active edge of a cell is in exactly one polygon. A cell has at most four
-        // polygons, whichever faces a decider joins.
+        // Each active edge of a cell is in exactly one polygon. A cell has at most four polygons.
         std::size_t polygons = cut_.polygon_cell.size(), corners = cut_.polygon_edge.size();
         const std::size_t first_polygon = polygons, first_corner = corners;
         for (const auto& cell : scratch_.active_cells()) {
@@ -72,8 +70,7 @@ private:
     void append(const CutScratch::ActiveCell& cell, const StandardCase& found) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const std::uint16_t* edge = &section_.edge[cell.index * shape.edges];
-        // A local copy, because the compiler must assume that a store through `to` changes the member, and would reload
-        // it.
+        // A local copy, because the compiler would reload the member after each store through `to`.
         Edges edges = edges_;
         Index* to = polygon_edge_;
         for (std::size_t i = 0; i < found.edges; ++i) {
@@ -96,8 +93,7 @@ private:
         scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
-    // Returns true if the cell has a vertex without a value. Such a cell is not cut. Activates the edges of the cell
-    // that cross nu and have values at both ends, because a cell of another block may use them.
+    // Activates the edges that cross nu, because a cell of another block may use these edges.
     bool passed_over(const CutScratch::ActiveCell& cell) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };

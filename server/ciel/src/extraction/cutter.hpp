@@ -9,8 +9,7 @@
 
 namespace ciel {
 
-// Not thread-safe; `update` uses all threads of parallel_for. Does not own the topology and the current field; both
-// must outlive the Cutter.
+// Not thread-safe. The topology and the current field must outlive the Cutter.
 class Cutter {
 public:
     explicit Cutter(const Topology& topology) : topology_(topology), cut_(topology.block_count()) {}
@@ -25,8 +24,7 @@ public:
     void set_blocks(std::optional<std::span<const Index>> blocks);
     [[nodiscard]] bool has_all() const { return has_.empty(); }
     [[nodiscard]] bool has(Index block) const { return has_.empty() || has_[block] != 0; }
-    // Updates the active blocks and their cuts for nu. Returns false when `stop` was requested; the Cutter stays
-    // usable.
+    // Returns false when `stop` was requested; the Cutter stays usable.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // blocks that nu crosses, ascending
@@ -43,14 +41,11 @@ private:
     std::vector<std::uint8_t> has_; // by block: 1 if the block may be cut; empty if all blocks may
 };
 
-// Classifies the vertices of each block as low or high. A block keeps its cut while the classification is the same. A
-// step up, a step down, a jump and a new field are handled in the same way. Blocks run in parallel.
+// Each block keeps its cut while the same vertices are high. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology);
-// The paper's Algorithm 2: moves the active edges from one nu to the next, starting at the sorted extrema. This is
-// serial. The blocks of the cells that it reaches are cut in parallel.
+// The paper's Algorithm 2: moves the active edges from one nu to the next. Only the cuts of blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology);
-// The paper's baseline: keeps nothing from one nu to the next, and visits every cell for each nu. Blocks run in
-// parallel.
+// The paper's baseline: visits every cell for each nu. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
 } // namespace ciel

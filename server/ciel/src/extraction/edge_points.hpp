@@ -1,5 +1,4 @@
-// Points at which nu cuts mesh edges, by linear interpolation between the ends of the edge (paper, section 2.2:
-// "compute intersection").
+// Points at which nu cuts mesh edges, by linear interpolation (paper, section 2.2: "compute intersection").
 #pragma once
 
 #include "blocks/blocks.hpp"

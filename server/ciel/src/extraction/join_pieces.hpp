@@ -1,5 +1,4 @@
-// Joins the pieces of one value of a sweep: concatenates arrays, and adds offsets to triangle indices. Not in the
-// paper, which draws polygon by polygon (algorithm 3).
+// Joins the pieces of one value of a sweep. Not in the paper, which draws polygon by polygon (algorithm 3).
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,7 +9,6 @@
 
 namespace ciel {
 
-// Concatenates array(piece) of all pieces into array(out), and reuses the buffer of array(out).
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
     auto& to = std::invoke(array, out);
@@ -24,8 +22,7 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
     }
 }
 
-// Concatenates the triangles of all pieces. Adds to the indices of each piece the number of points in the pieces before
-// it. points(piece): the points of a piece.
+// Adds to the indices of each piece the number of points in the pieces before it. points(piece): its points.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;

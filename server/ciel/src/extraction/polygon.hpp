@@ -1,5 +1,4 @@
-// Corners and area vectors of a surface's polygons. The paper's Algorithm 4 makes these polygons. A span of corners is
-// a view of the surface. Any thread may call the functions.
+// Corners and area vectors of a surface's polygons (paper, algorithm 4). Any thread may call the functions.
 #pragma once
 
 #include "ciel/extract.hpp"

@@ -51,9 +51,7 @@ double Propagation::value(Index vertex) const { return field_->value(vertex); }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
-// Moves nu past a vertex: the edges from this vertex to vertices that nu passes later become active. Uses
-// next_around_vertex, because rotation by mate_face and mate_polyhedron misses cells at non-manifold edges and at the
-// boundary.
+// Rotation by mate_face and mate_polyhedron would miss cells at non-manifold edges and at the boundary.
 template <Propagation::Way way>
 void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;
@@ -73,9 +71,7 @@ void Propagation::pass(Index vertex) {
     } while (h != start);
 }
 
-// Updates low_half_edges_ and cells_ for the cell of a half-edge when nu passes the half-edge's origin. The paper
-// instead turns around each active edge for each surface. Keeping the cells avoids this work for cells in which nu
-// passes no vertex.
+// The paper instead turns around each active edge, also in cells in which nu passes no vertex.
 template <Propagation::Way way>
 void Propagation::turn(HalfEdge h) {
     const Index b = block_of(h), cell = topology_->cell(h);
@@ -86,9 +82,8 @@ void Propagation::turn(HalfEdge h) {
     cells_[b].push_back(cell - topology_->blocks().numbers.cell[b]);
 }
 
-// Step 2 of Algorithm 2. Keeps each active edge h with keep(h). Removes each other edge from the list and calls
-// pass(h), which may append edges to the list. The same loop visits the appended edges, so that nu can skip several
-// small cells at once.
+// Step 2 of Algorithm 2. Calls pass(h) for each edge that keep(h) refuses. pass may append edges; the same loop visits
+// them, so that nu can skip several small cells at once.
 template <class Keep, class Pass>
 bool Propagation::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     std::size_t kept = 0;

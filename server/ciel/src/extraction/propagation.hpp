@@ -1,9 +1,7 @@
-// Algorithm 2 of the paper: keeps the active edges, and the cells around them, from one nu to the next.
-//
-// Corrects errata. Step 2 as printed removes `succ` instead of `h`, and turns around the origin of h instead of its
-// head. The printed test "is not active already" takes exponential time: an edge that a jump skips is appended once for
-// each path that leads to the edge. Here a sweep passes each vertex once, and appends the edges of the vertex once. A
-// sweep down is a sweep up in which the order (value, id) is reversed.
+// Algorithm 2 of the paper: keeps the active edges, and the cells around them, from one nu to the next. Corrects
+// errata: step 2 as printed removes `succ` instead of `h`, and turns around the origin of h instead of its head; the
+// printed test "is not active already" takes exponential time, because an edge that a jump skips is appended once for
+// each path to it. Here a sweep passes each vertex once. A sweep down reverses the order (value, id).
 #pragma once
 
 #include "ciel/field.hpp"
@@ -14,23 +12,19 @@ namespace ciel {
 // Not thread-safe, except `settle`.
 class Propagation {
 public:
-    // Sets the topology and the field. Does not own them; both must live until the next call of `begin`. The next
-    // `reach` starts below all values.
+    // The topology and the field must live until the next call of `begin`. The next `reach` starts below all values.
     void begin(const Topology& topology, const Field& field);
 
-    // Moves the active edges to nu, up or down. Returns false when `stop` was requested. Throws when out of memory. In
-    // both cases the list of active edges is incomplete, and the next call starts below all values. Reuses the buffers
-    // of earlier fields.
+    // Moves the active edges to nu. Returns false when `stop` was requested. Throws when out of memory. In both cases
+    // the next call starts below all values.
     bool reach(double nu, const StopToken& stop);
     [[nodiscard]] double threshold() const { return threshold_; }
 
-    // Sets `out` to the blocks that may have active cells, in ascending order.
     void list_blocks(std::vector<Index>& out) const;
     // Updates the result of `cells(block)`. Returns true when nu has passed a vertex of the block's cells since the
     // last call. May be called for different blocks on different threads at the same time.
     bool settle(Index block);
-    // Returns the local ids of the active cells of the block, ascending. REQUIRES: settle(block) was called after
-    // `reach`.
+    // Local ids, ascending. REQUIRES: settle(block) was called after `reach`.
     [[nodiscard]] std::span<const Index> cells(Index block) const { return cells_[block]; }
 
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -1,5 +1,4 @@
-// A Cutter that keeps the cut of a block while the same vertices are high. The cut depends only on which vertices are
-// high, unless a decider uses nu.
+// A Cutter that keeps the cut of a block while the same vertices are high, unless a decider uses nu.
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"

@@ -18,7 +18,7 @@ namespace ciel {
 
 namespace {
 
-// Appends polygons to a SlabMesh as triangle fans. The points of the polygons must be vertices of the SlabMesh already.
+// The points of the polygons must be vertices of the SlabMesh already.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -35,8 +35,7 @@ public:
     }
 
 private:
-    // Returns the vertex at which a new fan starts: `point`, or a copy of it if another fan starts at `point`. The
-    // first vertex of a fan has the limits of one cell; therefore two fans cannot share it.
+    // The first vertex of a fan has the limits of one cell; therefore two fans cannot share it.
     [[nodiscard]] Index own(Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;
@@ -52,10 +51,7 @@ private:
         return taken;
     }
 
-    // Returns the corner at which the fan of a polygon starts: the first corner from which no triangle is reversed,
-    // else the corner with the best triangles. A fan with a reversed triangle overlaps itself, and the overlap would be
-    // blended twice. Begins the search at a corner where no other fan starts, if there is one. In a polygon of more
-    // than 64 corners, only 64 to 127 corners are tried.
+    // Prefers a corner without reversed triangles. A reversed triangle overlaps others, which are then blended twice.
     [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
         const Vec3d normal = area_of(loop);
@@ -91,8 +87,7 @@ private:
     }
     [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
         const std::size_t n = loop.size();
-        // Areas are compared with the area of the polygon. The tolerance of 1e-6 accepts a sliver that only rounding
-        // has reversed.
+        // The tolerance, 1e-6 of the polygon's area, accepts a sliver that only rounding has reversed.
         double worst = 1e-5 * dot(normal, normal);
         for (std::size_t i = 1; i + 1 < n; ++i)
             worst = std::min(worst, 1e-6 * dot(normal, normal) +
@@ -111,8 +106,7 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
-// Makes a SlabMesh from faces of the mesh. `add` collects the vertices and the corners. `take` writes the fans at the
-// end, because FanWriter needs all vertices.
+// `take` writes the fans at the end, because FanWriter needs all vertices.
 class SlabFaces {
 public:
     SlabFaces(const FaceMeshView& points, const SlabProperty& property)

@@ -16,9 +16,7 @@ struct Corners {
     [[nodiscard]] bool descends(std::size_t h) const { return is_high(shape.origin[h]) && !is_high(shape.target(h)); }
 };
 
-// Appends the polygon that starts at half-edge `start`. The walk enters a face at a half-edge that climbs from low to
-// high. It leaves the face at the next active half-edge of the loop, which descends from high to low. It continues at
-// the mate of that half-edge, which climbs in the adjacent face.
+// The walk leaves a face at the next active half-edge of the loop, and continues at the mate of that half-edge.
 void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walked, StandardCase& out) {
     const std::size_t begin = out.edges;
     std::size_t h = start;
@@ -30,8 +28,7 @@ void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walke
         while (!corners.descends(h));
         h = corners.shape.mate[h];
     } while (h != start);
-    // Reverses the polygon. Seen from outside the cell, the walk has the high side on its left. But seen from the high
-    // side, polygons must run counter-clockwise.
+    // Seen from outside the cell, the walk has the high side on its left. A polygon runs the other way.
     for (std::size_t first = begin, end = out.edges; first + 1 < end; ++first)
         std::swap(out.edge[first], out.edge[--end]);
     out.end[out.polygons++] = out.edges;

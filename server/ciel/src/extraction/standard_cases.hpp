@@ -7,8 +7,7 @@
 
 namespace ciel {
 
-// The polygons for one combination of high corners. A corner of a polygon is given as the edge of the shape on which it
-// lies. Each active edge is in exactly one polygon.
+// A corner of a polygon is given as the edge of the shape on which it lies.
 struct StandardCase {
     std::uint8_t polygons = 0, edges = 0;
     std::uint8_t ambiguous = 0;        // one bit for each face, set if the face is ambiguous
@@ -21,9 +20,8 @@ struct StandardCase {
 template <const StandardShape& shape>
 [[nodiscard]] const std::vector<StandardCase>& standard_cases();
 
-// Returns the case in which high corners are joined on the faces in `joined` (one bit for each face). `high`: one bit
-// for each high corner. On the joined faces a polygon leaves at the active edge before its entry edge, not at the edge
-// after it.
+// `high`: one bit for each high corner. `joined`: one bit for each face on which high corners are joined. There, a
+// polygon leaves at the active edge before its entry edge, not after it.
 [[nodiscard]] StandardCase joined_case(const StandardShape& shape, Index high, Index joined);
 
 } // namespace ciel

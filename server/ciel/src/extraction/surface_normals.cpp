@@ -12,8 +12,7 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-// Marks points whose gradient normal is zero, or points against a polygon around the point. This happens in flat cells
-// at a wall, where the least-squares gradient of a cell and the surface in the cell may disagree.
+// In flat cells at a wall, the least-squares gradient of a cell and the surface in the cell may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
     doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -37,9 +36,7 @@ std::size_t SurfaceScratch::memory_bytes() const {
     return bytes;
 }
 
-// Sums the area vectors at each point in the order of the polygons, so that the bits do not depend on the ranges. First
-// adds the polygons of the range that owns the point. Then adds the shares that other ranges, which come later, have
-// recorded.
+// Sums in the order of the polygons, so that the bits do not depend on the ranges.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const std::span<const PointRange> ranges = scratch.ranges;
     std::vector<Vec3d>& sum = scratch.sum;

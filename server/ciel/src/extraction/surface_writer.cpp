@@ -58,8 +58,7 @@ private:
     void write_adopted();
     void write_polygons(Index b, const Block& block, std::vector<Index>& point);
     struct Owner {
-        // edge_begin, edges: the first id and the number of the edges that the block owns. ghosts: number of its ghost
-        // edges.
+        // edge_begin, edges: the first id and the number of the edges that the block owns.
         Index block = 0, edge_begin = 0, edges = 0, ghosts = 0;
         bool is_left_out = false;
     };
@@ -138,8 +137,7 @@ void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index e
     out_.normals[point] = unit(between);
 }
 
-// Writes the points on adopted edges. Their positions are loaded already: a block that adopts an edge is active, and
-// write_points has loaded the positions of all active blocks.
+// A block that adopts an edge is active, and write_points has loaded the positions of all active blocks.
 void Writer::write_adopted() {
     const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -156,9 +154,8 @@ void Writer::write_adopted() {
     });
 }
 
-// Returns the surface point of a ghost edge (an edge that another block owns). `edge`: mesh-wide id. `owner`: the owner
-// of the previous ghost edge; updated. Ghost edges are sorted by mesh-wide id, so that the owner seldom changes. Throws
-// Error if the owner has no point on the edge: then the records of the two blocks contradict each other.
+// `edge`: mesh-wide id. `owner`: owner of the previous ghost edge; updated. Ghost edges are sorted, so the owner seldom
+// changes. Throws Error if the records of the two blocks contradict each other.
 Index Writer::point_of_ghost(Index edge, Owner& owner) const {
     // Also true if edge < edge_begin, because the difference then wraps around.
     if (edge - owner.edge_begin >= owner.edges) {
@@ -209,8 +206,7 @@ void Writer::list_ranges() {
     }
 }
 
-// Removes points that belong to no polygon. If cells were skipped or have collapsed, active edges without a polygon
-// exist.
+// If cells were skipped or have collapsed, active edges without a polygon exist.
 void Writer::drop_unused_points() {
     std::vector<Index>& renumbered = scratch_.renumbered;
     renumbered.assign(out_.points.size(), none);

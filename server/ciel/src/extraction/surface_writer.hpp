@@ -1,6 +1,5 @@
-// Writes the cuts of all blocks as one indexed surface (paper, algorithm 3: first intersections, then polygons). Prefix
-// sums over the blocks give the first point and the first polygon of each block. Points are in the order of mesh-wide
-// edge ids. Uses all threads of parallel_for.
+// Writes the cuts of all blocks as one indexed surface (paper, algorithm 3: first intersections, then polygons). Points
+// are in the order of mesh-wide edge ids. Uses all threads of parallel_for.
 #pragma once
 
 #include "extraction/adopted_edges.hpp"

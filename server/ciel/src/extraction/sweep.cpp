@@ -15,8 +15,7 @@ namespace ciel {
 
 namespace {
 
-// Cuts one block at one value, and holds the resulting points and polygons. Reused for many blocks; one object for each
-// thread.
+// Reused for many blocks; one object for each thread.
 class BlockSlicer {
 public:
     // `cells`: local ids of the cells that may be active; nullopt: all cells. The result is valid until the next call.
@@ -59,7 +58,6 @@ BlockSlicer& block_slicer_of_this_thread() {
 
 namespace {
 
-// One sweep over all blocks and values. Does not own `scratch`, whose buffers it uses.
 struct Pass {
     const Topology& topology;
     const FaceMeshView& mesh;
@@ -75,8 +73,7 @@ struct Pass {
         if (cut.polygon_count() != 0) on_cut(value, b, cut);
     }
 
-    // For the algorithms signatures and naive: cuts each block at the values in its range (naive: at all values).
-    // Blocks run in parallel.
+    // For the algorithms signatures and naive.
     void cut_blocks() const {
         const Field::Data& blocks = field.data();
         parallel_for(topology.block_count(), 1, [&](std::size_t begin, std::size_t end) {
@@ -89,8 +86,7 @@ struct Pass {
         });
     }
 
-    // For the algorithm propagation: moves the active edges through the values in ascending order. At each value, cuts
-    // the blocks in parallel. Returns false when `stop` was requested.
+    // For the algorithm propagation. Returns false when `stop` was requested.
     bool propagate() const {
         if (!scratch.propagation) scratch.propagation = std::make_shared<Propagation>();
         Propagation& propagation = *scratch.propagation;

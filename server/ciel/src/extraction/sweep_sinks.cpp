@@ -11,7 +11,6 @@ namespace {
 
 std::size_t triangle_count(const BlockPolygons& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }
 
-// Calls f(a, b, c) for the triangles of each polygon: a fan that starts at the first point of the polygon.
 template <class F>
 void for_triangles(const BlockPolygons& cut, F&& f) {
     const Index* point = cut.polygon_point.data();

@@ -1,5 +1,4 @@
-// BlockFits: the least-squares fits of the polyhedra of one block. Each fit is made when it is first needed. Not in the
-// paper.
+// BlockFits: the least-squares fits of the polyhedra of one block, each made when first needed. Not in the paper.
 #pragma once
 
 #include "fields/polyhedron_gradient.hpp"
@@ -19,8 +18,7 @@ public:
         fit_.clear();
         vertex_.clear();
     }
-    // Returns the fit of a cell, which is valid until the next call. If there is no fit yet, calls make() and keeps the
-    // result. make() must return a FittedPolyhedron<Index>.
+    // The fit is valid until the next call. make() must return a FittedPolyhedron<Index>; its result is kept.
     template <class Make>
     [[nodiscard]] FittedPolyhedron<Local> of(Index cell, Make&& make) {
         if (number_[cell] == none) add(cell, make());

@@ -17,9 +17,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// [min, max] of floating-point numbers, stored as integers that have the same order as the numbers. Values that are not
-// finite are below or above all finite values. The minimum and maximum of integers do not depend on the order of the
-// values, so the compiler can vectorize the loop.
+// Integers that have the same order as the numbers, so that the compiler can vectorize the search for the minimum.
+// Infinities and NaN are below or above all finite values.
 template <class Value>
 using Key = std::conditional_t<std::same_as<Value, float>, std::int32_t, std::int64_t>;
 template <class Value>
@@ -27,7 +26,7 @@ struct Range {
     Key<Value> low = std::numeric_limits<Key<Value>>::max(), high = std::numeric_limits<Key<Value>>::min();
 };
 
-// Maps the bits of a floating-point number to an integer that has the same order. The function is its own inverse.
+// The function is its own inverse.
 template <class K>
 constexpr K in_order(K bits) {
     return bits ^ (bits >> (8 * sizeof(K) - 1) & std::numeric_limits<K>::max());
@@ -48,7 +47,7 @@ inline __attribute__((always_inline)) void widen_all(const Value* from, std::siz
     out = {low, high};
 }
 
-// Extends the range `out` so that it contains `count` values. Vectorized, because it reads every value of a new field.
+// Vectorized, because it reads every value of a new field.
 CIEL_FOR_ALL_VECTOR_UNITS void widen(const float* from, std::size_t count, Range<float>& out) {
     widen_all(from, count, out);
 }
@@ -56,8 +55,7 @@ CIEL_FOR_ALL_VECTOR_UNITS void widen(const double* from, std::size_t count, Rang
     widen_all(from, count, out);
 }
 
-// Passes all values of a block to f(pointer, count), in several calls. First passes copies of the values of ghosts, up
-// to 256 per call. Then passes the values of owned vertices, which are contiguous, in one call.
+// Calls f(pointer, count) with copies of the values of ghosts, then with the contiguous values of owned vertices.
 template <class Value, class F>
 void for_values(const Block& block, std::span<const Value> values, F&& f) {
     std::array<Value, 256> some;

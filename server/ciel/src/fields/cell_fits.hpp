@@ -26,8 +26,7 @@ struct CellFits::Data {
     std::unique_ptr<OfBlock[]> of_block;
     std::atomic<std::size_t> bytes = 0; // memory of the fits of all blocks
 
-    // `other`: address of the positions of a mesh. The fits belong to the positions of the first call. Returns whether
-    // `other` is the address of these positions.
+    // `other`: address of the positions of a mesh. The fits belong to the positions of the first call.
     [[nodiscard]] bool belong_to(const void* other) {
         const void* first = nullptr;
         return positions.compare_exchange_strong(first, other) || first == other;
@@ -38,9 +37,8 @@ struct CellFits::Data {
     }
 };
 
-// Calls f(fitted). fitted(cell of the section) returns the FittedPolyhedron of the cell, which is valid until the next
-// call of `fitted`. `shared`: keeps the fits, and is locked for this block while f runs. If `shared` is null, no fits
-// are kept.
+// Calls f(fitted). fitted(cell of the section) returns a FittedPolyhedron, which is valid until the next call of
+// `fitted`. `shared` keeps the fits, and is locked for this block while f runs; if null, no fits are kept.
 template <class Local, class Sampler, class F>
 void with_fits(CellFits::Data* shared, Index b, const Block& block, const PolyhedralSection<Local>& section,
                const Sampler& sample, PolyhedronFitter& fitter, F&& f) {

@@ -1,8 +1,7 @@
 // The gradient of a scalar field in one cell (paper, section 3): least squares over the cell's vertices. Departure from
-// the paper: the normal equations are centered, 3 x 3 and in double. The paper's 4 x 4 system in float loses all
-// precision far from the origin. Normal equations square the aspect ratio of a cell. Therefore stretched_cells.cpp
-// solves strongly stretched cells (boundary layers). Functions are inline, because passing the samples of a tetrahedron
-// to a call takes longer than the arithmetic.
+// the paper: the normal equations are centered, 3 x 3 and in double, because the paper's 4 x 4 system in float loses
+// all precision far from the origin. stretched_cells.cpp solves strongly stretched cells (boundary layers). Functions
+// are inline, because passing the samples of a tetrahedron to a call takes longer than the arithmetic.
 #pragma once
 
 #include "ciel/vectors.hpp"
@@ -70,8 +69,7 @@ template <class Samples>
     return out;
 }
 
-// The inverse of the matrix of the normal equations. It depends on positions only, so it can be used for any values.
-// Number: double, or Four for four cells at once.
+// The inverse of the matrix. It depends on positions only. Number: double, or Four for four cells at once.
 template <class Number>
 struct NormalEquationsOf {
     Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // cofactors of the matrix
@@ -104,14 +102,12 @@ struct NormalEquations : NormalEquationsOf<double> {
     }
 };
 
-// Fits the gradient in a stretched cell. `samples` must be relative to their mean. The function shears them in place,
-// which does not change volumes. Returns false when the samples lie in a plane, on a line or at a point, up to
-// rounding. The error is about 1e-16 times the aspect ratio of the cell. The aspect ratio may be up to 1e10.
+// `samples` must be relative to their mean. They are sheared, which does not change volumes. Returns false when they
+// lie in a plane, up to rounding. The error is about 1e-16 times the aspect ratio of the cell, which may be up to 1e10.
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
-// Fits a linear function to `samples` (a std::array or std::vector). On return the samples are relative to their mean,
-// and possibly sheared by fit_stretched.
+// On return, the samples are relative to their mean, and possibly sheared by fit_stretched.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
@@ -143,7 +139,6 @@ template <const StandardShape& shape>
     return std::abs(six_volumes) / 6;
 }
 
-// Returns the gradient of the linear interpolation of the four values.
 [[nodiscard]] inline CellGradient tetrahedron_gradient(const std::array<Sample, 4>& samples) {
     const Vec3d a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]), c = arm(samples[0], samples[3]);
     const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);

@@ -52,8 +52,7 @@ bool box_holds(const FaceMeshView& points, const CellLoops& loops, const Vec3d& 
     return true;
 }
 
-// Returns the sum of the solid angles of the faces seen from `at`, in units of 4 pi. It is 1 inside the cell and 0
-// outside.
+// Returns 1 inside the cell and 0 outside: the sum of the solid angles of the faces seen from `at`, over 4 pi.
 double winding(const FaceMeshView& points, const CellLoops& loops, const Vec3d& at) {
     double angle = 0;
     for (std::size_t face = 0; face < loops.count(); ++face) {
@@ -66,7 +65,6 @@ double winding(const FaceMeshView& points, const CellLoops& loops, const Vec3d& 
     return angle / (4 * std::numbers::pi);
 }
 
-// A cell of the mesh. The positions of its vertices are ready to be read.
 struct Cell {
     CellLoops loops;
     std::vector<Index> vertices; // ascending
@@ -129,8 +127,7 @@ VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Cell of = cell_of(topology_, points_, cell);
     const Vec3d center = centroid(points_, of.vertices);
 
-    // Finds the tetrahedron in which the smallest barycentric weight of the point is greatest. This weight may be
-    // negative, because the point may lie slightly outside all tetrahedra of a bent cell.
+    // The smallest weight may be negative: the point may lie slightly outside all tetrahedra of a bent cell.
     std::array<double, 4> best{};
     double deepest = -std::numeric_limits<double>::infinity();
     std::span<const Index> best_loop;

@@ -10,7 +10,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr CellRanges::Range nothing{infinity, -infinity};
 
-// Extends the range to `value`. Ignores NaN, because comparisons with NaN are false.
+// Ignores NaN, because comparisons with NaN are false.
 void widen(CellRanges::Range& range, float value) {
     range[0] = value < range[0] ? value : range[0];
     range[1] = value > range[1] ? value : range[1];
@@ -54,8 +54,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const Value> valu
 
 } // namespace
 
-// Sets the state of a block at the end of the scope. The state is `made`, or asked_once if an allocation threw, so that
-// the next call tries again.
+// Sets the state to asked_once if an allocation threw, so that the next call tries again.
 class CellRanges::Making {
 public:
     explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}

@@ -1,5 +1,4 @@
-// [min, max] of a field over groups of a block's cells. Lets a cut skip groups whose range excludes nu. Not in the
-// paper, which keeps minima for the whole mesh (section 2.2).
+// [min, max] of a field over groups of a block's cells: a cut skips groups whose range excludes nu. Not in the paper.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -10,19 +9,16 @@
 
 namespace ciel {
 
-// Thread-safe. The ranges of a block are built when the block is cut a second time, because a field that is shown once
-// does not need them.
+// Thread-safe. The ranges of a block are built at its second cut: a field that is shown once does not need them.
 class CellRanges {
 public:
     // [min, max] of the finite values in a group of cells of a standard section, or in one polyhedron. For doubles,
     // both ends are rounded outwards to floats. low > high when there are no finite values.
     using Range = std::array<float, 2>;
 
-    // Sets the number of blocks. Builds no ranges.
     void resize(std::size_t blocks);
-    // Returns the ranges of the groups of the standard sections, in the order of the sections, and then the ranges of
-    // the polyhedra. Returns an empty span at the first call for a block, and while another thread builds the ranges.
-    // `values`: by local vertex of the block; NaN where a vertex has no value.
+    // Returns the ranges of the groups of the standard sections, then those of the polyhedra. Returns an empty span at
+    // the first call for a block, and while another thread builds its ranges. `values`: by local vertex; NaN: no value.
     [[nodiscard]] std::span<const Range> of(const Block& block, Index b, ValuesView values);
 
 private:

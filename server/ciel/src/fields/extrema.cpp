@@ -1,6 +1,5 @@
 // Finds the sorted local minima (paper, section 2.2), and the maxima for sweeping downwards. Vertices are compared by
-// (value, id). This order has no ties, so a plateau has extrema, too. For plane distances, only the vertices of
-// GeometricVertices are tested.
+// (value, id). This order has no ties, so a plateau has extrema, too.
 #include "blocks/blocks.hpp"
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/parallel.hpp"
@@ -38,8 +37,7 @@ public:
     }
 
 private:
-    // Marks that the higher end of the edge is no minimum and the lower end no maximum. Local ids can be compared,
-    // because they have the same order as mesh ids.
+    // Local ids can be compared, because they have the same order as mesh ids.
     void edge(Index a, Index b) {
         if (std::isnan(values_[a]) || std::isnan(values_[b])) return;
         const bool upward = values_[a] != values_[b] ? values_[a] < values_[b] : a < b;
@@ -52,9 +50,7 @@ private:
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
-// Sorts by (value, id). Calls value(vertex) only once per vertex, because a value in a mapped file may change. If
-// values changed during the sort, std::sort could access memory outside its array. Drops vertices whose value is no
-// longer finite.
+// Calls value(vertex) once per vertex: if a mapped value changed during the sort, std::sort could read out of bounds.
 template <class Value>
 void sort_by_value(std::vector<Index>& vertices, const Value& value) {
     std::vector<std::pair<double, Index>> all;
@@ -68,7 +64,6 @@ void sort_by_value(std::vector<Index>& vertices, const Value& value) {
 
 } // namespace
 
-// Sets minima and maxima. Tests all vertices by visiting all edges.
 void Field::Data::find_extrema() const {
     const Topology::Blocks& all = topology->blocks();
     std::vector<std::uint8_t> not_minimum(topology->counts().vertices, 0), not_maximum(not_minimum);
@@ -83,9 +78,8 @@ void Field::Data::find_extrema() const {
     }
 }
 
-// Tests only boundary vertices and vertices with a reflex corner, each against its adjacent vertices. Returns false
-// when the values are no plane distances, or are so large that two distances may round to the same float. With ties,
-// any vertex may be an extremum, because ties are broken by id.
+// Tests only boundary vertices and vertices with a reflex corner. Returns false when the values are no plane distances,
+// or are so large that two distances may round to the same float: with ties, any vertex may be an extremum.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);

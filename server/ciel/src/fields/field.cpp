@@ -56,8 +56,7 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh; pass one range per block of the topology");
     topology = of;
-    // A changed record may have any 16-bit number as a local vertex. Therefore the array has local_ids more entries
-    // after the last block. Pages that are not touched take no memory.
+    // A changed record may have any 16-bit number as a local vertex. Pages that are not touched take no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);
@@ -111,8 +110,7 @@ void read_block(const Block& block, const ValueSource& source, Value* to) {
 
 } // namespace
 
-// Copies the values of the block to `local`, from the entry Block::vertex_begin on. Values that are not finite become
-// NaN.
+// Values that are not finite become NaN.
 template <class Value>
 void Field::Data::take_in(Index b, Value* local) const {
     const Block& block = topology->blocks().cells(b);

@@ -1,6 +1,5 @@
-// The data of a Field, for the kernel's own files. Mutable members are computed on demand, under the mutex that is
-// declared before them or under their own lock. Sorted minima are from the paper's section 2.2, gradients from its
-// section 3.
+// The data of a Field, for the kernel's own files (paper, sections 2.2 and 3). Mutable members are computed on demand,
+// under the mutex that is declared before them or under their own lock.
 #pragma once
 
 #include "ciel/field.hpp"
@@ -23,9 +22,8 @@ struct Field::Data {
     BlockRanges of_blocks;
     std::array<double, 2> range{};
 
-    // Values in block order: entry Block::vertex_begin + local vertex. NaN means that the vertex has no value. The
-    // values of a block are copied at its first use. After all values, at least local_ids more entries can be read;
-    // they are unspecified. Only one of local_floats and local_doubles is used; the other is null.
+    // Entry Block::vertex_begin + local vertex; NaN means no value. A block's values are copied at its first use. After
+    // all values, at least local_ids more entries can be read. Only one of local_floats and local_doubles is used.
     SparseArray<float> local_floats;
     SparseArray<double> local_doubles;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values have been copied
@@ -49,13 +47,11 @@ struct Field::Data {
         if (source) return source->has_doubles();
         return plane ? plane->has_doubles() : values.has_doubles();
     }
-    // Returns the number with which the values are compared: a value is high if it is >= the threshold. For doubles,
-    // the threshold is nu. For floats, it is the smallest float >= nu, which gives the same comparisons as nu. If nu is
-    // NaN, the threshold is infinity, which makes every finite value low.
+    // A value is high if it is >= the threshold: nu for doubles, and the smallest float >= nu for floats, which gives
+    // the same comparisons. If nu is NaN, the threshold is infinity, which makes every finite value low.
     [[nodiscard]] double threshold(double nu) const;
     // Returns `fits` if they belong to the positions of `cut`, else null.
     [[nodiscard]] CellFits::Data* shared_fits(const FaceMeshView& cut) const;
-    // Returns whether a vertex of the block has no value.
     [[nodiscard]] bool has_gaps(Index block) const { return of_blocks.missing[block] != 0; }
     [[nodiscard]] bool crosses(Index block, double threshold) const {
         return of_blocks.low[block] < threshold && of_blocks.high[block] >= threshold;
@@ -68,7 +64,6 @@ struct Field::Data {
         return std::span<const float>(local_floats.get() + slot[block], count);
     }
     void begin(const Topology& of, BlockRanges block_ranges); // call once, before anything else
-    // Returns whether the field belongs to this topology or to a copy of it.
     [[nodiscard]] bool is_of(const Topology& other) const { return &topology->blocks() == &other.blocks(); }
     [[nodiscard]] std::array<double, 2> range_of_blocks() const;
     void make_extrema() const; // sets minima and maxima at the first call, and calls read_all

@@ -19,10 +19,8 @@ Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
 double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Flags each vertex with a cell corner that is not convex by `margin`. A corner is convex by `margin` if the distance
-// of the vertex from each triangle between the other ends of the corner's edges is greater than `margin`. If an inner
-// vertex has no flag, it has in each direction an adjacent vertex that lies at least `margin` farther in this
-// direction.
+// Flags each vertex with a cell corner that is not convex by `margin`. In each direction, an inner vertex without a
+// flag has an adjacent vertex that lies at least `margin` farther.
 class ReflexCorners {
 public:
     ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)

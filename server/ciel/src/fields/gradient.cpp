@@ -15,8 +15,7 @@ namespace ciel {
 namespace {
 
 constexpr std::size_t blocks_per_task = 2;
-// If at most this many vertices of a block need a gradient, the cells around each of these vertices are solved
-// separately, without a pass over all cells of the block.
+// If at most this many vertices of a block need a gradient, the cells around each vertex are solved separately.
 constexpr std::size_t few = 12;
 
 enum State : std::uint8_t { wanted = 1, asked_by_neighbour = 2, known = 4 };
@@ -43,7 +42,6 @@ Scratch& gradient_scratch() {
     return scratch;
 }
 
-// Visitor for for_cells_around that solves each visited cell and adds its gradient to `sum`.
 struct AddSolved {
     const FaceMeshView& mesh;
     const Field::Data& field;
@@ -68,9 +66,8 @@ struct AddSolved {
     }
 };
 
-// Does the work of one call of GradientCache::make_at. In a block with few wanted vertices, the cells around each
-// wanted vertex are solved separately. Otherwise, each needed cell of the block, and of the blocks that share its
-// wanted vertices, is solved once. Then the gradients at vertices that several blocks have are summed.
+// In a block with few wanted vertices, the cells around each wanted vertex are solved separately. Otherwise, each
+// needed cell is solved once, and then the gradients at vertices that several blocks have are summed.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
@@ -266,8 +263,7 @@ void Pass::add_standard(const BlockSampler& sampler, const Block& block, const S
     }
 }
 
-// Sets a bit in to_solve for each cell that has a vertex of `asked`. Visits only the entries of these vertices, because
-// they are few.
+// Visits only the entries of the vertices in `asked`, because they are few.
 template <class Local>
 void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scratch& scratch) const {
     const Block& block = blocks_.cells(b);

@@ -1,8 +1,6 @@
-// Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients. A
-// gradient is computed only when it is requested.
-//
-// The gradients of the cells around a vertex are summed in the order of (cell type, cell), not block by block.
-// Therefore the bits of the sum do not depend on the block size.
+// Gradients of a scalar field at the vertices (paper, section 3): volume-weighted means of the cells' gradients. The
+// gradients of the cells around a vertex are summed in the order of (cell type, cell), so that the bits of the sum do
+// not depend on the block size.
 #pragma once
 
 #include "blocks/block_cuts.hpp"
@@ -20,8 +18,7 @@ public:
     // cuts of these blocks. May throw std::bad_alloc; the next call then computes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  const BlockCuts& cut);
-    // Returns the gradients of a block, indexed by local vertex. Only entries that make_at computed are set. Valid
-    // until forget or the destruction of the cache.
+    // Indexed by local vertex. Only entries that make_at computed are set. Valid until forget or destruction.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
     // Drops all gradients. Call when the positions have changed. No thread may be using the gradients.
     void forget();
@@ -35,7 +32,6 @@ private:
     bool settled_ = true; // whether the last make_at completed; if so, no vertex has the flag `wanted`
 };
 
-// Returns the gradients at all vertices, indexed by mesh vertex.
 [[nodiscard]] std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::Data& field);
 
 } // namespace ciel

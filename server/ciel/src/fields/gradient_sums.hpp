@@ -1,5 +1,4 @@
 // Volume-weighted sums of cell gradients at a vertex (paper, section 3), and iteration over the cells around a vertex.
-// Used by GradientCache and gradients_everywhere.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -36,7 +35,7 @@ public:
         load_vertices(mesh.loader, b, block);
     }
 
-    // Does the same for values and positions whose number types are template arguments.
+    // For values and positions whose number types are template arguments.
     template <class Value, class Position>
     class Typed {
     public:
@@ -47,7 +46,6 @@ public:
             return sample(local,
                           local < ghosts_ ? block_.ghost_vertex[local] : std::min(own_ + local, block_.last_vertex));
         }
-        // Sets out[v] to the sample of local vertex v, for v from begin to end - 1.
         void range(Index begin, Index end, Sample* out) const {
             for (; begin < std::min(end, ghosts_); ++begin) out[begin] = sample(begin, block_.ghost_vertex[begin]);
             for (; begin < end; ++begin) out[begin] = sample(begin, own_ + begin);
@@ -77,10 +75,8 @@ public:
         return with([&](const auto& typed) { return typed(local); });
     }
 
-    // Sets out[v] to the sample of local vertex v, for all vertices of the block.
     void all(std::vector<Sample>& out) const { of_parts(~std::uint64_t{0}, out); }
-    // Sets out[v] only for the vertices v of the parts whose bit in `parts` is set: bit i for part i
-    // (Block::vertices_per_part). Does not change other elements.
+    // Sets out[v] only for the vertices v of the parts whose bit in `parts` is set (Block::vertices_per_part).
     void of_parts(std::uint64_t parts, std::vector<Sample>& out) const {
         out.resize(block_.vertex_count);
         with([&](const auto& typed) {
@@ -96,9 +92,8 @@ private:
     ValuesView values_;
 };
 
-// `vertex`: the first corner of a standard cell in a section. Returns the local vertices of the cell. A changed record
-// may hold any id. An id that is not a vertex of the block is replaced by the last vertex, so that it can be an index
-// into an array by local vertex.
+// `vertex`: the first corner of a standard cell in a section. An id of a changed record that is not a vertex of the
+// block is replaced by the last vertex, so that it can be an index into an array by local vertex.
 template <const StandardShape& shape>
 [[nodiscard]] std::array<std::uint16_t, shape.corners> corners_of(const Block& block, const std::uint16_t* vertex) {
     const auto last = static_cast<std::uint16_t>(std::min<std::size_t>(block.vertex_count, local_ids) - 1);
@@ -117,7 +112,7 @@ template <const StandardShape& shape, class Sampler>
     return standard_gradient<shape>(samples);
 }
 
-// Sets `out` to the blocks that have a border vertex, ascending, each with the local id of the vertex in the block.
+// Sets `out` to the blocks that have a border vertex, ascending.
 inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vector<BlockVertex>& out) {
     out.clear();
     const Index start = at.block;
@@ -130,10 +125,9 @@ inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vect
     std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(lowest), out.end());
 }
 
-// Visits the cells around a vertex. `ring`: the vertex in each block that has it (list_ring). Calls visit.template
-// standard<shape>(block, section, i, place) for standard cells, in the order of (type, cell). Then calls
-// visit.polyhedron(block, i, place) once for each polyhedron, in ascending order. `i`: index of the cell in its
-// section. `place`: index of the cell in the concatenated sections of its block.
+// Calls visit.template standard<shape>(block, section, i, place) for standard cells, in the order of (type, cell), then
+// visit.polyhedron(block, i, place) once for each polyhedron, ascending. `ring`: from list_ring. `i`: index of the cell
+// in its section. `place`: index of the cell in the concatenated sections of its block.
 template <class Visit>
 void for_cells_around(const Topology::Blocks& blocks, std::span<const BlockVertex> ring, std::vector<Index>& scratch,
                       Visit&& visit) {

@@ -1,5 +1,4 @@
-// Computes the gradients at all vertices, for volumes. Keeps the gradients of all cells until the gradients at vertices
-// of several blocks are summed.
+// Computes the gradients at all vertices, for volumes.
 #include "ciel/parallel.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient.hpp"

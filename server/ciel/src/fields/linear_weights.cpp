@@ -13,8 +13,7 @@ namespace {
 constexpr double same_direction = 0.8;   // cosine of 37 degrees: normals at a smaller angle are merged
 constexpr double least_of_another = 0.3; // sine of the smallest angle to the span of the earlier directions
 
-// Solves the symmetric 3x3 system m x = right by Cramer's rule. `m`: upper triangle, row by row. Returns 1 if the
-// system is well-conditioned, 0 if it is singular (x is then unchanged), and a number between if it is nearly singular.
+// `m`: upper triangle, row by row. Returns a number from 0, singular (x is unchanged), to 1, well-conditioned.
 double solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
     const Vec3d a{m[0], m[1], m[2]};
     const Vec3d b{m[1], m[3], m[4]};
@@ -76,20 +75,16 @@ void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_
         sum = sum + d;
         add_square(d, 1, moments);
     }
-    // The displacements have no components along `left_out`, so the system would be singular. A moment along each of
-    // these directions keeps the system solvable.
+    // The displacements have no components along `left_out`; without these moments, the system would be singular.
     const double scale = moments[0] + moments[3] + moments[5];
     for (const Vec3d& direction : left_out) add_square(direction, scale, moments);
-    // Finds the vector lambda for which the weights 1 + dot(lambda, d) give sum(weight * d) = 0. The weights are
-    // clipped to [0, 2], so that none is negative.
+    // The weights 1 + dot(lambda, d) give sum(weight * d) = 0. They are clipped so that none is negative.
     Vec3d lambda{};
     double trust = left_out.size() < 3 ? solve(moments, -1.0 * sum, lambda) : 0;
     const auto linear = [&lambda](Vec3d d) { return std::clamp(1 + dot(lambda, d), 0.0, 2.0); };
     double total = 0;
     for (const Vec3d& d : displacements) total += linear(d);
-    // If all values lie on one side of the point, the sum of the clipped weights is almost zero and consists of
-    // rounding noise. Therefore `trust`, the share of these weights, is small if the values do not surround the point.
-    // The remaining share is for inverse-distance weights.
+    // If all values lie on one side of the point, the sum of the clipped weights is mostly rounding noise.
     const auto count = static_cast<double>(weights.size());
     trust *= std::clamp((total / count - 0.05) / 0.2, 0.0, 1.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -1,5 +1,4 @@
-// Does the operations of cell_gradient.hpp in the same order for four cells at once. Each vector has one number per
-// cell. If one of the four cells is stretched or lacks a value, all four are solved one by one.
+// Does the operations of cell_gradient.hpp in the same order for four cells at once. A vector has one number per cell.
 #include "fields/many_gradients.hpp"
 
 #include "parallel/vector_units.hpp"

@@ -1,5 +1,4 @@
-// Computes the gradients in many standard cells of one type (paper, section 3), four at a time. The results are bit for
-// bit equal to the results of standard_gradient.
+// Gradients in many standard cells (paper, section 3), bit for bit equal to the results of standard_gradient.
 #pragma once
 
 #include "fields/cell_gradient.hpp"
@@ -9,8 +8,7 @@
 
 namespace ciel {
 
-// Sets `out` to one gradient per cell. `type`: the standard type of all cells. `vertex`: for each cell, the indices of
-// its corners in `sample`.
+// `type`: the standard type of all cells. `vertex`: for each cell, the indices of its corners in `sample`.
 void many_gradients(CellType type, std::span<const std::uint16_t> vertex, std::span<const Sample> sample,
                     std::span<CellGradient> out);
 

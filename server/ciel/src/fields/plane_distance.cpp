@@ -23,8 +23,7 @@ std::array<double, 2> one_step_wider(double low, double high) {
 
 } // namespace
 
-// The distances of the vertices in a box lie between the distances of two opposite corners. The range is wider by
-// `slack` and by one floating-point number at each end, because the distance of a vertex is rounded at each operation.
+// The range is wider by `slack` and by one floating-point number at each end, because distances are rounded.
 BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     const std::size_t blocks = boxes[0].low.size();
     BlockRanges out{std::vector<double>(blocks), std::vector<double>(blocks), boxes[0].missing};
@@ -45,8 +44,7 @@ BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     return out;
 }
 
-// For the minimum, reads the blocks in the order of their lower bounds, until no other block can have a lower distance.
-// Finds the maximum in the same way.
+// For the minimum, reads the blocks in the order of their lower bounds, until no block can have a lower distance.
 std::array<double, 2> PlaneDistance::range(const BlockRanges& bounds, std::span<const Index> first_vertex) const {
     std::vector<Index> order(bounds.low.size());
     std::iota(order.begin(), order.end(), Index{0});

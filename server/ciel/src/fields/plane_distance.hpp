@@ -16,8 +16,7 @@ public:
 
     [[nodiscard]] bool has_doubles() const { return positions_.has_doubles(); }
     [[nodiscard]] std::size_t vertex_count() const { return positions_.size() / 3; }
-    // Returns the loader of the positions, or null if all are in memory. Load the positions before at() or of() reads
-    // them.
+    // Null if all positions are in memory. Load the positions before at() or of() reads them.
     [[nodiscard]] const VertexLoader* loader() const { return loader_; }
     // Returns the distance of a vertex, rounded to a float unless has_doubles().
     [[nodiscard]] double at(std::size_t vertex) const {
@@ -41,8 +40,7 @@ public:
         return {static_cast<const Number*>(positions_.data()), normal_, shift_};
     }
 
-    // Returns a range for each block that contains the distances of its vertices. The range may be wider than
-    // necessary. boxes: the result of block_boxes for the positions.
+    // The range of a block may be wider than its distances. boxes: the result of block_boxes for the positions.
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
     // Returns [min, max] over the vertices that blocks own. `bounds`: what ranges() returned. `first_vertex`: the first
     // vertex that each block owns, then the end of the last block's vertices.

@@ -1,5 +1,4 @@
-// The gradient in a polyhedron (paper, section 3). The part of the computation that depends only on positions is a
-// PolyhedronFit. It is the same for all fields.
+// The gradient in a polyhedron (paper, section 3). A PolyhedronFit depends only on positions, and serves all fields.
 #pragma once
 
 #include "blocks/blocks.hpp"
@@ -19,8 +18,7 @@ struct FittedPolyhedron {
     std::span<const Local> vertices; // the distinct local vertices of the cell
 };
 
-// Returns the gradient of a field in a polyhedron. `sample`: a BlockSampler::Typed. `scratch`: a buffer for stretched
-// cells.
+// `sample`: a BlockSampler::Typed. `scratch`: a buffer for stretched cells.
 template <class Local, class Sampler>
 [[nodiscard]] CellGradient fitted_gradient(const FittedPolyhedron<Local>& polyhedron, const Sampler& sample,
                                            std::vector<Sample>& scratch) {
@@ -33,8 +31,7 @@ template <class Local, class Sampler>
         if (!stretched.good) return {};
         return {stretched.gradient, fit.volume};
     }
-    // Sums differences from the value at the first vertex, because values may vary by less than 1e-8 of their size. A
-    // sum of the values themselves would lose such differences to rounding.
+    // Differences from the first value, because values may vary by less than 1e-8 of their size.
     const Four first = load(sample(vertices[0]));
     Four sum{}, slopes{};
     for (const auto v : vertices) {
@@ -51,8 +48,7 @@ template <class Local, class Sampler>
 class PolyhedronFitter {
 public:
     // Call it before fitting cells of another block, and when the positions have changed. Each cell may be fitted once
-    // until the next `begin`. The record of the block may change meanwhile. Ids that do not exist are then replaced by
-    // ids of the block, and `fit` throws Error when the cells have more corners than before.
+    // until the next `begin`. If the record changes, `fit` throws Error when cells have too many corners.
     template <class Local>
     void begin(const Block& block, const PolyhedralSection<Local>& section) {
         if (vertex_.size() < block.vertex_count) vertex_.resize(block.vertex_count);
@@ -64,8 +60,7 @@ public:
         first_stamp_ = ++stamp_;
     }
 
-    // Returns the fit of a cell, which is valid until the next call. `sample`: a BlockSampler::Typed. It is called at
-    // most once per vertex, and only the positions of the samples are used.
+    // The fit is valid until the next call. Calls `sample` at most once per vertex, and uses only positions.
     template <class Local, class Sampler>
     [[nodiscard]] FittedPolyhedron<Index> fit(const PolyhedralSection<Local>& section, Index cell,
                                               const Sampler& sample) {
@@ -114,8 +109,7 @@ private:
         samples_.push_back(vertex.sample);
     }
 
-    // Returns the volume of a cell: the sum of the volumes of the pyramids from `mean` to each face. The area vector of
-    // a face is computed once for both cells of the face.
+    // Sums the volumes of the pyramids from `mean` to each face. Both cells of a face use the same area vector.
     template <class Local>
     [[nodiscard]] double volume(const PolyhedralSection<Local>& section, Index cell, const Four& mean) {
         double six_volumes = 0;

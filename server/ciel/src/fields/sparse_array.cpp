@@ -18,8 +18,7 @@ void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
 
 namespace {
 
-// Size in bytes from which an array gets its own pages. Smaller arrays come from the heap, because reused memory costs
-// less than new pages.
+// In bytes. Smaller arrays come from the heap, because reused memory costs less than new pages.
 constexpr std::size_t large = std::size_t{16} << 20;
 
 } // namespace

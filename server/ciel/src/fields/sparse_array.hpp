@@ -1,5 +1,4 @@
-// SparseArray: an array with room for all vertices of a mesh. If it is large, only the pages that are touched take
-// memory. Not in the paper.
+// SparseArray: an array for all vertices of a mesh. If it is large, only touched pages take memory. Not in the paper.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +9,7 @@
 
 namespace ciel {
 
-// Returns zeroed memory. A large request gets new pages, which take memory only after they are first touched. A small
-// request gets memory from the heap. Throws std::bad_alloc.
+// Zeroed memory. Large requests get new pages, which take memory only when touched. Throws std::bad_alloc.
 [[nodiscard]] void* reserve_pages(std::size_t bytes);
 void release_pages(void* begin, std::size_t bytes); // begin: the result of reserve_pages(bytes)
 

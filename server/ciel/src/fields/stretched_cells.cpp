@@ -1,6 +1,5 @@
 // Least-squares gradient in stretched cells by modified Gram-Schmidt, because normal equations would square the aspect
-// ratio. The columns are x, y, z and the value. The value column is orthogonalized, too, so that no product uses
-// numbers that have lost precision by cancellation.
+// ratio. The value column is orthogonalized, too, so that no product uses numbers that lost precision by cancellation.
 // Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt orthogonalization, BIT 7 (1967).
 #include "fields/cell_gradient.hpp"
 
@@ -13,7 +12,6 @@ using Row = std::array<double, 4>; // x, y, z, value
 Row row_of(const Sample& s) { return {s.x, s.y, s.z, s.value}; }
 Sample sample_of(const Row& r) { return {r[0], r[1], r[2], r[3]}; }
 
-// Returns the dot products of a column with itself and with each later column.
 Row products(std::span<const Sample> samples, std::size_t column) {
     Row sum{};
     for (const Sample& sample : samples) {
@@ -23,7 +21,6 @@ Row products(std::span<const Sample> samples, std::size_t column) {
     return sum;
 }
 
-// Subtracts share[k] times the column from each later column k.
 void shear(std::span<Sample> samples, std::size_t column, const Row& share) {
     for (Sample& sample : samples) {
         Row row = row_of(sample);

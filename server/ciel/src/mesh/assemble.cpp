@@ -105,8 +105,7 @@ std::vector<Index> curve_order(const Judged& judged) {
     return order;
 }
 
-// Returns the input type of the cell, or polyhedron when its numbers of faces and corners do not match the type. Later
-// code relies on these numbers.
+// Returns polyhedron when the numbers of faces and corners do not match the type. Later code relies on these numbers.
 CellType checked_type(const PolyhedraView& input, Index cell) {
     const auto type = static_cast<CellType>(input.cell_types[cell]);
     const std::uint64_t faces = input.cell_offset[cell + 1] - input.cell_offset[cell];
@@ -119,8 +118,7 @@ CellType checked_type(const PolyhedraView& input, Index cell) {
     return fits ? type : CellType::polyhedron;
 }
 
-// Writes the faces of the assembled mesh in stored order. Their loops hold input vertex ids until number_vertices
-// renumbers them.
+// The loops hold input vertex ids until number_vertices renumbers them.
 class FaceWriter {
 public:
     FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> cell_of_face,

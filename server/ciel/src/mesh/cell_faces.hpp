@@ -1,5 +1,4 @@
-// Lists the faces of each cell, from the owner and the neighbour of each face. This is the form in which the paper's
-// appendix A takes a mesh: each polyhedron is an array of faces.
+// Lists the faces of each cell, the form in which the paper's appendix A takes a mesh.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -18,8 +17,7 @@ struct CellFaces {
 // Returns the faces of all cells. Throws Error when an index in `mesh` is out of range.
 [[nodiscard]] CellFaces cell_faces(const FaceMeshView& mesh);
 
-// Throws Error when the sizes, the offsets or the indices of the arrays break the contract of FaceMeshView. Does not
-// check that cells are closed.
+// Throws Error when the arrays break the contract of FaceMeshView. Does not check that cells are closed.
 void check_face_mesh(const FaceMeshView& mesh);
 
 } // namespace ciel

@@ -13,8 +13,7 @@ constexpr std::size_t grain = 4096;
 
 } // namespace
 
-// Splits the face into a fan of triangles around the mean of its corners. The center is the mean of the triangle
-// centroids, weighted by the triangle areas along the face normal.
+// The center is the mean of the centroids of fan triangles, weighted by the triangle areas along the face normal.
 FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     Vec3d mean{};
     for (const Index vertex : loop) mean = mean + position(mesh, vertex);
@@ -75,8 +74,7 @@ std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<Face
     });
     for (std::size_t cell = 0; cell < cells; ++cell) guess[cell] = (1 / std::max(count[cell], 1.0)) * guess[cell];
 
-    // Replaces each guess by the mean of the centroids of the pyramids from the guess to each face, weighted by their
-    // volumes.
+    // The new center is the mean of the centroids of the pyramids from the guess to each face, weighted by volume.
     std::vector<Vec3d> moment(cells);
     std::vector<double> volume(cells);
     for_each_side([&](Index cell, const FaceShape& face, double sign) {

@@ -92,8 +92,7 @@ bool CellWinding::balanced_when_sorted() {
     return true;
 }
 
-// Sets neighbours_ to the pairs of faces that share an edge with no third face. Returns false when an edge has an odd
-// number of half-edges, which means that the cell is open.
+// Returns false when an edge has an odd number of half-edges, which means that the cell is open.
 bool CellWinding::collect_edges() {
     uses_.clear();
     for (Index h = 0; h < from_.size(); ++h) {
@@ -122,8 +121,7 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-// Sets `turned` so that all faces of a lobe have the same winding as the first face of the lobe. Returns the number of
-// lobes.
+// The first face of a lobe keeps its winding. Returns the number of lobes.
 Index CellWinding::spread_winding() {
     lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
@@ -161,9 +159,8 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// Joins lobes that are not closed by themselves. Several lobes may meet at an edge so that each lobe is open at the
-// edge, but all of them together are closed. All lobes at such an edge are joined. The edges are visited one after
-// another, because lobes that were joined at an earlier edge may already be closed at a later edge.
+// Several lobes may meet at an edge so that each lobe is open there, but all together are closed. The edges are visited
+// one after another, because lobes that were joined at an earlier edge may already be closed at a later edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});
@@ -181,7 +178,7 @@ void CellWinding::join_open_lobes(Index count) {
     }
 }
 
-// Returns the root of the lobe in joined_to_. Union-find with path halving.
+// Union-find with path halving.
 Index CellWinding::joined(Index lobe) {
     for (; joined_to_[lobe] != lobe; lobe = joined_to_[lobe]) joined_to_[lobe] = joined_to_[joined_to_[lobe]];
     return lobe;

@@ -1,6 +1,5 @@
 // CellWinding: checks that a polyhedron is closed, and finds the faces that must be reversed so that all normals point
-// outwards. As in the paper (appendix A), the mate of a half-edge is found in the list of half-edges that leave its
-// target vertex.
+// outwards. Finds mates as the paper does (appendix A).
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -9,9 +8,8 @@
 
 namespace ciel {
 
-// Handles many cells with the same buffers; each thread needs its own object. Does not own the input, which must
-// outlive the object. The sizes of the input's arrays must have been checked. For a bad cell, `judge` does not throw;
-// the Verdict has the reason.
+// Each thread needs its own object. The input must outlive the object, and the sizes of its arrays must have been
+// checked. For a bad cell, `judge` does not throw; the Verdict has the reason.
 class CellWinding {
 public:
     explicit CellWinding(const PolyhedraView& input);
@@ -24,9 +22,8 @@ public:
     // Sets `turn[f]` to 1 for each input face of the cell that must be reversed to point outwards, else to 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
 
-    // Divides the faces of a closed cell into lobes. A lobe is a closed set of faces, so it can be reversed alone. A
-    // cell has several lobes if it touches itself along an edge or surrounds a cavity. Returns the number of the lobe
-    // for each face of the cell. All lobe numbers are less than the number of faces.
+    // Returns the lobe of each face of a closed cell. A lobe is a closed set of faces, so it can be reversed alone. A
+    // cell has several lobes if it touches itself along an edge or surrounds a cavity.
     [[nodiscard]] std::vector<Index> lobes(Index cell);
 
 private:

@@ -26,8 +26,7 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Returns one claim per face. Equal faces have the same smallest vertex and the same fingerprint. Faces that collapsed
-// to a line or a point do not separate cells, so they get an empty claim and stay on the boundary.
+// Faces that collapsed to a line or a point do not separate cells. They get an empty claim and stay on the boundary.
 std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
     std::vector<Claim> claims(cell_of_face.size());
     parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
@@ -46,7 +45,6 @@ std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index
     return claims;
 }
 
-// Returns the claims sorted by (smallest vertex, fingerprint, face), so that claims of equal faces are adjacent.
 std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t vertices) {
     std::vector<std::uint64_t> begin(vertices + 1, 0);
     for (const Claim& claim : claims)
@@ -94,8 +92,7 @@ private:
     std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
     std::vector<Index> loop_a_, loop_b_;
     // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
-    // is cell c, or the first lobe of cell c if the cell is divided. The units of further lobes have numbers after all
-    // cells.
+    // is cell c or its first lobe. The units of further lobes have numbers after all cells.
     std::vector<Index> unit_of_face_;
     std::vector<Index> cell_of_unit_;
     std::vector<std::uint8_t> divided_; // by cell: 1 if it is divided into several units
@@ -139,8 +136,7 @@ void Matcher::settle_group(std::span<const Index> group) {
     }
 }
 
-// Matches faces that have the same smallest vertex and fingerprint. Such faces are nearly always equal. A comparison of
-// the whole loops finds the faces that are not equal.
+// Faces with the same smallest vertex and fingerprint are nearly always equal.
 void Matcher::settle_equal(std::span<const Claim> claims) {
     if (claims.size() < 2) return;
     std::vector<Index> left, group, rest;
@@ -155,10 +151,8 @@ void Matcher::settle_equal(std::span<const Claim> claims) {
     }
 }
 
-// Ensures that matched faces are wound in opposite directions. Each cell was wound outwards without regard to its
-// neighbors. Therefore two adjacent cells may disagree if a cell is folded, has no volume or touches itself. For the
-// topology, agreement is more important than positive volumes. If two sets of units disagree, the set with less volume
-// is reversed.
+// Each cell was wound outwards without regard to its neighbors. Therefore two adjacent cells may disagree if a cell is
+// folded, has no volume or touches itself. For the topology, agreement is more important than positive volumes.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -204,8 +198,7 @@ void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
     parity_.assign(cell_of_unit_.size(), 0);
 }
 
-// Sets the parity of each unit connected to `start`, so that all matched faces between these units agree. If no such
-// parities exist, all these units keep their winding.
+// If no parities make all matched faces agree, all units that are connected to `start` keep their winding.
 void Matcher::spread_from(Index start) {
     std::vector<Index> component{start};
     bool consistent = true;
@@ -237,9 +230,8 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// Matches the faces of a group of more than two equal faces. A cell that collapsed to this face has the face twice,
-// once per side. Such collapsed cells are put in a chain between the one or two cells that have the face once. In all
-// other cases, the faces of the group stay unmatched.
+// A cell that collapsed to this face has the face twice, once per side. Such cells are put in a chain between the one
+// or two cells that have the face once. In all other cases, the faces of the group stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
@@ -268,8 +260,7 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-// Returns the cells that may have the same faces as another cell, ascending: cells with a face in crowds_, and cells
-// whose first two matched faces lead to the same cell.
+// Cells with a face in crowds_, and cells whose first two matched faces lead to the same cell; ascending.
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)

@@ -1,5 +1,4 @@
-// Matches each face of a cell with the equal face of the adjacent cell (paper, appendix A: the counterpart in the
-// adjacent polyhedron).
+// Matches each face of a cell with the equal face of the adjacent cell (paper, appendix A: the counterpart).
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -20,9 +19,8 @@ struct MatchedFaces {
     std::uint64_t internal_boundaries = 0;
 };
 
-// Matches the faces of all cells. Takes linear time, because a face is compared only with faces that have the same
-// smallest vertex. Sets `turn` so that the loops of two matched faces have opposite directions after the marked faces
-// are reversed.
+// Takes linear time: a face is compared only with faces that have the same smallest vertex. Sets `turn` so that the
+// loops of two matched faces have opposite directions after the marked faces are reversed.
 [[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
 
 } // namespace ciel

@@ -17,8 +17,7 @@ Axes quantise(Vec3d unit) {
     return axes;
 }
 
-// Converts coordinates to Skilling's "transposed" Hilbert index: the bits b of the three words are three consecutive
-// bits of the key.
+// Skilling's "transposed" index: the bits b of the three words are three consecutive bits of the key.
 void to_transposed(Axes& axes) {
     for (std::uint32_t q = 1U << (bits - 1); q > 1; q >>= 1) {
         const std::uint32_t below = q - 1;

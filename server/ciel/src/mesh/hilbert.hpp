@@ -7,8 +7,7 @@
 
 namespace ciel {
 
-// Returns the position of a point on the curve, with 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN is treated as
-// 0.
+// The key has 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN is treated as 0.
 [[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
 
 } // namespace ciel

@@ -8,9 +8,8 @@
 
 namespace ciel {
 
-// Appends `loop` to `out`, but leaves out repeats, so that no two successive vertices around the loop are equal.
-// Appends nothing if the loop has collapsed to a point. Returns the number of ids appended. Reads each id once, so the
-// result has no repeats even if `loop` is in a mapped file that changes during the call.
+// Leaves out repeats, also between the last and the first vertex. Appends nothing if the loop has collapsed to a point.
+// Returns the number of ids appended. Reads each id once, because `loop` may be in a mapped file that changes.
 template <class Loop>
 std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     const std::size_t before = out.size(), size = loop.size();

@@ -22,8 +22,7 @@ struct Mesh::State {
 
 namespace {
 
-// Replaces the cell ids in the report, which are indices in PolyhedraLists, by the caller's cell ids. They differ,
-// because PolyhedraLists leaves out cells without volume.
+// The report has indices in PolyhedraLists, which leaves out cells without volume.
 void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
     const auto name = [&source](std::vector<Index>& ids) {
         for (Index& id : ids) id = source[id];

@@ -1,5 +1,4 @@
-// The caller's points as a mesh stores them: as floats if all floats are equal to the caller's numbers, else as
-// doubles. Not in the paper.
+// The caller's points: as floats if all floats are equal to the caller's numbers, else as doubles. Not in the paper.
 #pragma once
 
 #include "ciel/array_view.hpp"

@@ -10,7 +10,7 @@
 namespace ciel {
 namespace {
 
-// Returns id i, or `none` when the id does not fit 32 bits. assemble() reports `none` as out of range.
+// assemble() reports `none` as out of range.
 Index id_of(const ArrayView& ids, std::size_t i) {
     const std::int64_t id = ids.integer(i);
     return id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id);
@@ -21,7 +21,6 @@ void check_ids(const ArrayView& ids, const char* name) {
     if (!ids.empty() && !ids.has_integers()) fail(std::string(name) + " must hold integers");
 }
 
-// Returns entry i of offsets. Throws Error when the entry is below entry i - 1 or outside [0, end].
 std::size_t offset(const ArrayView& offsets, std::size_t i, std::size_t end, const char* name) {
     const std::int64_t at = offsets.integer(i);
     if (at < 0 || static_cast<std::uint64_t>(at) > end || (i > 0 && at < offsets.integer(i - 1)))
@@ -40,8 +39,7 @@ void close_cell(PolyhedraLists& lists, std::size_t source) {
         static_cast<std::uint8_t>(type_of_cell(std::span(lists.face_offset).last(faces + 1), lists.face_vertex)));
 }
 
-// A VTK cell type and the cell that is made from it. Only the first `corners` points are used, because VTK lists the
-// corners of a cell before its other points (VTK User's Guide, "Cell types").
+// Only the first `corners` points are used: VTK lists corners before other points (VTK User's Guide, "Cell types").
 struct VtkShape {
     int vtk_type;
     CellType type; // polyhedron means a prism over a polygon of corners / 2 points
@@ -59,7 +57,6 @@ constexpr VtkShape vtk_shapes[] = {
     {79, CellType::hexahedron, 8, true},   {80, CellType::wedge, 6, true},       {81, CellType::pyramid, 5, true},
 };
 constexpr int voxel = 11, polyhedron = 42;
-// VTK types of points, lines, surfaces and point sets.
 constexpr std::array<int, 27> without_volume{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  21, 22, 23, 28,
                                              30, 34, 35, 36, 41, 68, 69, 70, 75, 76, 77, 60, 61};
 
@@ -171,9 +168,7 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     check_ids(neighbour, "neighbour");
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
-    // Lists the faces of each cell by a counting sort. Each cell has at least one side of a face, so a valid cell id is
-    // less than twice the number of faces. Larger ids are rejected, because the greatest id determines the size of an
-    // allocation.
+    // The greatest id determines the size of an allocation. Each cell has at least one side of a face.
     const auto sides_at_most = static_cast<std::int64_t>(2 * owner.rows());
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {

@@ -22,8 +22,7 @@ struct PolyhedraLists {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-// Sets the points from `points` (V x 3). Throws Error if there are not three columns, or too many points for 32-bit
-// ids.
+// Throws Error if there are not three columns, or too many points for 32-bit ids.
 void put_points(const ArrayView& points, PolyhedraLists& lists);
 
 // The following three functions append cells; call put_points before them. They throw Error when the sizes of arrays or

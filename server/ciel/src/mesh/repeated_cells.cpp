@@ -26,8 +26,7 @@ Loop canonical(const Loop& loop) {
     return least;
 }
 
-// Returns the cell's faces in canonical form, sorted. Returns an empty list when all faces have collapsed, or when a
-// face occurs twice.
+// Returns an empty list when all faces have collapsed, or when a face occurs twice.
 std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
     std::vector<Loop> faces;
     for (std::uint64_t f = input.cell_offset[cell]; f < input.cell_offset[cell + 1]; ++f) {

@@ -1,5 +1,4 @@
-// Finds cells that a mesh lists more than once. If they were kept, their faces would be matched with each other, or
-// three cells would share a face. Algorithm 5 (paper, appendix A) does not handle repeated cells.
+// Finds cells that a mesh lists more than once. Algorithm 5 (paper, appendix A) does not handle repeated cells.
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -7,9 +6,8 @@
 namespace ciel {
 
 // Returns the cells of `suspects` that have the same faces as an earlier suspect, in any winding and with any first
-// corner. `suspects` and the result are ascending. Ignores faces that collapsed to a line or a point. Never returns a
-// cell that has a face twice. Such a cell has collapsed to this face, as cells at the pole of a curvilinear grid do.
-// Takes O(n log n) in the number of corners.
+// corner. `suspects` and the result are ascending. Ignores collapsed faces. Never returns a cell that has a face twice;
+// such a cell has collapsed, as at the pole of a curvilinear grid. Takes O(n log n) in the number of corners.
 [[nodiscard]] std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const Index> suspects);
 
 } // namespace ciel

@@ -1,13 +1,11 @@
-// Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types. All cells of a type share
-// one table. Therefore a cell need not store how its half-edges are connected inside the cell.
+// Compile-time tables of the half-edges (paper, section 2.2) of the four standard cell types.
 #pragma once
 
 #include "ciel/types.hpp"
 
 namespace ciel {
 
-// Half-edges of one standard cell type. Corners are in VTK's order. Half-edges are numbered face by face, along the
-// loop of each face. Loops are wound outwards.
+// Corners are in VTK's order. Half-edges are numbered face by face, along loops that are wound outwards.
 struct StandardShape {
     static constexpr std::uint8_t end_of_list = 255;
 
@@ -89,8 +87,7 @@ inline constexpr StandardShape wedge_shape =
 inline constexpr StandardShape pyramid_shape =
     make_shape(CellType::pyramid, 5, 5, {{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}});
 
-// Returns the standard type with these numbers of faces and half-edges, or polyhedron if there is none. `largest`:
-// number of corners of the largest face. If it is above 4, the result is polyhedron.
+// Returns polyhedron if no standard type matches. `largest`: number of corners of the largest face.
 constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std::size_t largest) {
     if (largest > 4) return CellType::polyhedron;
     for (const StandardShape* shape : {&tetrahedron_shape, &hexahedron_shape, &wedge_shape, &pyramid_shape})
@@ -98,8 +95,7 @@ constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std:
     return CellType::polyhedron;
 }
 
-// If `type` is a standard type, calls f.template operator()<shape>() and returns true. If it is polyhedron, returns
-// false.
+// Calls f.template operator()<shape>() and returns true if `type` is a standard type.
 template <class F>
 bool with_shape(CellType type, F&& f) {
     switch (type) {

@@ -26,7 +26,6 @@ namespace {
 
 thread_local unsigned limit_of_call = 0; // for loops that this thread starts; 0: the limit of the process
 
-// While the object exists, loops that this thread starts use at most `threads` threads.
 class CallLimit {
 public:
     explicit CallLimit(unsigned threads) : before_(std::exchange(limit_of_call, threads)) {}
@@ -58,8 +57,7 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count <= grain) return body(0, count);
     if (limit_of_call == 0) return run_on_threads(count, grain, body);
     if (limit_of_call == 1) return run_in_turn(count, grain, body);
-    // Inner loops get one thread: several bodies may start loops at the same time, and all together must not exceed the
-    // limit.
+    // Several bodies may start loops at the same time, and all together must not exceed the limit.
     run_on_threads(count, grain, [&](std::size_t begin, std::size_t end) {
         const CallLimit alone(1);
         body(begin, end);

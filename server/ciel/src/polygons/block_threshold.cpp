@@ -16,7 +16,6 @@ namespace ciel {
 
 namespace {
 
-// Sets the flag of each cell of a block: 1 if all vertices (or any vertex) of the cell lie in the range.
 class KeepCells {
 public:
     KeepCells(const Block& block, ValuesView values, std::array<double, 2> range, InRange vertices,
@@ -35,13 +34,12 @@ public:
     }
 
 private:
-    // Whether every vertex of a cell, and whether some vertex, lies in the range.
     struct Seen {
         bool every = true, some = false;
     };
     template <class Local>
     void run(const PolyhedralSection<Local>& polyhedra) {
-        // Number of corners of all cells so far. It is checked below, because a changed record may name too many.
+        // Counted, because a changed record may name too many corners.
         std::size_t corners = 0;
         for (Index i = 0; i < polyhedra.count(); ++i) {
             Seen seen;

@@ -13,7 +13,7 @@ double twice_area(const Point& a, const Point& b, const Point& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Finds polygon corners by their position, in a regular grid with about one corner in each grid cell.
+// A regular grid with about one corner in each grid cell.
 class Grid {
 public:
     Grid(std::span<const Point> corners, std::span<const Index> members) {
@@ -32,9 +32,8 @@ public:
         for (const Index i : members) member_[cursor[place(corners[i])]++] = i;
     }
 
-    // Returns whether wanted(corner) is true for a corner in a grid cell that touches the rectangle from `low` to
-    // `high`. Subtracts the number of visited grid cells and corners from `steps`. Returns false when `steps` becomes
-    // negative.
+    // Tests the corners in the grid cells that touch the rectangle from `low` to `high`. Subtracts the number of
+    // visited grid cells and corners from `steps`; returns false when `steps` becomes negative.
     template <class Wanted>
     [[nodiscard]] bool any(const Point& low, const Point& high, std::int64_t& steps, Wanted&& wanted) const {
         for (std::size_t row = index(low, 1); row <= index(high, 1); ++row)
@@ -77,8 +76,7 @@ public:
         for (Index i = 0; i < n; ++i) convex_[i] = area_at(i) > 0 ? 1 : 0;
     }
 
-    // Cuts off ears in rounds, so that the triangles are compact. When a corner is cut off, the two adjacent corners
-    // are tested in the next round. No other corner can have become an ear.
+    // Cuts off ears in rounds, so that the triangles are compact. Only neighbors of a cut-off corner can become ears.
     void run() {
         const Grid grid = grid_of_the_rest();
         for (Index i = 0; i < corners_.size(); ++i) next_.push_back(i);
@@ -95,9 +93,7 @@ public:
     }
 
 private:
-    // Returns a grid of the corners that are not convex. A corner is an ear if its triangle contains no other corner.
-    // It is enough to test the corners that are not convex: if the triangle contains any corner, it contains one of
-    // them.
+    // If the triangle of a corner contains any other corner, it also contains a corner that is not convex.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)

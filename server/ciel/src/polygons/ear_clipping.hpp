@@ -1,6 +1,5 @@
-// Triangulates polygons that no triangle fan covers, by ear clipping: an ear is a corner whose triangle contains no
-// other corner. Not in the paper, which leaves polygons to OpenGL.
-// Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975).
+// Ear clipping of polygons that no triangle fan covers. An ear is a corner whose triangle contains no other corner.
+// Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82 (1975). Not in the paper.
 #pragma once
 
 #include "ciel/types.hpp"

@@ -1,5 +1,4 @@
-// Lists the sides of a surface's polygons, grouped by the lower point of each side. Each group is sorted. This needs no
-// hash table and no global sort. Not in the paper.
+// Lists the sides of a surface's polygons, grouped by the lower point, without a hash table. Not in the paper.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -19,8 +18,7 @@ struct PolygonSides {
     }
 };
 
-// Calls f(lower point, upper point, polygon) for each side of each polygon. A side of two polygons is visited twice. A
-// side from a point to itself (in collapsed cells) is skipped.
+// Calls f(lower point, upper point, polygon). A side of two polygons is visited twice. Skips sides of no length.
 template <class F>
 void for_sides(const Surface& surface, F&& f) {
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {

@@ -12,8 +12,7 @@ namespace ciel {
 
 namespace {
 
-// Writes the triangles of a chunk of polygons into a buffer, one after another. The buffer has room for corners - 2
-// triangles of each polygon; `fill` marks the unused rest.
+// The buffer has room for corners - 2 triangles of each polygon; `fill` marks the unused rest.
 class Triangles {
 public:
     explicit Triangles(Index* to) : to_(to) {}
@@ -34,7 +33,6 @@ Vec3d triangle_area(const Surface& surface, Index a, Index b, Index c) {
     return cross(arm(surface.positions[a], surface.positions[b]), arm(surface.positions[a], surface.positions[c]));
 }
 
-// Returns the smallest dot product of `normal` with the area vector of a triangle, for the fan that starts at `corner`.
 double worst_area(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, std::size_t corner) {
     const std::size_t n = loop.size();
     double worst = std::numeric_limits<double>::infinity();
@@ -49,8 +47,7 @@ struct Fan {
     bool folds = false; // whether a triangle is reversed by more than rounding
 };
 
-// If a polygon has more corners than this, only 64 to 127 evenly spaced corners are tried, so that the time is linear
-// in the number of corners.
+// In a larger polygon, only 64 to 127 evenly spaced corners are tried, so that the time is linear.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
@@ -75,7 +72,6 @@ void append(const Surface& surface, Index a, Index b, Index c, Triangles& out) {
     out.add(a, b, c);
 }
 
-// Clips ears in the projection along the coordinate axis that is nearest to the normal.
 void append_ears(const Surface& surface, std::span<const Index> loop, const Vec3d& normal, Triangles& out) {
     std::size_t axis = 0;
     for (const std::size_t other : {1U, 2U})
@@ -101,8 +97,7 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
-// Returns the index in the buffer of the first triangle of a polygon. Each earlier polygon has room for corners - 2
-// triangles.
+// Each earlier polygon has room for corners - 2 triangles.
 std::size_t place_of(const Surface& surface, std::size_t polygon) {
     return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
 }

@@ -93,8 +93,7 @@ private:
     FoamField field_;
 };
 
-// Largest length of a pattern or a patch name, in bytes. std::regex_match recurses once per character, so that longer
-// names could overflow the stack.
+// A length in bytes. std::regex_match recurses once per character, so that longer names could overflow the stack.
 constexpr std::size_t longest_name = 256;
 
 bool matches(const std::string& pattern, const std::string& name) {

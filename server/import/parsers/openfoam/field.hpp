@@ -27,19 +27,16 @@ struct FoamField {
     FoamValues cells;
     std::vector<FoamCondition> conditions;
 
-    // Returns the condition of a patch; null if there is none. A condition with the name of the patch comes first.
-    // Second comes the last condition with the name of one of the patch's groups. Third comes the last condition whose
-    // pattern matches the name of the patch.
+    // Returns null if there is none. First comes a condition with the name of the patch, then the last condition with
+    // the name of one of its groups, then the last condition whose pattern matches the name.
     [[nodiscard]] const FoamCondition* condition(const std::string& patch,
                                                  const std::vector<std::string>& groups) const;
 };
 
-// Returns the number of components of a field class such as volVectorField or volScalarField::Internal; 0 for other
-// classes.
+// Returns 3 for volVectorField, 1 for volScalarField::Internal, and 0 for a class that is no field, for example.
 [[nodiscard]] int foam_field_components(std::string_view class_name);
 
-// Parses a field file. `most`: number of cells; a longer list is refused. FoamCondition::value is nullopt if the file
-// does not list values for the patch. Error texts start with `file`.
+// `most`: number of cells; a longer list is refused. FoamCondition::value is nullopt if the file lists no values.
 [[nodiscard]] FoamField parse_foam_field(std::string_view bytes, const std::string& file, std::size_t most);
 
 } // namespace ciel::importer

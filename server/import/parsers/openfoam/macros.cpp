@@ -53,8 +53,7 @@ private:
         }
     }
 
-    // Appends c to the output. If c ends a top-level entry "NAME value;", stores the entry so that $NAME can be
-    // expanded.
+    // If c ends a top-level entry "NAME value;", stores the entry for $NAME.
     void put(char c) {
         out_ += c;
         if (c == '{') ++braces_;

@@ -1,6 +1,5 @@
-// Parses the files of an OpenFOAM mesh, constant/polyMesh (OpenFOAM User Guide, "Mesh description"). Each function
-// takes the bytes of one file. It throws Error, with a text that starts with `file`, if the bytes violate the format.
-// The caller must check that labels are within range.
+// Parses the files of an OpenFOAM mesh, constant/polyMesh (OpenFOAM User Guide, "Mesh description"). The functions
+// throw Error if the bytes violate the format. The caller must check that labels are within range.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +10,21 @@
 
 namespace ciel::importer {
 
-// Parses the file `points`. Returns x, y, z of each point.
+// Returns x, y, z of each point.
 [[nodiscard]] std::vector<double> parse_foam_points(std::string_view bytes, const std::string& file);
 
-// The content of the file `faces`, a faceList or a faceCompactList.
+// The content of a faceList or a faceCompactList.
 struct FoamFaces {
     std::vector<std::size_t> offset{0}; // face -> index of its first point in `points`; the last entry is points.size()
     std::vector<std::int64_t> points;
 };
 [[nodiscard]] FoamFaces parse_foam_faces(std::string_view bytes, const std::string& file);
 
-// Parses the file `owner`, `neighbour` or `cellProcAddressing`: one list of at most `most` labels.
+// Parses the file `owner`, `neighbour` or `cellProcAddressing`. `most`: largest number of labels.
 [[nodiscard]] std::vector<std::int64_t> parse_foam_labels(std::string_view bytes, const std::string& file,
                                                           std::size_t most);
 
-// One patch of the file `boundary`. `neighbour`: for a processor patch, the number of the processor on the other side;
-// -1 for other patches.
+// `neighbour`: for a processor patch, the number of the processor on the other side; -1 for other patches.
 struct FoamPatch {
     std::string name, type;
     std::vector<std::string> groups;
@@ -35,7 +33,6 @@ struct FoamPatch {
 };
 [[nodiscard]] std::vector<FoamPatch> parse_foam_boundary(std::string_view bytes, const std::string& file);
 
-// One zone of the file `cellZones` or `faceZones`: the labels of its cells or faces.
 struct FoamZone {
     std::string name;
     std::vector<std::int64_t> labels;

@@ -143,8 +143,7 @@ double FoamReader::number() {
     const auto [stop, error] = std::from_chars(digits, end, value);
     if (error == std::errc::invalid_argument)
         fail(begin == end ? "ends too early" : "has no number where a number is needed");
-    // from_chars stores nothing for a number outside the range of a double. strtod returns infinity, zero or a
-    // denormal.
+    // from_chars stores nothing for a number out of range. strtod returns infinity, zero or a denormal.
     if (error == std::errc::result_out_of_range) value = std::strtod(std::string(digits, stop).c_str(), nullptr);
     at_ = static_cast<std::size_t>(stop - bytes_.data());
     return value;
@@ -246,7 +245,7 @@ std::vector<std::int64_t> FoamReader::labels(std::size_t most) {
     return values;
 }
 
-// Skips a binary list after "List<TYPE>", because its raw bytes can look like brackets or semicolons. `type`: TYPE.
+// The raw bytes of a binary list can look like brackets or semicolons.
 void FoamReader::skip_list(std::string_view type) {
     if (!format_.is_binary) return;
     std::size_t item = static_cast<std::size_t>(foam_components(type)) * static_cast<std::size_t>(format_.scalar_bytes);

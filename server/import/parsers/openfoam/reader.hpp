@@ -1,5 +1,4 @@
-// Reads the tokens of OpenFOAM's file format, text or binary (OpenFOAM User Guide, "Basic input/output file format"):
-// the header, words, numbers and lists. All parsers of this folder use it.
+// Reads the tokens of OpenFOAM's file format, text or binary (OpenFOAM User Guide, "Basic input/output file format").
 #pragma once
 
 #include <cstddef>
@@ -17,8 +16,7 @@ struct FoamFormat {
     std::string class_name; // such as "volScalarField"; empty if the file has no header
 };
 
-// Reads the bytes of one file from start to end. The bytes must outlive the reader. If a function does not find the
-// expected token, it throws Error with the name of the file and the byte offset.
+// The bytes must outlive the reader. If a token is not as expected, the functions throw Error with the byte offset.
 class FoamReader {
 public:
     // Reads the header (FoamFile) if the file has one. Throws Error if the header declares big-endian numbers.
@@ -46,7 +44,7 @@ public:
     // count. Both throw Error if N is larger than `most`.
     [[nodiscard]] std::vector<std::int64_t> labels(std::size_t most);
     [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // each item has `components` numbers
-    // Reads the number of items of a list. Throws Error if the number is larger than `most`.
+    // Throws Error if the number of items is larger than `most`.
     [[nodiscard]] std::size_t items(std::size_t most);
     // Reads '(', then `bytes` raw bytes, then ')'. Returns the raw bytes.
     [[nodiscard]] std::string_view raw(std::size_t bytes);
@@ -67,8 +65,7 @@ private:
     FoamFormat format_;
 };
 
-// Returns the number of components of a type: 3 for "vector", 6 for "symmTensor"; 0 for types that do not consist of
-// scalars.
+// Returns 3 for "vector", 6 for "symmTensor", and 0 for types that do not consist of scalars.
 [[nodiscard]] int foam_components(std::string_view type);
 
 } // namespace ciel::importer

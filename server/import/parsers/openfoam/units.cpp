@@ -27,7 +27,6 @@ std::optional<Exponents> read_exponents(const std::string& text) {
     return exponents;
 }
 
-// Returns the text between the brackets of the `dimensions` entry; empty if the entry is missing.
 std::string dimensions_entry(std::string_view head) {
     constexpr std::string_view keyword = "dimensions";
     for (std::size_t at = head.find(keyword); at != std::string_view::npos; at = head.find(keyword, at + 1)) {

@@ -1,5 +1,4 @@
-// OpenFOAM cases. The input is the case's directory, its controlDict, or a .foam file. Cells are polyhedra with points
-// in double precision. Patches have their own values. The parts of a decomposed case are joined.
+// OpenFOAM cases. The input is the case's directory, its controlDict, or a .foam file.
 #include "ciel/types.hpp"
 #include "import/readers/formats.hpp"
 #include "import/readers/openfoam/openfoam_fields.hpp"
@@ -84,8 +83,7 @@ public:
         }
     }
 
-    // Returns a path such as "0.5/p". It is "processor*/0.5/p" for a decomposed case, and "0.5/*/p" for several
-    // regions.
+    // Returns "0.5/p", "processor*/0.5/p" for a decomposed case, or "0.5/*/p" for several regions.
     [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
         const FoamPart& part = foam_.parts.front();
         const auto at = part.times.find(foam_.times[step]);
@@ -132,7 +130,6 @@ private:
         return known.mesh;
     }
 
-    // Returns "REGION/ZONE" if several regions have a zone of this name, else the name itself.
     [[nodiscard]] std::string zone_name(const std::string& region, const std::string& name) const {
         const auto regions_with_it = std::count_if(meshes_.begin(), meshes_.end(), [&](const auto& known) {
             return known.second.mesh.cell_zones.contains(name);
@@ -141,7 +138,7 @@ private:
     }
     static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
 
-    // Returns the blocks internalMesh, boundary/PATCH and faceZones/ZONE. source/data_sets.cpp recognizes these names.
+    // source/data_sets.cpp recognizes the names of the blocks.
     vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
         const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
         vtkNew<vtkUnstructuredGrid> cells;
@@ -172,7 +169,7 @@ private:
     FoamFieldInfos infos_;
     std::map<std::string, Known> meshes_; // by region
     std::vector<std::string> lost_;
-    // Facts of each surface of the step that was read last. The caller keeps the surfaces alive.
+    // For the step that was read last. The caller keeps the surfaces alive.
     std::map<vtkDataSet*, store::PatchFacts> facts_;
 };
 

@@ -47,8 +47,7 @@ fs::path case_directory(const fs::path& input, bool is_directory) {
     return fs::absolute(input).parent_path();
 }
 
-// A collated directory such as "processors4" has the pieces of all processors in one file. Returns the name of the
-// collated directory; empty if there is none.
+// A directory such as "processors4" has the pieces of all processors in one file. Returns "" if there is none.
 std::string collated_directory(const fs::path& directory) {
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(directory, missing)) {

@@ -17,9 +17,8 @@ struct FoamPart {
     std::filesystem::path directory;
     std::map<double, std::filesystem::path> times;
 
-    // Returns the path of the mesh file that is valid at `time`. This is the file in the latest time directory that is
-    // not after `time` and has the file. If there is no such directory, it is the file in `constant`. Returns an empty
-    // path if the file does not exist at all.
+    // Returns the file in the latest time directory that has it and is not after `time`, or else the file in
+    // `constant`. Returns an empty path if the file does not exist at all.
     [[nodiscard]] std::filesystem::path mesh_file(const std::string& region, const std::string& file,
                                                   double time) const;
 };
@@ -38,7 +37,6 @@ struct FoamCase {
     std::vector<std::string> lost; // sentences on missing processor directories
 };
 
-// Returns the sentence for FoamCase::lost on a missing processor directory.
 [[nodiscard]] std::string missing_processor(std::int64_t number);
 
 // Throws Error naming the file if a mesh or field file of the case is a pipe, a socket or a device.
@@ -46,11 +44,10 @@ void require_regular_files_of(const FoamCase& foam);
 
 [[nodiscard]] bool is_foam_case(const std::filesystem::path& input, bool is_directory, const std::string& extension);
 
-// Returns `file` if it exists. Otherwise returns `file` with .gz appended if that file exists, or else an empty path.
+// Returns `file`, or `file` with .gz appended, whichever exists first; or else an empty path.
 [[nodiscard]] std::filesystem::path plain_or_compressed(const std::filesystem::path& file);
 
-// Returns the first `most` bytes of the file, or all bytes if the file is shorter. Decompresses the file if its name
-// ends in .gz. Throws Error that names the file if the file cannot be read, or is a pipe, a socket or a device.
+// Decompresses a .gz file. Throws Error that names the file if it cannot be read, or is a pipe, a socket or a device.
 [[nodiscard]] std::string read_foam_file(const std::filesystem::path& file, std::size_t most = ~std::size_t{0});
 
 } // namespace ciel::importer

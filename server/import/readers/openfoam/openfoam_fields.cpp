@@ -25,7 +25,6 @@ struct FieldHead {
     std::string class_name, units;
 };
 
-// Returns the class and the units of a field file. Both are empty if the file has no readable header.
 FieldHead read_head(const fs::path& file) {
     try {
         const std::string head = read_foam_file(file, head_bytes);
@@ -35,7 +34,6 @@ FieldHead read_head(const fs::path& file) {
     }
 }
 
-// Returns the files of a directory by field name. The field name is the file name without .gz.
 std::map<std::string, fs::path> files_in(const fs::path& directory) {
     std::map<std::string, fs::path> files;
     std::error_code missing;
@@ -75,7 +73,6 @@ public:
                                  [](const PieceField& field) { return !field || field->is_single_precision; });
     }
 
-    // Throws Error that names the file if the file does not have one value for each face of a patch.
     FoamArrays run(const std::string& name) {
         FoamArrays arrays;
         std::size_t cells = 0;
@@ -115,7 +112,7 @@ private:
         return array;
     }
 
-    // Names components in the order of OpenFOAM's classes symmTensor and tensor.
+    // The order is that of OpenFOAM's classes symmTensor and tensor.
     static void name_components(vtkDataArray& array) {
         constexpr const char* symmetric[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
         constexpr const char* full[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
@@ -135,8 +132,7 @@ private:
         return has_values ? make_array(name, values) : nullptr;
     }
 
-    // Appends one value for each face of the patch on piece i to `values`: the value of the field, or no_value. Returns
-    // whether the patch has values on this piece. Sets `type` to the type of the patch's boundary condition.
+    // Appends no_value for faces without a value. Returns whether the patch has values on piece i.
     bool append_patch(std::size_t i, const FoamPatch& patch, std::vector<double>& values, std::string& type) const {
         const auto faces = static_cast<std::size_t>(patch.face_count);
         const std::size_t begin = values.size();
@@ -160,8 +156,7 @@ private:
         return true;
     }
 
-    // Copies the values of the cells behind the patch to its faces. Used for boundary conditions without values in the
-    // file (zeroGradient, slip, symmetry).
+    // The file has no values for some boundary conditions (zeroGradient, slip, symmetry).
     void copy_from_cells(std::size_t i, const FoamPatch& patch, double* to) const {
         const FoamPiece& piece = mesh_.pieces[i];
         const FoamValues& cells = fields_[i]->cells;
@@ -199,8 +194,7 @@ public:
         }
     }
 
-    // Returns the names of the fields of all pieces. A file without a readable header is a field if `infos` has its
-    // name.
+    // A file without a readable header is a field if `infos` has its name.
     [[nodiscard]] std::set<std::string> names(const FoamFieldInfos& infos) const {
         std::set<std::string> names;
         for (const fs::path& directory : directories_)
@@ -209,8 +203,7 @@ public:
         return names;
     }
 
-    // Returns nullopt if no piece has values. `expected`: number of components; 0: use the number in the first piece
-    // with values.
+    // Returns nullopt if no piece has values. `expected`: number of components; 0: as in the first piece with values.
     std::optional<FoamArrays> read(const std::string& name, int expected) {
         fields_.assign(mesh_.pieces.size(), std::nullopt);
         files_.assign(mesh_.pieces.size(), {});

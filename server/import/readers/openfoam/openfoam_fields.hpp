@@ -13,8 +13,7 @@ struct FoamFieldInfo {
 };
 using FoamFieldInfos = std::map<std::string, FoamFieldInfo>; // by name
 
-// Lists the fields of all times and regions. For a decomposed case, lists only the fields of the first processor. Reads
-// only the first 4 KiB of each file.
+// For a decomposed case, lists the fields of the first processor. Reads only the first 4 KiB of each file.
 [[nodiscard]] FoamFieldInfos list_foam_fields(const FoamCase& foam);
 
 struct FoamArrays { // the arrays of one field

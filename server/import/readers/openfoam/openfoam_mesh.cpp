@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 bool joins_processors(const FoamPatch& patch) { return patch.type == "processor"; }
 bool is_between_processors(const FoamPatch& patch) { return patch.type.starts_with("processor"); }
 
-// Reads all parts. Numbers the points and cells of all parts consecutively. Joins the parts along processor patches.
 class MeshBuilder {
 public:
     MeshBuilder(const FoamCase& foam, const std::string& region, double time)
@@ -163,8 +162,7 @@ private:
         mesh_.points->SetData(coordinates);
     }
 
-    // Makes the VTK face stream of each cell. It begins with the number of faces. For each face follow the number of
-    // points and the point ids, wound outwards.
+    // VTK's face stream: the number of faces, then for each face the number of points and the points, wound outwards.
     void make_cells() {
         vtkNew<vtkIdTypeArray> streams, locations, offsets, corner_ids;
         vtkNew<vtkUnsignedCharArray> types;
@@ -183,8 +181,7 @@ private:
         name_cells();
     }
 
-    // Sets the global ids of the cells to the cell ids before decomposition (cellProcAddressing). Cells of processors
-    // without this file get -1.
+    // Names cells by their ids before decomposition (cellProcAddressing), or -1 where the processor has no such file.
     void name_cells() {
         const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
         if (std::none_of(files_.begin(), files_.end(), says)) return;

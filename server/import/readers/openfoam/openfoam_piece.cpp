@@ -44,7 +44,7 @@ private:
         return label >= 0 && static_cast<std::uint64_t>(label) < count;
     }
 
-    // Reads a mesh file. Sets name_ to the path of the file, for error texts.
+    // Sets name_ to the path of the file, for error texts.
     std::string read(const std::string& name) {
         const fs::path file = part_.mesh_file(region_, name, time_);
         name_ = (part_.directory / "constant" / region_ / "polyMesh" / name).string();
@@ -59,13 +59,12 @@ private:
                 fail("contains cell " + std::to_string(cell) + ", which is negative or too large");
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
-        // A closed cell has at least four faces, and at most two cells share a face. Therefore a mesh has more faces
-        // than cells.
+        // A closed cell has at least four faces, and at most two cells share a face.
         if (piece_.cell_count > piece_.owner.size())
             fail("contains more cells than the mesh has faces; the file is damaged");
     }
 
-    // In old files, `neighbour` also has an entry for each boundary face: -1. These entries are dropped.
+    // In old files, `neighbour` also has an entry -1 for each boundary face.
     void read_neighbours(std::size_t faces) {
         piece_.neighbour = parse_foam_labels(read("neighbour"), name_, faces);
         while (!piece_.neighbour.empty() && piece_.neighbour.back() == -1) piece_.neighbour.pop_back();

@@ -1,5 +1,4 @@
-// Editor for custom colors of a scale: points on a bar, moved by pointer or keyboard, and a row of fields for each
-// point.
+// Editor for custom colors of a scale: points on a bar, moved by pointer or keyboard, and fields for each point.
 import type { JSX } from "preact";
 import { colorOf, hexOf, placeOf, valueAtPlace, type ColorScale } from "../../model/color_scale";
 import type { ColorPoint, Range } from "../../generated/protocol";
@@ -30,13 +29,9 @@ interface Props {
 /** Rounds a position on the bar to 1/10000, which is less than a pixel. */
 const rounded = (at: number): number => Number(at.toFixed(4));
 
-/**
- * Converts a point's position on the scale to its position on the bar, or back. The two positions differ only if the
- * scale is reversed, because the bar is then mirrored.
- */
+/** Converts a position on the scale to a position on the bar, or back. The bar of a reversed scale is mirrored. */
 const turned = ({ reverse }: ColorScale, at: number): number => (reverse ? rounded(1 - at) : at);
 
-/** Returns the range of values to which a color point can be moved. The two neighboring points limit the range. */
 function valuesBetween(scale: ColorScale, index: number): Range {
   const places = [scale.points[index - 1]?.at ?? 0, scale.points[index + 1]?.at ?? 1];
   const [a = 0, b = 0] = places.map((at) => Number(valueAtPlace(scale, turned(scale, at)).toPrecision(6)));

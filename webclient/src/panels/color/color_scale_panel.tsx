@@ -1,5 +1,4 @@
-// Settings of a color scale except its array: map, direction, logarithm, steps, range, colors for values outside the
-// range.
+// Settings of a color scale except its array.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { colorRow, hexOf, type ColorScale } from "../../model/color_scale";

@@ -5,7 +5,6 @@ import { colorsAlong, type ColorScale } from "../../model/color_scale";
 
 const STOPS = 33;
 
-/** CSS gradient of a scale from left to right. Discrete steps have sharp borders. */
 export function gradientOf(scale: ColorScale): string {
   const steps = scale.steps > 1 ? scale.steps : 0;
   const colors = colorsAlong(scale, steps === 0 ? (scale.points.length > 0 ? 4 * STOPS : STOPS) : steps);

@@ -82,10 +82,7 @@ export function ColoringFields({
   );
 }
 
-/**
- * Shows the reason why a layer shows nothing. Renders nothing if the value or plane of the layer is outside the data,
- * because other fields report this.
- */
+/** Renders nothing if the layer is outside the data, because other fields report this. */
 export function EmptyHint({ id }: { id: string }): JSX.Element | null {
   const empty = useModel((model) => model.empty.value);
   const found = empty.find(({ layer, why }) => layer === id && why !== "outside");

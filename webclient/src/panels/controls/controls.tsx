@@ -13,7 +13,6 @@ interface IconButtonProps {
   pressed?: boolean;
   text?: string;
   keys?: string;
-  /** Longer explanation than the label. */
   help?: string;
 }
 
@@ -40,7 +39,6 @@ export function IconButton(props: IconButtonProps): JSX.Element {
 interface NumberFieldProps {
   value: number | null;
   label: string;
-  /** Longer explanation than the label. */
   help?: string;
   /** Width of the range of possible values. It determines the number of digits. */
   span?: number;
@@ -48,7 +46,6 @@ interface NumberFieldProps {
   shown?: (value: number) => string;
   placeholder?: string;
   step?: number;
-  /** Unit, shown after the number. */
   unit?: string;
   /** A typed value outside these limits is clamped, and a message tells the user. */
   limits?: readonly [number, number];
@@ -126,10 +123,7 @@ interface SelectFieldProps {
   hideLabel?: boolean;
 }
 
-/**
- * Field for a choice from a list. After a choice by pointer, the field loses the focus, so that the page's keyboard
- * shortcuts work.
- */
+/** After a choice by pointer, the field loses the focus, so that the page's keyboard shortcuts work. */
 export function SelectField({ label, value, options, onChange, disabled, hideLabel }: SelectFieldProps): JSX.Element {
   const byPointer = useRef(false);
   const select = (
@@ -264,7 +258,6 @@ interface MenuProps {
   children: (close: () => void) => ComponentChildren;
 }
 
-/** A button that opens a small panel. Escape and a click outside the panel close it. */
 export function Menu({ icon, label, text, disabled, children }: MenuProps): JSX.Element {
   const [isOpen, setOpen] = useState(false);
   const root = useRef<HTMLDivElement>(null);

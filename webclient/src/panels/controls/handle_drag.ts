@@ -1,5 +1,4 @@
-// Moves handles on a track by pointer or keyboard. Used for iso-values, opacity points and color points. Each handle
-// has the attribute data-index with its index.
+// Moves handles on a track by pointer or keyboard. Each handle has the attribute data-index with its index.
 import type { RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { clamp } from "../../model/numbers";

@@ -31,10 +31,7 @@ const KEYS: Record<string, [direction: 1 | -1, reach: "step" | "page" | "end"]> 
   End: [1, "end"],
 };
 
-/**
- * Returns the value after a key press, or null for keys without effect. On a logarithmic axis, arrow keys multiply the
- * value by a factor.
- */
+/** Returns null for keys without effect. On a logarithmic axis, arrow keys multiply the value by a factor. */
 export function keyed(key: string, shift: boolean, value: number, range: Range, logarithmic = false): number | null {
   const [low, high] = range;
   const [direction, reach] = KEYS[key] ?? [1, null];

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 
-/** Whether `holds` has been true for the last `milliseconds`. The time starts again when `since` changes. */
+/** The time starts again when `since` changes. */
 export function useLasting(holds: boolean, milliseconds: number, since: unknown = null): boolean {
   const [lasts, setLasts] = useState(false);
   useEffect(() => {

@@ -4,30 +4,19 @@ import type { Range } from "../../generated/protocol";
 import { NumberField } from "./controls";
 
 interface RangeRowProps {
-  /**
-   * Accessible name of the row. `text` is the visible label. `from` and `to` are the accessible names of the two
-   * numbers.
-   */
+  /** Accessible names: `label` of the row, `from` and `to` of the two numbers. `text` is visible. */
   label: string;
   text: string;
   from: string;
   to: string;
   range: Range;
-  /**
-   * Width of the range. It determines the number of digits. undefined for a logarithmic scale, where the number of
-   * digits depends on the number itself.
-   */
+  /** Width of the range, for the number of digits; undefined for a logarithmic scale. */
   span: number | undefined;
-  /** Sets one end of the range; 0: the lower end. */
   setEnd: (end: 0 | 1, to: number) => void;
-  /**
-   * Whether the range follows the data. A button calls `setData`, which makes the range follow the data again.
-   * `dataTitle` is the tooltip of this button.
-   */
+  /** Whether the range follows the data. The button with the tooltip `dataTitle` sets this by `setData`. */
   ofData: boolean;
   dataTitle: string;
   setData: () => void;
-  /** Additional buttons at the end of the row. */
   children?: ComponentChildren;
 }
 

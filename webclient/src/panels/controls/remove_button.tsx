@@ -1,9 +1,7 @@
-// Button that removes an item of a list. When the item is removed, its button loses the keyboard focus. Another button
-// of the list then gets the focus.
+// Button that removes an item of a list, and then gives the keyboard focus to another button of the list.
 import type { JSX } from "preact";
 import { Icon } from "./icons";
 
-/** Returns the enabled buttons of the list that match a selector, without the buttons of nested lists. */
 function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
   return [...list.querySelectorAll<HTMLButtonElement>(which)].filter(
     (button) => !button.disabled && button.closest("[data-list]") === list,
@@ -12,10 +10,7 @@ function buttonsOf(list: Element, which: string): HTMLButtonElement[] {
 
 const removesOf = (list: Element): HTMLButtonElement[] => buttonsOf(list, "[data-removes]");
 
-/**
- * Focuses the remove button of the next item, otherwise of the previous item, otherwise the list's add button. Does
- * nothing if another element already has the focus.
- */
+/** Focuses the remove button of the next item, or of the previous item, or else the list's add button. */
 function keepFocus(list: Element, index: number, button: Element): void {
   const { activeElement } = document;
   if (activeElement !== document.body && activeElement !== button) return;
@@ -29,7 +24,7 @@ interface Props {
   disabled?: boolean;
 }
 
-/** Button that removes an item. An ancestor with data-list must contain all items and the add button. */
+/** An ancestor with data-list must contain all items and the add button. */
 export function RemoveButton({ label, onClick, disabled }: Props): JSX.Element {
   const remove = (button: HTMLButtonElement): void => {
     const list = button.closest("[data-list]");

@@ -35,7 +35,6 @@ function RangeField({ contours, data, set }: FieldsProps & { data: Range }): JSX
   );
 }
 
-/** Fields for the contour values: evenly spaced, or listed one by one. */
 function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   const data = useSomeRange(contours.array);
   const { values } = contours;
@@ -81,7 +80,6 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
   );
 }
 
-/** Fields for the looks of contour lines: width, and one color or colors by value. */
 function LooksFields({
   id,
   contours,

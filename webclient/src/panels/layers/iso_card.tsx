@@ -17,10 +17,7 @@ interface Scales {
   axis: boolean;
 }
 
-/**
- * Buttons for logarithmic scales of a histogram. Logarithmic counts keep rare values visible. A logarithmic axis
- * spreads values of several decades.
- */
+/** Logarithmic counts keep rare values visible. A logarithmic axis spreads values of several decades. */
 function ScaleButtons({
   scales,
   set,
@@ -56,7 +53,6 @@ function ScaleButtons({
   );
 }
 
-/** Tells the user that iso-values are outside the range of the data and have no surface. */
 function OutsideHint({ values, range }: { values: readonly number[]; range: Range }): JSX.Element | null {
   const outside = values.filter((value) => value < range[0] || value > range[1]);
   if (outside.length === 0) return null;

@@ -80,8 +80,7 @@ export function LayersSection(): JSX.Element {
   const layers = layersInOrder(layered);
   const names = layerNames(layered);
   const order = JSON.stringify(layers.map(([id]) => id));
-  // Restores the focus, because a moved row loses the focus. At an end of the list, the button for this direction is
-  // disabled. The button for the opposite direction then gets the focus.
+  // A moved row loses the focus. At an end of the list, the button of the opposite direction gets the focus.
   useEffect(() => {
     const { id, step } = moved.current ?? {};
     moved.current = null;

@@ -15,11 +15,9 @@ const USUAL_ANGLE = 30;
 interface CardProps {
   id: string;
   layer: EdgesLayer | PointsLayer;
-  /** Controls specific to the layer's type: which edges or points to show, and at what size. */
   children: ComponentChildren;
 }
 
-/** Settings of an edges or points layer. */
 function Card({ id, layer, children }: CardProps): JSX.Element {
   const commands = useCommands();
   const hasPatches = useModel((model) => (model.description.value?.groups ?? []).some(({ of }) => of === "faces"));

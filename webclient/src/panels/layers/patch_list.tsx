@@ -1,5 +1,4 @@
-// Chooses which part of the boundary a layer shows: the whole boundary, or patches from a searchable list grouped by
-// families.
+// Chooses which part of the boundary a layer shows: the whole boundary, or patches from a searchable list.
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { formatCount } from "../../model/numbers";
@@ -27,7 +26,7 @@ interface Props {
   onChange: (groups: string[] | null) => void;
 }
 
-/** A list with more patches than this has a search field. The patches of a shorter list are all visible at once. */
+/** The patches of a list up to this length are all visible at once and need no search field. */
 const WORTH_A_SEARCH = 8;
 
 interface RowProps {

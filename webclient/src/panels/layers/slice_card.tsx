@@ -22,7 +22,6 @@ const PLANES = [
   { value: "free", text: "Free plane" },
 ];
 
-/** Tells the user that the slice's plane lies outside the data. */
 function OutsideHint({ id, layer }: { id: string; layer: SliceLayer }): JSX.Element | null {
   const description = useModel((model) => model.description.value);
   const isFreeOutside = useModel((model) => model.empty.value.some((one) => one.layer === id && one.why === "outside"));
@@ -68,7 +67,6 @@ function LooksFields({ id, layer, slices }: { id: string; layer: SliceLayer; sli
 interface SliceCardProps {
   id: string;
   layer: SliceLayer;
-  /** Name of the slice in the list of layers. */
   name: string;
   slices: Slices;
   isOpen: boolean;

@@ -16,7 +16,6 @@ interface ThresholdProps {
 interface EndProps {
   end: 0 | 1;
   range: Range;
-  /** Range of the array. The slider covers this range. */
   whole: Range;
   set: (change: Partial<Threshold>, gesture?: string) => void;
 }

@@ -50,7 +50,6 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
   );
 }
 
-/** Number fields for position, target and up vector, so that a view can be reproduced later or with another dataset. */
 function Places({ camera }: { camera: FullCamera }): JSX.Element {
   const commands = useCommands();
   const span = distance(camera);

@@ -11,10 +11,7 @@ import { useLasting } from "../controls/lasting";
 import { TokenForm } from "./token_form";
 import { useCommands, useModel } from "../context";
 
-/**
- * Returns the whole seconds until `at`, a time in milliseconds as of Date.now(). The panel is rendered again while the
- * seconds count down.
- */
+/** `at` is in milliseconds as of Date.now(). The panel is rendered again while the seconds count down. */
 function useCountdown(at: number | null): number {
   const [now, setNow] = useState(Date.now);
   useEffect(() => {
@@ -75,7 +72,6 @@ export function ConnectionNotice(): JSX.Element | null {
 
 const MOST_CHOICES = 6;
 
-/** Buttons to open other datasets. */
 function Choices(): JSX.Element | null {
   const commands = useCommands();
   const datasets = useModel((model) => model.datasets.value) ?? [];
@@ -129,10 +125,7 @@ const EMPTY = "None of the layers that are switched on meets the data at this ti
 
 const MOST_REASONS = 3;
 
-/**
- * Returns sentences that explain why no layer shows anything: a summary, then the reasons of at most MOST_REASONS
- * layers. Returns [] if a visible layer shows something.
- */
+/** Returns [] if a visible layer shows something. */
 function reasonsOf(scene: Scene | null, empty: readonly EmptyLayer[]): string[] {
   const shown = layersInOrder(scene).filter(
     ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",
@@ -162,7 +155,6 @@ export function LackingNotice(): JSX.Element | null {
 /** Milliseconds after which a late picture is reported to the user. */
 const LATE_MS = 400;
 
-/** Whether the picture has been older than the scene for LATE_MS. */
 function useLate(): boolean {
   const behind = useModel(
     (model) =>

@@ -1,5 +1,4 @@
-// Menu that copies links. One link contains a copy of the current scene. The second link opens this session, in which
-// all users change the same scene.
+// Menu that copies links: to a copy of the current scene, or to this session, in which all users change one scene.
 import type { JSX } from "preact";
 import { Menu } from "../controls/controls";
 import { useCommands } from "../context";

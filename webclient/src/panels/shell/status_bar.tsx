@@ -8,7 +8,7 @@ import { useLasting } from "../controls/lasting";
 
 const milliseconds = (value: number): string => `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
-/** Returns the frame rate in words. Zero is "idle", because the server sends frames only when the scene changes. */
+/** Zero is "idle", because the server sends frames only when the scene changes. */
 const rate = (perSecond: number): string =>
   perSecond === 0 ? "idle" : `${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`;
 
@@ -20,10 +20,7 @@ function kind({ stream, still }: Readout): string {
 /** Milliseconds after which the page reports that a still picture is pending. */
 const PATIENCE_MS = 1000;
 
-/**
- * Notice that a still picture is being drawn. The element stays in the page while it is empty, because screen readers
- * announce only changes of existing elements.
- */
+/** The element stays while it is empty, because screen readers announce only changes of existing elements. */
 function StillNotice(): JSX.Element {
   const due = useModel(isStillDue);
   const frame = useModel((model) => model.readout.value.frame);

@@ -1,6 +1,5 @@
-// Draws changes of the scene over the shown picture, if the picture of the changed scene is late. In the geometry
-// stream, the camera is never late, because the page draws the polygons with the newest camera. Only other changes can
-// be late, such as iso-values.
+// Draws changes of the scene over the shown picture if a picture with these changes is late. Polygons never have a late
+// camera, because the page draws them with the newest camera.
 import type { JSX } from "preact";
 import type { Scene } from "../../generated/protocol";
 import { ahead } from "../../model/ahead";
@@ -11,7 +10,7 @@ import { useLasting } from "../controls/lasting";
 /** Latency in milliseconds above which the changes are drawn. */
 const BEHIND_MS = 120;
 
-/** Lines and texts of the changes. A separate component, because it is rendered again at each camera move. */
+/** A separate component, because it is rendered again at each move of the camera. */
 function Drawn({ known }: { known: Scene }): JSX.Element | null {
   const wanted = useModel((model) => model.scene.value);
   const stream = useModel((model) => model.readout.value.stream);

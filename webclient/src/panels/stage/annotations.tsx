@@ -1,5 +1,4 @@
-// Axes of the bounding box and the triad over the canvas. The page draws these annotations, because frames contain no
-// text (Annotations in protocol/openrpc.json). Saved pictures have the same layout (../../model/layout.ts).
+// Axes of the bounding box and the triad over the canvas. The page draws them, because frames contain no text.
 import type { JSX } from "preact";
 import { DEFAULTS } from "../../generated/protocol";
 import { backgroundColors } from "../../model/background";

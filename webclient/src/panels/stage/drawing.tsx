@@ -5,7 +5,6 @@ import type { Fill, Overlay } from "../../model/layout";
 /** Width of the halo on each side of a letter's outline, in CSS pixels. */
 const HALO = 1.5;
 
-/** Draws boxes with vertical gradients. `name` makes the ids of the gradients unique in the document. */
 function Fills({ fills, name }: { fills: readonly Fill[]; name: string }): JSX.Element {
   return (
     <>
@@ -34,7 +33,7 @@ function Fills({ fills, name }: { fills: readonly Fill[]; name: string }): JSX.E
   );
 }
 
-/** `name`: name of this drawing, unique in the document. */
+/** `name` must be unique in the document. */
 export function Drawing({ overlay, name }: { overlay: Overlay; name: string }): JSX.Element {
   const { plates, fills, strokes, triangles, labels, halo } = overlay;
   return (

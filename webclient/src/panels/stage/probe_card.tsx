@@ -8,7 +8,6 @@ import { measured } from "../../model/scalars";
 import { IconButton } from "../controls/controls";
 import { useCommands, useModel, useCamera } from "../context";
 
-/** Row with the boundary patch at the clicked point, and buttons that hide this patch or all other patches. */
 function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Element {
   const commands = useCommands();
   return (
@@ -28,7 +27,7 @@ function PatchRow({ layer, patch }: { layer: string; patch: string }): JSX.Eleme
   );
 }
 
-/** Mark at the clicked point. This is a separate component, because it is rendered again at each move of the camera. */
+/** A separate component, because it is rendered again at each move of the camera. */
 function ProbeMark({ position }: { position: Vec3 }): JSX.Element | null {
   const size = useModel((model) => model.canvasSize.value);
   const camera = useCamera();

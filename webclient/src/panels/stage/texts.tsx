@@ -1,6 +1,4 @@
-// Title, captions and legends over the canvas, with the fields and buttons of the legends. The page draws these texts,
-// because frames contain no text (Annotations in protocol/openrpc.json). Saved pictures have the same layout
-// (../../model/layout.ts).
+// Title, captions and legends over the canvas. The page draws these texts, because frames contain no text.
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
@@ -34,10 +32,7 @@ const ROOM: Size = { width: 12, height: 20 };
 /** Side of a legend's button, and width of the words beside the buttons, in CSS pixels. */
 const BUTTON = 26;
 const WORDS = 62;
-/**
- * Largest width of a narrow stage in CSS pixels. A narrow stage has no space for the controls of legends. The controls
- * appear beside the legend that has the pointer or the focus.
- */
+/** Up to this width of the stage in CSS pixels, controls appear only beside the legend that has pointer or focus. */
 const NARROW = 560;
 
 interface Entry extends LegendOf {
@@ -51,14 +46,10 @@ interface Entry extends LegendOf {
 interface Entries {
   /** Legends of the scene whose range is known. */
   entries: Entry[];
-  /** Whether `entries` has all legends of the scene. */
   complete: boolean;
 }
 
-/**
- * Returns the legends of the scene. After a change of the time step, a legend has the range of the previous step until
- * the range of the new step has arrived.
- */
+/** After a change of the time step, a legend keeps the previous range until the range of the new step has arrived. */
 function useEntries(): Entries {
   const before = useRef(new Map<string, Histogram>());
   const commands = useCommands();
@@ -105,7 +96,6 @@ function rangeWords({ coloring }: Entry, everywhere: Range | null): string {
 
 const isAskew = ([low, high]: Range): boolean => low < 0 && high > 0 && low !== -high;
 
-/** Returns the size of a legend's buttons and of the words beside the buttons, in CSS pixels. */
 function controlsOf({ coloring, range }: Entry, hasSteps: boolean, zoom: number): Size {
   const tellsRange = hasSteps || coloring.range !== undefined;
   const buttons = (tellsRange ? 1 : 0) + (isAskew(range) ? 1 : 0);
@@ -159,10 +149,7 @@ function RangeButtons({ entry }: { entry: Entry }): JSX.Element {
 
 const ORIGIN: Box = { left: 0, top: 0, right: 0, bottom: 0 };
 
-/**
- * Returns the style that places an element over a box. `around`: box of the parent element. `more`: other members of
- * the style.
- */
+/** Places an element over a box. `around`: box of the parent element. */
 const on = (
   box: Box,
   around = ORIGIN,
@@ -175,10 +162,7 @@ const on = (
   ...more,
 });
 
-/**
- * Field over the number at one end of the bar. The overlay draws the number. The text of the field is visible only
- * while the field has the pointer or the focus.
- */
+/** The overlay draws the number. The field's text is visible only while the field has the pointer or the focus. */
 function EndField({
   entry,
   end,
@@ -245,10 +229,7 @@ function Legend({ entry, boxOf, text, zoom, floats }: LegendProps): JSX.Element 
   );
 }
 
-/**
- * Returns for each legend the size of the rectangle from the stage's top right corner to the legend's lower left
- * corner, plus ROOM.
- */
+/** Returns the sizes for CanvasSize.corner, plus ROOM. */
 const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
   handles
     .filter(({ id }) => /^legend \d+$/.test(id))

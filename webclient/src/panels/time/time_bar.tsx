@@ -16,8 +16,7 @@ export function TimeBar(): JSX.Element {
   const loop = useModel((model) => model.loop.value);
   const rate = useModel((model) => model.playRate.value);
   if (times.length < 2) {
-    // Reserves the space of the time bar. If the bar appeared later, the canvas would shrink, and the first picture
-    // would be drawn twice.
+    // Reserves the space of the time bar. A later bar would shrink the canvas, and the picture would be drawn twice.
     return (
       <section class="time-bar hint" aria-label="Time">
         {times.length === 1 && "This dataset has one time step."}

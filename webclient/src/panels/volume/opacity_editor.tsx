@@ -1,5 +1,4 @@
-// Editor for a volume's opacity curve, over the histogram of its array. A click outside the points adds a point. Points
-// are moved by dragging or arrow keys, and removed by Delete or a double click.
+// Editor for a volume's opacity curve, over the histogram of its array.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { Histogram } from "../../model/state";
