@@ -51,7 +51,7 @@ public:
 private:
     const Case& data_;
     store::Values values_; // as floats
-    SweepParts<SliceSink> parts_;
+    SweepBuffers<SliceSink> parts_;
     std::vector<SliceSink::Out> slices_;
 };
 

@@ -1,7 +1,7 @@
 // A session with the geometry of its scene.
 #pragma once
 
-#include "engine/services.hpp"
+#include "engine/engine_services.hpp"
 #include "geometry/scene_geometry.hpp"
 #include "sessions/session.hpp"
 
@@ -17,7 +17,7 @@ namespace ciel::engine {
 class OpenSession final : public sessions::Session {
 public:
     // `steps`: undo and redo steps of the session. Steps beyond the limits of the history are dropped.
-    OpenSession(std::string id, const Services& services, std::shared_ptr<const sessions::SceneVersion> first,
+    OpenSession(std::string id, const EngineServices& services, std::shared_ptr<const sessions::SceneVersion> first,
                 const sessions::Steps& steps = {});
 
     // Makes the geometry on the calling thread. Concurrent calls run one after another. Returns null if `stop` was
@@ -34,7 +34,7 @@ private:
     void charge_surfaces(); // requires geometry_mutex_ to be held; throws LimitReached
     void forget_surfaces(); // requires geometry_mutex_ to be held
 
-    const Services& services_;
+    const EngineServices& services_;
     std::mutex geometry_mutex_; // never locked while the session's own mutex is held
     geometry::SceneGeometry scene_geometry_;
     limits::Memory::Charge surfaces_;

@@ -39,7 +39,7 @@ struct Server::State {
     store::Catalog catalog;
     limits::Memory memory;
     FrameWorkers workers, picture_workers;
-    Services services;
+    EngineServices services;
     Sessions sessions;
     Uploads uploads;
     SlowCallQueue slow_calls;
@@ -159,7 +159,7 @@ Metrics& Server::counters() { return state_->metrics; }
 SlowCallQueue& Server::slow_calls() { return state_->slow_calls; }
 Uploads& Server::uploads() { return state_->uploads; }
 limits::Memory& Server::memory() { return state_->memory; }
-const Services& Server::services() const { return state_->services; }
+const EngineServices& Server::services() const { return state_->services; }
 
 void Server::connection_opened(std::shared_ptr<sessions::Connection> connection) {
     state_->connections.add(std::move(connection));

@@ -31,12 +31,12 @@ struct ServerOptions {
     limits::Limits limits;
 };
 
-class Sessions;      // sessions.hpp
-class FrameWorkers;  // schedule/frame_workers.hpp
-class Metrics;       // metrics.hpp
-struct Services;     // services.hpp
-class SlowCallQueue; // schedule/slow_call_queue.hpp
-class Uploads;       // uploads.hpp
+class Sessions;        // sessions.hpp
+class FrameWorkers;    // schedule/frame_workers.hpp
+class Metrics;         // metrics.hpp
+struct EngineServices; // engine_services.hpp
+class SlowCallQueue;   // schedule/slow_call_queue.hpp
+class Uploads;         // uploads.hpp
 
 // Thread-safe. The gateway's service opens and closes connections and drains the server; methods use the other members.
 class Server {
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] FrameWorkers& picture_workers();
     [[nodiscard]] const ServerOptions& options() const;
     [[nodiscard]] Metrics& counters();
-    [[nodiscard]] const Services& services() const;
+    [[nodiscard]] const EngineServices& services() const;
     [[nodiscard]] SlowCallQueue& slow_calls();
     [[nodiscard]] Uploads& uploads();
     [[nodiscard]] limits::Memory& memory();

@@ -15,7 +15,7 @@ struct Caller {
 // All members of Sessions are thread-safe.
 class Sessions {
 public:
-    explicit Sessions(const Services& services) : services_(services) {}
+    explicit Sessions(const EngineServices& services) : services_(services) {}
     ~Sessions() { close_all(); }
 
     // Returns the session with this id. Throws NotFound if there is no such session.
@@ -51,7 +51,7 @@ public:
 private:
     bool drop_longest_left(); // requires mutex_ to be held
 
-    const Services& services_;
+    const EngineServices& services_;
     mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<OpenSession>> sessions_;
     std::map<std::uint32_t, std::weak_ptr<View>> views_;

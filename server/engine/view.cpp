@@ -20,7 +20,7 @@ constexpr unsigned most_ways_given = 3;                        // a still pictur
 } // namespace
 
 View::View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
-           const Services& services, geometry::ViewSize size, Stream stream, wire::MovingCodec moving)
+           const EngineServices& services, geometry::ViewSize size, Stream stream, wire::MovingCodec moving)
     : id_(id), session_(std::move(session)), connection_(std::move(connection)), services_(services), size_(size),
       window_(services.limits.unacknowledged_frames), stream_(stream), moving_(moving) {}
 

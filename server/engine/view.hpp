@@ -37,7 +37,7 @@ struct FrameRequest {
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
-         const Services& services, geometry::ViewSize size, Stream stream, wire::MovingCodec moving);
+         const EngineServices& services, geometry::ViewSize size, Stream stream, wire::MovingCodec moving);
 
     [[nodiscard]] std::uint32_t id() const { return id_; }
     [[nodiscard]] std::uint64_t connection_id() const { return connection_->id; }
@@ -85,7 +85,7 @@ private:
     const std::uint32_t id_;
     const std::shared_ptr<OpenSession> session_;
     const std::shared_ptr<sessions::Connection> connection_;
-    const Services& services_;
+    const EngineServices& services_;
 
     std::mutex mutex_;
     geometry::ViewSize size_;

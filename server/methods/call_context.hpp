@@ -1,8 +1,8 @@
 // The objects that a method may use, and the exceptions of methods.
 #pragma once
 
+#include "engine/engine_services.hpp"
 #include "engine/server.hpp"
-#include "engine/services.hpp"
 #include "engine/sessions.hpp"
 #include "limits/errors.hpp"
 #include "methods/cancellation.hpp"

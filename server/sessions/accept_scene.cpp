@@ -28,7 +28,7 @@ void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
 
 } // namespace
 
-std::shared_ptr<const SceneVersion> accept_scene(const Services& services, nlohmann::json document,
+std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
                                                  std::uint64_t revision) {
     // Null and absent mean the same in a scene, and a merge patch (RFC 7396) cannot set a member to null.
     document = scene::merge_patch(nlohmann::json::object(), document);

@@ -3,7 +3,7 @@
 
 #include "scene/checked_scene.hpp"
 #include "sessions/history.hpp"
-#include "sessions/services.hpp"
+#include "sessions/session_services.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct SceneVersion {
 };
 
 // Opens the document's dataset, and checks the names against it. Throws scene::Invalid, NotFound, LimitReached.
-[[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const Services& services, nlohmann::json document,
+[[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
                                                                std::uint64_t revision);
 
 } // namespace ciel::sessions

@@ -3,7 +3,7 @@
 
 #include "sessions/accept_scene.hpp"
 #include "sessions/history.hpp"
-#include "sessions/services.hpp"
+#include "sessions/session_services.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -38,7 +38,7 @@ struct Viewer {
 class Session {
 public:
     // Drops `steps` beyond the history's limits. Throws LimitReached if there is no memory for the documents.
-    Session(std::string id, const Services& services, std::shared_ptr<const SceneVersion> first,
+    Session(std::string id, const SessionServices& services, std::shared_ptr<const SceneVersion> first,
             const Steps& steps = {});
 
     [[nodiscard]] const std::string& id() const { return id_; }
@@ -73,7 +73,7 @@ private:
     [[nodiscard]] SessionStatus current() const;
 
     const std::string id_;
-    const Services& services_;
+    const SessionServices& services_;
     const Clock::time_point opened_ = Clock::now();
 
     mutable std::mutex mutex_;

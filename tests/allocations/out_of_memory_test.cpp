@@ -217,18 +217,18 @@ protected:
         const std::vector<double> nus{0.5, 0.2, 0.9, 0.3};
         using Outs = std::vector<typename Sink::Out>;
         std::array<Outs, 2> expected;
-        const auto cut = [&](const Field& field, SweepParts<Sink>& scratch, Outs& out) {
+        const auto cut = [&](const Field& field, SweepBuffers<Sink>& scratch, Outs& out) {
             (void)sweep(data.topology, mesh, field, nus, sink, scratch, out, {}, extraction);
         };
         for (int i = 0; i < 2; ++i) {
-            SweepParts<Sink> scratch;
+            SweepBuffers<Sink> scratch;
             cut(data.fields()[i], scratch, expected[i]);
         }
         bool failed = true;
         const auto one_run = [&](std::size_t nth) {
             failed = false;
             const std::array<Field, 2> fields = data.fields();
-            SweepParts<Sink> scratch;
+            SweepBuffers<Sink> scratch;
             Outs out;
             const FailingAllocation failing(nth);
             for (const int i : {0, 0, 1, 0}) {

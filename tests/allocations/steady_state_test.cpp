@@ -98,7 +98,7 @@ protected:
     void expect_none(const Sink& sink) {
         const Field first(topology, values, nullptr), second(topology, others, nullptr);
         const std::vector<double> nus{0.5, 0.2, 0.9, 0.3};
-        SweepParts<Sink> scratch;
+        SweepBuffers<Sink> scratch;
         std::vector<typename Sink::Out> out;
         const auto both = [&] {
             for (const Field* field : {&first, &second})

@@ -126,8 +126,8 @@ private:
         const auto limits = cell_limits(topology_, property);
         const SlabProperty of_slab{property, gradient_[1 - current_], limits};
         // Buffers left from a sweep through the other field must not affect the result.
-        SweepParts<SoupSink> kept;
-        SweepParts<SliceSink> kept_slices;
+        SweepBuffers<SoupSink> kept;
+        SweepBuffers<SliceSink> kept_slices;
         require(sweep(topology_, mesh_, *field_[1 - current_], asked_, SoupSink{}, kept, soup) &&
                     sweep(topology_, mesh_, *field_[1 - current_], asked_, SliceSink{property}, kept_slices, slices),
                 "nothing asked sweep to stop");

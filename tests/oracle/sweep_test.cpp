@@ -120,7 +120,7 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
     for (std::size_t v = 0; v < gaps.size(); v += 5) gaps[v] = std::numeric_limits<float>::quiet_NaN();
     const Field other = make_field(mesh.topology, gaps);
     const std::vector<float> property = mesh.stored(random_field(input.vertex_count(), 4));
-    SweepParts<SliceSink> scratch;
+    SweepBuffers<SliceSink> scratch;
     for (const Field* of : {&other, &std::as_const(field), &other}) {
         std::vector<SliceSink::Out> out, expected;
         ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), *of, values, SliceSink{property}, scratch, out, {}, how));
@@ -186,8 +186,8 @@ INSTANTIATE_TEST_SUITE_P(All, Sweep, testing::Combine(testing::ValuesIn(all_mesh
                          });
 
 // One scratch buffer serves meshes of different sizes, as during playback over a changing mesh.
-TEST(SweepParts, ServeAnotherMesh) {
-    SweepParts<SoupSink> scratch;
+TEST(SweepBuffers, ServeAnotherMesh) {
+    SweepBuffers<SoupSink> scratch;
     for (const int edge : {4, 2, 5}) {
         const Polyhedra input = hexahedra({{edge, edge, edge}});
         const KernelMesh mesh(input, {8});

@@ -63,7 +63,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many
         const auto [low, high] = distance().range();
         const Planes planes{normal, bench::values_between(low, high, many)};
         std::vector<SliceSink::Out> made;
-        SweepParts<SliceSink> parts;
+        SweepBuffers<SliceSink> parts;
         std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
                                    cutter<vtkCutter>("vtkCutter", grid, planes)};
         if (is_linear(data))

@@ -136,7 +136,7 @@ private:
     Field field_;
     Query query_;
     Surface surface_;
-    SweepParts<SoupSink> parts_;
+    SweepBuffers<SoupSink> parts_;
 };
 
 // Replacing VTK's scalars is not timed. Building CIEL's block ranges is timed.

@@ -52,7 +52,7 @@ struct OutlineSink {
 // Buffers of a sweep into a sink. If a sweep is repeated with the same object, it allocates no memory. The buffers
 // never shrink. Only one sweep at a time may use an object.
 template <class Sink>
-struct SweepParts {
+struct SweepBuffers {
     struct OfBlock {
         std::vector<std::pair<std::size_t, typename Sink::Piece>> piece; // (index of the value, piece)
         std::size_t count = 0; // number of entries of `piece` that the current sweep uses
@@ -67,8 +67,8 @@ struct SweepParts {
 // and when an array of the sink has a wrong size.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, SweepParts<Sink>& parts, std::vector<typename Sink::Out>& out, const StopToken& stop = {},
-           Extraction extraction = {}) {
+           const Sink& sink, SweepBuffers<Sink>& parts, std::vector<typename Sink::Out>& out,
+           const StopToken& stop = {}, Extraction extraction = {}) {
     sink.check(mesh);
     parts.block.resize(topology.block_count());
     for (auto& made : parts.block) made.count = 0;
@@ -98,7 +98,7 @@ template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {},
            Extraction extraction = {}) {
-    SweepParts<Sink> parts;
+    SweepBuffers<Sink> parts;
     return sweep(topology, mesh, field, values, sink, parts, out, stop, extraction);
 }
 

@@ -8,7 +8,7 @@
 
 namespace ciel::sessions {
 
-struct Services {
+struct SessionServices {
     const limits::Limits& limits;
     store::Catalog& catalog;
     OpenConnections& connections;

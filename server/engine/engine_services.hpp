@@ -4,13 +4,13 @@
 #include "ciel/extract.hpp"
 #include "engine/metrics.hpp"
 #include "engine/schedule/frame_workers.hpp"
-#include "sessions/services.hpp"
+#include "sessions/session_services.hpp"
 
 #include <functional>
 
 namespace ciel::engine {
 
-struct Services : sessions::Services {
+struct EngineServices : sessions::SessionServices {
     Extraction extraction;
     FrameWorkers& workers;
     Metrics& metrics;
