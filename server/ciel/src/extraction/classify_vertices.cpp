@@ -1,8 +1,8 @@
-#include "extraction/active_edges.hpp"
+#include "extraction/classify_vertices.hpp"
+
 #include "parallel/vector_units.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace ciel {
 
@@ -16,9 +16,7 @@ CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const double* values, std::size_t count
     for (std::size_t v = 0; v < count; ++v) high[v] = values[v] >= threshold ? 1 : 0;
 }
 
-namespace {
-
-const std::uint8_t* mark(ValuesView values, double threshold, CutScratch& scratch) {
+const std::uint8_t* mark_vertices(ValuesView values, double threshold, CutScratch& scratch) {
     const std::size_t padded = (values.size() + 63) / 64 * 64;
     if (const std::size_t room = std::max(padded, local_ids); scratch.high.size() < room) scratch.high.resize(room);
     std::uint8_t* high = scratch.high.data();
@@ -30,17 +28,8 @@ const std::uint8_t* mark(ValuesView values, double threshold, CutScratch& scratc
     return high;
 }
 
-// Packs eight bytes, each 0 or 1, into eight bits: the multiplication moves byte i to bit i of the top byte.
-std::uint64_t bits_of(const std::uint8_t* bytes) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes, sizeof word);
-    return word * 0x0102040810204080U >> 56;
-}
-
-} // namespace
-
 bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut) {
-    const std::uint8_t* high = mark(values, threshold, scratch);
+    const std::uint8_t* high = mark_vertices(values, threshold, scratch);
     const std::size_t words = (values.size() + 63) / 64;
     bool same = cut.known;
     cut.signature.resize(words);

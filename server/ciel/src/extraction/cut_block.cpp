@@ -1,4 +1,5 @@
 #include "extraction/active_edges.hpp"
+#include "extraction/classify_vertices.hpp"
 #include "parallel/vector_units.hpp"
 
 #include <algorithm>
@@ -278,7 +279,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     begin_cut(block, scratch, cut);
     const Index most = std::max(block.edge_count, Index{local_ids});
     grow(scratch.met, most);
-    (void)mark(in.values, in.threshold, scratch);
+    (void)mark_vertices(in.values, in.threshold, scratch);
     // The last cut may have thrown. Skips all numbers that it may have used.
     scratch.met_before += scratch.met_most;
     scratch.met_most = most;

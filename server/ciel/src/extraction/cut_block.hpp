@@ -57,13 +57,6 @@ struct CutScratch {
 
 [[nodiscard]] CutScratch& scratch_of_this_thread();
 
-// Sets high[i] to 1 if values[i] >= threshold, else to 0. `high` must not overlap `values`.
-void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
-void mark_high(const double* values, std::size_t count, double threshold, std::uint8_t* high);
-// Sets scratch.high and cut.signature. Returns true if the cut is known and the signature is the same as before. Ignore
-// the result for blocks with gaps, because a vertex without a value becomes low.
-bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut);
-
 struct BlockValues {
     ValuesView values; // by local vertex; NaN where a vertex has no value
     bool gaps = false; // whether some vertex has no value; cells with such a vertex are not cut
@@ -74,7 +67,8 @@ struct BlockValues {
     bool naive = false;                        // if true, tests every cell of the block
 };
 
-// Cuts the block and writes the result to `cut`. REQUIRES: `classify` was called with the same scratch and cut.
+// Cuts the block and writes the result to `cut`. REQUIRES: `classify` (classify_vertices.hpp) was called with the same
+// scratch and cut.
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
 // For output that is not kept and shares no points with other blocks. Classifies the vertices itself. In `cut`, sets
 // only the polygons; polygon_edge has point numbers. Sets scratch.met_count, and scratch.ends for each point.

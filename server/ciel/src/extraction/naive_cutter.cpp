@@ -1,5 +1,6 @@
 // The paper's own baseline: has no list of active edges, and visits every cell of the mesh for every value.
 #include "ciel/parallel.hpp"
+#include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 

@@ -1,5 +1,6 @@
 // The Cutter of Algorithm 2 (paper): cuts the cells that Propagation (propagation.hpp) finds to be active at nu.
 #include "ciel/parallel.hpp"
+#include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
 #include "extraction/propagation.hpp"
 #include "fields/field_data.hpp"

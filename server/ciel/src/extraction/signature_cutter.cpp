@@ -1,4 +1,5 @@
 // A Cutter that keeps the cut of a block while the same vertices are high, unless a decider uses nu.
+#include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"
