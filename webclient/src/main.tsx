@@ -23,12 +23,11 @@ import { startLayoutModule } from "./wasm/layout_module";
 hideToken();
 const model = makeModel({ theme: savedTheme(), streamChoice: savedStream() });
 const links = new Links(model, () => server);
-const server: Server = new Server(model, new CanvasSize(), tabSession(), {
+const server: Server = new Server(model, new CanvasSize(model.canvasSize), tabSession(), {
   background: () => commands.page.background(),
   link: () => links.first,
   frames: () => view.presenter,
   clearPicture: () => view.clear(),
-  shown: () => view.shown,
   stopPlaying: () => commands.time.stop(),
 });
 const view: View = new View(model, server, (header, bytes) => {

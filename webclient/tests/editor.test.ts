@@ -1,5 +1,7 @@
+import { effect } from "@preact/signals";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Layer, Revision, Scene } from "../src/generated/protocol";
+import { makeModel, type Model } from "../src/model/model";
 import { Disconnected, RpcError } from "../src/server/rpc";
 import { SceneEditor } from "../src/server/editor";
 import { settled } from "./fake_socket";
@@ -24,6 +26,8 @@ let frames: (() => void)[] = [];
 let refused: Error[] = [];
 let gone: string[] = [];
 let stuck: string[] = [];
+let accepted: [revision: number, scene: Scene][] = [];
+let model: Model;
 let editor: SceneEditor;
 let held = scene; // the fake server's scene
 let canUndo = false;
@@ -55,15 +59,17 @@ const setValue = (value: number, gesture?: string): void =>
 
 beforeEach(() => {
   [sent, wire, frames, refused, gone, stuck, held, canUndo, lost] = [[], [], [], [], [], [], scene, false, null];
-  time = 0;
+  [time, accepted] = [0, []];
   const events = {
     changed: () => undefined,
-    accepted: () => undefined,
+    accepted: (revision: number, _: number, of: Scene) => void accepted.push([revision, of]),
     refused: (error: Error) => void refused.push(error),
     gone: (layer: Layer) => void gone.push(layer.type),
     stuck: (step: string, { message }: Error) => void stuck.push(`${step}: ${message}`),
   };
-  editor = new SceneEditor(events, { now: () => time, requestFrame: (callback) => void frames.push(callback) }, "g");
+  const timing = { now: () => time, requestFrame: (callback: () => void) => void frames.push(callback) };
+  model = makeModel();
+  editor = new SceneEditor(model, events, timing, "g");
   editor.connected(server, state(scene));
 });
 
@@ -78,6 +84,23 @@ describe("scene editor", () => {
     setValue(4, gesture);
     runFrame();
     expect(sent.map((s) => s.gesture)).toEqual([gesture, gesture]);
+  });
+
+  test("each reader of the model runs once for a move of the hand, and once for the server's answer", async () => {
+    const read: unknown[] = [];
+    effect(() => {
+      const iso = model.scene.value?.layers?.iso;
+      read.push([iso?.type === "iso" && iso.values, model.pending.value, model.canUndo.value]);
+    });
+    setValue(1);
+    runFrame();
+    sent[0]?.answer(taken(2));
+    await settled();
+    expect(read).toEqual([
+      [[0], false, false],
+      [[1], true, false],
+      [[1], false, true],
+    ]);
   });
 
   test("different gestures are different patches", () => {
@@ -120,7 +143,7 @@ describe("scene editor", () => {
     await settled();
     expect(sent.length).toBe(3);
     expect(sent[2]?.patch).toEqual({ layers: { iso: { values: [50] } } });
-    expect(editor.canUndo).toBe(true);
+    expect(model.canUndo.value).toBe(true);
   });
 
   test("over a long line no change waits for the answer to another", async () => {
@@ -156,17 +179,17 @@ describe("scene editor", () => {
     runFrame();
     sent[0]?.answer(taken(2));
     await settled();
-    expect(editor.canUndo).toBe(true);
+    expect(model.canUndo.value).toBe(true);
     lost = new RpcError(-32001, "There is no dataset", {});
     await editor.undo();
     expect(stuck).toEqual(["undo: There is no dataset"]);
     expect(refused).toEqual([]);
-    expect([editor.canUndo, editor.isPending, values()]).toEqual([false, false, [7]]);
+    expect([model.canUndo.value, editor.isPending, values()]).toEqual([false, false, [7]]);
     setValue(8);
     runFrame();
     sent[1]?.answer(taken(3));
     await settled();
-    expect(editor.canUndo).toBe(true);
+    expect(model.canUndo.value).toBe(true);
   });
 
   test("a refused change is taken back and said", async () => {
@@ -183,6 +206,17 @@ describe("scene editor", () => {
     editor.overheard({ ...scene, background: "light" });
     expect(editor.scene?.background).toBe("light");
     expect(values()).toEqual([7]);
+  });
+
+  test("an accepted change is told with the server's scene, without what the server has not accepted", async () => {
+    setValue(7);
+    runFrame();
+    editor.overheard({ ...scene, background: "light" });
+    setValue(8);
+    sent[0]?.answer(taken(3));
+    await settled();
+    const iso: Layer = { type: "iso", array: "p", values: [7] };
+    expect(accepted).toEqual([[3, { ...scene, background: "light", layers: { ...scene.layers, iso } }]]);
   });
 
   test("another client's change does not undo one that is on its way", async () => {
@@ -202,9 +236,9 @@ describe("scene editor", () => {
     held = { ...scene, background: "light" };
     canUndo = true;
     editor.overheard(held);
-    expect(editor.canUndo).toBe(false);
+    expect(model.canUndo.value).toBe(false);
     await settled();
-    expect(editor.canUndo).toBe(true);
+    expect(model.canUndo.value).toBe(true);
     expect(editor.scene).toEqual(held);
   });
 
@@ -285,7 +319,7 @@ describe("without a connection", () => {
     sent[0]?.answer(taken(2));
     await settled();
     editor.disconnected();
-    expect(editor.canUndo).toBe(false);
+    expect(model.canUndo.value).toBe(false);
   });
 
   test("an undo is not lost without a word", async () => {

@@ -8,7 +8,7 @@ const shown: PageState = {
   ...initialState,
   scene: { dataset: "old" },
   description: described("old"),
-  shownDataset: "old",
+  shownScene: { dataset: "old" },
   lacking: ["p is not written at this time"],
   empty: [{ layer: "iso", why: "outside", reason: "" }],
   missing: ["iso"],
@@ -27,7 +27,7 @@ test("a dataset is being opened from the choice until its first picture", () => 
   expect(openingDataset(chosen)).toBe("new");
   const taken = { ...shown, scene: { dataset: "new" } };
   expect(openingDataset(taken)).toBe("new");
-  expect(openingDataset({ ...taken, shownDataset: "new" })).toBeNull();
+  expect(openingDataset({ ...taken, shownScene: { dataset: "new" } })).toBeNull();
 });
 
 test("it is no longer being opened when the server has said why it cannot be drawn", () => {

@@ -1,9 +1,12 @@
+import { effect, signal } from "@preact/signals";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { Player } from "../src/commands/player";
 
 const times = [0, 0.5, 1];
 let shown: number[] = [];
 let gestures: string[] = [];
+let plays = 0;
+let playing = signal(false);
 let states: boolean[] = [];
 let loop = true;
 let step = 0;
@@ -11,7 +14,9 @@ let player: Player;
 
 beforeEach(() => {
   vi.useFakeTimers();
-  [shown, gestures, states, loop, step] = [[], [], [], true, 0];
+  [shown, gestures, states, loop, step, plays] = [[], [], [], true, 0, 0];
+  playing = signal(false);
+  effect(() => void states.push(playing.value));
   player = new Player(
     {
       times: () => times,
@@ -21,10 +26,10 @@ beforeEach(() => {
         shown.push(next);
         gestures.push(gesture);
       },
-      newGesture: () => `g${states.length}`,
+      newGesture: () => `g${++plays}`,
       rate: () => 10,
       loop: () => loop,
-      changed: (playing) => void states.push(playing),
+      playing,
     },
     () => performance.now(),
   );
@@ -70,8 +75,7 @@ describe("player", () => {
     player.play();
     present();
     present();
-    expect(player.playing).toBe(false);
-    expect(states).toEqual([true, false]);
+    expect(states).toEqual([false, true, false]);
     player.play();
     expect(shown).toEqual([1, 2, 0]);
   });
@@ -81,6 +85,6 @@ describe("player", () => {
     player.stop();
     present();
     expect(shown).toEqual([1]);
-    expect(states).toEqual([true, false]);
+    expect(states).toEqual([false, true, false]);
   });
 });

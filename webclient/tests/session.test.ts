@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { PROTOCOL, type Scene } from "../src/generated/protocol";
+import { makeModel, type Model } from "../src/model/model";
 import { RpcError } from "../src/server/rpc";
 import { SceneEditor } from "../src/server/editor";
 import { Session, wordsFor, type StreamWish } from "../src/server/session";
@@ -16,6 +17,7 @@ let refusals: string[] = [];
 let size = { width: 800, height: 600, pixel_ratio: 1 };
 let wish: StreamWish = { stream: "image", moving: "jpeg" };
 let clock = new FakeClock();
+let model: Model;
 let editor: SceneEditor;
 let session: Session;
 
@@ -44,7 +46,9 @@ beforeEach(() => {
   [network, clock, size] = [new FakeNetwork(), new FakeClock(), { width: 800, height: 600, pixel_ratio: 1 }];
   [frames, views, failures, refusals] = [[], [], [], []];
   wish = { stream: "image", moving: "jpeg" };
+  model = makeModel();
   editor = new SceneEditor(
+    model,
     {
       changed: () => undefined,
       accepted: () => undefined,
@@ -161,7 +165,7 @@ describe("session", () => {
       redo: [{ time: 2 }],
     });
     await network.newest.answer({ ...state({ ...scene, time: 1 }), can_undo: true, can_redo: true }, "session.open");
-    expect([editor.canUndo, editor.canRedo]).toEqual([true, true]);
+    expect([model.canUndo.value, model.canRedo.value]).toEqual([true, true]);
   });
 
   test("frames of a view that is gone are not acknowledged", async () => {

@@ -15,11 +15,11 @@ export class FileCommands {
   ) {}
 
   async screenshot(size = this.deps.server.size.pixels()): Promise<void> {
-    const { server } = this.deps;
+    const { model, server } = this.deps;
     await this.whileBusy("Drawing the picture", "The picture cannot be saved", async (progress, signal) => {
       const call = { session: server.tab.id, progress, ...size };
       const picture = await server.session.call("picture.render", call, signal);
-      download(`${server.editor.scene?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
+      download(`${model.scene.peek()?.dataset ?? "ciel"}.png`, picture.mime, picture.data);
     });
   }
 

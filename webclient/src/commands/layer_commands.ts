@@ -64,6 +64,6 @@ export class LayerCommands {
   }
 
   private scene(): Scene | null {
-    return this.deps.server.editor.scene;
+    return this.deps.model.scene.peek();
   }
 }

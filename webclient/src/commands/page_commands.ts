@@ -20,9 +20,9 @@ export class PageCommands {
   }
 
   matchBackground(): void {
-    const { editor } = this.deps.server;
-    const background = editor.scene?.background ?? DEFAULTS.Scene.background;
-    if (!background.startsWith("#")) editor.amend({ background: this.background() });
+    const { model, server } = this.deps;
+    const background = model.scene.peek()?.background ?? DEFAULTS.Scene.background;
+    if (!background.startsWith("#")) server.editor.amend({ background: this.background() });
   }
 
   background(): "dark" | "light" {

@@ -1,4 +1,5 @@
 // Plays the time steps. Requests each step only after the previous step is on the screen.
+import type { Signal } from "@preact/signals";
 
 export interface PlayerHost {
   times(): readonly number[];
@@ -7,7 +8,7 @@ export interface PlayerHost {
   newGesture(): string;
   rate(): number; // largest number of steps per second
   loop(): boolean;
-  changed(playing: boolean): void;
+  readonly playing: Signal<boolean>;
 }
 
 export class Player {
@@ -15,33 +16,26 @@ export class Player {
   private timer: ReturnType<typeof setTimeout> | null = null;
   private wanted: number | null = null;
   private askedAt = 0;
-  private running = false;
 
   constructor(
     private readonly host: PlayerHost,
     private readonly now: () => number,
   ) {}
 
-  get playing(): boolean {
-    return this.running;
-  }
-
   play(): void {
-    if (this.running || this.host.times().length < 2) return;
-    this.running = true;
+    if (this.host.playing.peek() || this.host.times().length < 2) return;
     this.gesture = this.host.newGesture();
-    this.host.changed(true);
+    this.host.playing.value = true;
     if (!this.host.loop() && this.host.shownStep() === this.host.times().length - 1) this.ask(0);
     else this.advance();
   }
 
   stop(): void {
-    if (!this.running) return;
-    this.running = false;
+    if (!this.host.playing.peek()) return;
     this.wanted = null;
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = null;
-    this.host.changed(false);
+    this.host.playing.value = false;
   }
 
   /** Call when a frame of this simulation time has been drawn on the screen. */
@@ -54,7 +48,7 @@ export class Player {
 
   private advance(): void {
     this.timer = null;
-    if (!this.running) return;
+    if (!this.host.playing.peek()) return;
     const next = this.host.shownStep() + 1;
     const count = this.host.times().length;
     if (next < count) this.ask(next);

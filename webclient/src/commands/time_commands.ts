@@ -11,7 +11,7 @@ export class TimeCommands {
     this.player = new Player(
       {
         times: () => this.times(),
-        shownStep: () => nearestStep(this.times(), server.editor.scene?.time),
+        shownStep: () => nearestStep(this.times(), model.scene.peek()?.time),
         show: (step, gesture) => {
           const time = this.times()[step];
           if (time !== undefined) server.editor.change({ time }, gesture);
@@ -19,7 +19,7 @@ export class TimeCommands {
         newGesture: () => server.editor.newGesture(),
         rate: () => model.playRate.peek(),
         loop: () => model.loop.peek(),
-        changed: (playing) => void (model.playing.value = playing),
+        playing: model.playing,
       },
       () => performance.now(),
     );
@@ -36,7 +36,7 @@ export class TimeCommands {
   }
 
   togglePlay(): void {
-    if (this.player.playing) this.player.stop();
+    if (this.deps.model.playing.peek()) this.player.stop();
     else this.player.play();
   }
 

@@ -1,4 +1,5 @@
 // Size of the canvas, in CSS pixels for pointer positions and in device pixels for pictures.
+import type { Signal } from "@preact/signals";
 import { LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
@@ -20,18 +21,25 @@ export function textPixels({ width, height }: Size): number {
 }
 
 export class CanvasSize {
-  css: Size = { width: 960, height: 640 };
   /** For each legend, the size from the canvas's top right to the legend's lower left corner, in CSS pixels. */
   corner: Size[] = [LEGEND];
   private ratio = 1;
 
+  /** `size`: the model's size of the canvas, in CSS pixels. Only this class writes it. */
+  constructor(private readonly size: Signal<Size>) {}
+
   set(width: number, height: number, ratio: number): void {
-    this.css = { width: Math.max(SMALLEST, width), height: Math.max(SMALLEST, height) };
     this.ratio = ratio;
+    this.size.value = { width: Math.max(SMALLEST, width), height: Math.max(SMALLEST, height) };
+  }
+
+  get css(): Size {
+    return this.size.peek();
   }
 
   get aspect(): number {
-    return this.css.width / this.css.height;
+    const { width, height } = this.css;
+    return width / height;
   }
 
   /** Estimates `corner` for `count` legends, before they are laid out. */

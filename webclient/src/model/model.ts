@@ -1,6 +1,6 @@
 // The page's state as Preact signals. Code that reads a signal runs again when the value of the signal changes.
 // server/, view/ and commands/ write the signals; panels/ only reads the signals.
-import { batch, signal, type Signal } from "@preact/signals";
+import { batch, computed, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { complete, defaultView, type FullCamera } from "./camera";
 import { openingDataset } from "./opening";
 import { stillDue } from "./still_due";
@@ -8,11 +8,28 @@ import { initialState, type PageState } from "./state";
 
 type Signals<T> = { readonly [K in keyof T]: Signal<T[K]> };
 
-export type Model = Signals<PageState>;
+interface Derived {
+  /** Camera of the shown picture. null for polygons, because the page draws polygons with the newest camera. */
+  readonly shownFrom: ReadonlySignal<FullCamera | null>;
+}
+
+export type Model = Signals<PageState> & Derived;
 
 export function makeModel(saved: Partial<PageState> = {}): Model {
   const entries = Object.entries({ ...initialState, ...saved }).map(([name, value]) => [name, signal(value)]);
-  return Object.fromEntries(entries) as Model;
+  const signals = Object.fromEntries(entries) as Signals<PageState>;
+  return { ...signals, ...derivedFrom(signals) };
+}
+
+function derivedFrom({ readout, shownScene }: Signals<PageState>): Derived {
+  // A signal of its own: the readout changes more often than the stream.
+  const isImage = computed(() => readout.value.stream === "image");
+  return {
+    shownFrom: computed(() => {
+      const camera = isImage.value ? shownScene.value?.camera : null;
+      return camera ? complete(camera) : null;
+    }),
+  };
 }
 
 export function update(model: Model, change: Partial<PageState>): void {
@@ -33,11 +50,11 @@ export function cameraOf(model: Model): FullCamera | null {
   return bounds === undefined ? null : defaultView(bounds, width / height);
 }
 
-export function openingIn({ chosen, scene, shownDataset, fatal, failedRevision }: Model): string | null {
+export function openingIn({ chosen, scene, shownScene, fatal, failedRevision }: Model): string | null {
   return openingDataset({
     chosen: chosen.value,
     scene: scene.value,
-    shownDataset: shownDataset.value,
+    shownScene: shownScene.value,
     fatal: fatal.value,
     failedRevision: failedRevision.value,
   });

@@ -2,12 +2,12 @@
 import type { Scene } from "../generated/protocol";
 import type { PageState } from "./state";
 
-type Opening = Pick<PageState, "chosen" | "scene" | "shownDataset" | "fatal" | "failedRevision">;
+type Opening = Pick<PageState, "chosen" | "scene" | "shownScene" | "fatal" | "failedRevision">;
 
 /** Returns null if the picture already shows the scene's dataset, or if the server cannot draw the scene. */
-export function openingDataset({ chosen, scene, shownDataset, fatal, failedRevision }: Opening): string | null {
+export function openingDataset({ chosen, scene, shownScene, fatal, failedRevision }: Opening): string | null {
   if (chosen !== null || scene === null || fatal !== null || failedRevision !== null) return chosen;
-  return scene.dataset === shownDataset ? null : scene.dataset;
+  return scene.dataset === shownScene?.dataset ? null : scene.dataset;
 }
 
 /** Clears everything about the previous dataset. Returns {} if `scene` has the same dataset. */

@@ -1,5 +1,4 @@
 // Recent scenes by revision, because the shown picture may be older than the newest scene.
-import { complete, type FullCamera } from "./camera";
 import type { Scene } from "../generated/protocol";
 
 interface Known {
@@ -25,10 +24,5 @@ export class ShownScenes {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);
     if (newest > 0) this.known = this.known.slice(newest);
     return newest < 0 ? null : (this.known[0]?.scene ?? null);
-  }
-
-  cameraOf(revision: number): FullCamera | null {
-    const camera = this.of(revision)?.camera;
-    return camera ? complete(camera) : null;
   }
 }

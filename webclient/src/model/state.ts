@@ -89,13 +89,12 @@ export interface PageState {
   chosen: string | null;
   /** Description of the chosen dataset, until the scene uses this dataset. */
   upcoming: DatasetDescription | null;
-  shownDataset: string | null;
+  /** Scene of the shown picture, which may be older than `scene`. */
   shownScene: Scene | null;
+  /** Newest scene, with changes that the server has not accepted yet. */
   scene: Scene | null;
   /** Camera that the server chose for a scene of `dataset` that has no camera. */
   seenFrom: { dataset: string; camera: FullCamera } | null;
-  /** Camera of the shown picture. null for polygons, because the page draws polygons with the newest camera. */
-  shownFrom: FullCamera | null;
   canUndo: boolean;
   canRedo: boolean;
   /** Whether the server has not accepted the newest change yet. */
@@ -160,11 +159,9 @@ export const initialState: PageState = {
   describing: null,
   chosen: null,
   upcoming: null,
-  shownDataset: null,
   shownScene: null,
   scene: null,
   seenFrom: null,
-  shownFrom: null,
   canUndo: false,
   canRedo: false,
   pending: false,

@@ -41,7 +41,7 @@ export function retryDelay(attempt: number, random: number): number {
 
 export class Connection {
   private socket: SocketLike | null = null;
-  private rpc: Rpc | null = null;
+  private openRpc: Rpc | null = null;
   private attempt = 0;
   private timer: number | null = null;
 
@@ -51,6 +51,11 @@ export class Connection {
     private readonly events: ConnectionEvents,
     private readonly clock: Clock,
   ) {}
+
+  /** null while no socket is open. */
+  get rpc(): Rpc | null {
+    return this.openRpc;
+  }
 
   start(): void {
     this.connect();
@@ -82,6 +87,7 @@ export class Connection {
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
       this.attempt = 0;
+      this.openRpc = rpc;
       this.clearTimer();
       this.events.opened(rpc);
       this.events.state({ kind: "open" });
@@ -93,7 +99,6 @@ export class Connection {
     };
     socket.onclose = () => this.ended();
     this.socket = socket;
-    this.rpc = rpc;
     this.setTimer(() => this.ended(), CONNECT_TIMEOUT_MS);
   }
 
@@ -127,7 +132,7 @@ export class Connection {
     this.clearTimer();
     const { socket, rpc } = this;
     this.socket = null;
-    this.rpc = null;
+    this.openRpc = null;
     if (socket !== null) {
       socket.onopen = socket.onclose = socket.onmessage = null;
       socket.close();

@@ -23,7 +23,6 @@ export interface Page {
   /** Receiver of frames; null until the canvases exist. */
   frames(): FrameReceiver | null;
   clearPicture(): void;
-  shown(): "none" | "image" | "geometry";
   stopPlaying(): void;
 }
 
@@ -38,7 +37,7 @@ export interface Core {
   readonly session: Session;
   readonly histograms: Histograms;
   readonly entry: Entry;
-  readonly streams: { current(): StreamWish; reconsider(): void };
+  readonly streams: { wanted(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
   /** Call when the page knows the server's scene at this revision. */
   taken(revision: number, scene: Scene): void;

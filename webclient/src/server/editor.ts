@@ -1,6 +1,8 @@
-// Local copy of the scene. A change applies to the copy at once, and is sent at most once per animation frame.
+// Changes of the model's scene. A change applies to the scene at once, and is sent at most once per animation frame.
+import { batch } from "@preact/signals";
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, keepEqual, type Json, type JsonObject } from "../model/merge_patch";
+import type { Model } from "../model/model";
 import { Disconnected } from "./rpc";
 import { PatchesAtOnce } from "./patches_at_once";
 import { SceneHistory, type Steps } from "./scene_history";
@@ -15,10 +17,19 @@ export interface SceneServer {
 
 export type Step = "undo" | "redo";
 
+/**
+ * Members of the model that only the editor writes. canUndo and canRedo come from the server, because its history may be
+ * longer than the page's copy (scene_history.ts).
+ */
+export type EditedState = Pick<Model, "scene" | "canUndo" | "canRedo" | "pending">;
+
 export interface EditorEvents {
-  /** The local scene, canUndo or canRedo has changed. */
-  changed(): void;
-  /** The server has accepted a change made at `since` (performance.now). `scene` has this revision. */
+  /** The local scene may have changed. `before` is the scene before the change. Called within a batch of signals. */
+  changed(before: Scene | null): void;
+  /**
+   * The server has accepted a change made at `since` (performance.now). `scene` is the server's scene at this revision.
+   * Called within a batch of signals.
+   */
   accepted(revision: number, since: number, scene: Scene): void;
   refused(error: Error): void;
   /** A change of this layer was dropped, because another client has removed the layer. */
@@ -36,11 +47,12 @@ interface Change {
   patch: JsonObject;
   gesture: string;
   since: number;
-  /** The local scene after this change. */
-  scene: Scene;
   /** A part was dropped, and the user has been told this. A refusal by the server is then not reported in addition. */
   targetsRemovedLayer?: boolean;
 }
+
+/** Whether the server has steps to undo or redo. Absent members are unknown. */
+type Allowed = Partial<Pick<Revision, "can_undo" | "can_redo">>;
 
 const patched = (scene: Scene, patch: JsonObject): Scene =>
   applyPatch(scene as unknown as Json, patch) as unknown as Scene;
@@ -49,11 +61,11 @@ const keptEqual = (before: Scene | null, after: Scene): Scene =>
   keepEqual(before as unknown as Json, after as unknown as Json) as unknown as Scene;
 
 export class SceneEditor {
-  private document: Scene | null = null;
   private server: SceneServer | null = null;
   private queue: Change[] = [];
   private unanswered: Change[] = [];
-  private differsFromServer = false;
+  /** Whether the connection ended while changes were unanswered. The server may lack these changes. */
+  private lostUnanswered = false;
   /** Whether the local scene may differ from the server's, which is then fetched after all changes are answered. */
   private doubtful = false;
   private asking = false;
@@ -65,17 +77,16 @@ export class SceneEditor {
   /** Last state of layers that other clients have removed, by id. */
   private readonly lost = new Map<string, Layer>();
   private readonly history = new SceneHistory();
-  canUndo = false;
-  canRedo = false;
 
   constructor(
+    private readonly state: EditedState,
     private readonly events: EditorEvents,
     private readonly timing: Timing,
     private readonly name: string,
   ) {}
 
   get scene(): Scene | null {
-    return this.document;
+    return this.state.scene.peek();
   }
 
   get isConnected(): boolean {
@@ -85,6 +96,10 @@ export class SceneEditor {
   /** Whether a change, an undo, a redo or a proposed scene waits for the server's answer. */
   get isPending(): boolean {
     return this.differsFromServer || this.travelling > 0;
+  }
+
+  private get differsFromServer(): boolean {
+    return this.queue.length > 0 || this.unanswered.length > 0 || this.lostUnanswered;
   }
 
   /** Undo and redo steps that the page sends when it opens the session again with this scene. */
@@ -98,17 +113,16 @@ export class SceneEditor {
   }
 
   change(patch: object, gesture = this.newGesture()): void {
-    if (this.document === null) return;
-    const part = this.withoutLost(patch as JsonObject, this.document);
-    const changed = keptEqual(this.document, patched(this.document, part));
-    if (changed === this.document) return;
-    this.document = changed;
-    this.differsFromServer = true;
+    const { scene } = this;
+    if (scene === null) return;
+    const part = this.withoutLost(patch as JsonObject, scene);
+    const changed = keptEqual(scene, patched(scene, part));
+    if (changed === scene) return;
     const newest = this.queue.at(-1);
     const both = newest?.gesture === gesture ? composePatches(newest.patch, part) : null;
-    if (newest !== undefined && both !== null) Object.assign(newest, { patch: both, scene: this.document });
-    else this.queue.push({ patch: part, gesture, since: this.timing.now(), scene: this.document });
-    this.events.changed();
+    if (newest !== undefined && both !== null) newest.patch = both;
+    else this.queue.push({ patch: part, gesture, since: this.timing.now() });
+    this.show(changed);
     this.requestFlush();
   }
 
@@ -118,14 +132,15 @@ export class SceneEditor {
   }
 
   replace(scene: Scene, gesture?: string): void {
-    if (this.document === null) return;
-    this.change(diff(this.document as unknown as JsonObject, scene as unknown as JsonObject), gesture);
+    const before = this.scene;
+    if (before === null) return;
+    this.change(diff(before as unknown as JsonObject, scene as unknown as JsonObject), gesture);
   }
 
   async undo(): Promise<void> {
     const stuck = (error: Error): void => {
       // Undo stays disabled until an answer of the server enables it.
-      this.canUndo = false;
+      this.state.canUndo.value = false;
       this.events.stuck("undo", error);
     };
     const moved = (scene: Scene): void => this.history.moved("undo", scene);
@@ -134,7 +149,7 @@ export class SceneEditor {
 
   async redo(): Promise<void> {
     const stuck = (error: Error): void => {
-      this.canRedo = false;
+      this.state.canRedo.value = false;
       this.events.stuck("redo", error);
     };
     const moved = (scene: Scene): void => this.history.moved("redo", scene);
@@ -143,14 +158,14 @@ export class SceneEditor {
 
   /** Changes made while disconnected are sent to the session as one undo step. */
   connected(server: SceneServer, state: SessionState): void {
+    const mine = this.scene;
+    const unsent = this.differsFromServer;
     this.server = server;
     this.patchesAtOnce = new PatchesAtOnce();
     this.unanswered = [];
     this.queue = [];
     this.doubtful = this.asking = false;
     this.travelling = 0;
-    const mine = this.document;
-    const unsent = this.differsFromServer;
     this.history.found(state.scene);
     this.adopt(state, []);
     if (unsent && mine !== null) this.replace(mine);
@@ -158,15 +173,23 @@ export class SceneEditor {
 
   disconnected(): void {
     this.server = null;
+    this.lostUnanswered ||= this.unanswered.length > 0;
     this.unanswered = [];
     this.travelling = 0;
-    this.canUndo = this.canRedo = false; // undo and redo need the server, which keeps the history
-    this.events.changed();
+    batch(() => {
+      this.allow({ can_undo: false, can_redo: false }); // undo and redo need the server, which keeps the history
+      this.show(this.scene);
+    });
   }
 
-  /** Drops the local scene and its history. Call before connected() if the user has chosen another scene. */
+  /**
+   * Drops the history and all changes that the server has not accepted, so that connected() adopts the server's scene.
+   * Call before connected() if the user has chosen another scene.
+   */
   forget(): void {
-    this.document = null;
+    this.queue = [];
+    this.unanswered = [];
+    this.lostUnanswered = false;
     this.history.forget();
   }
 
@@ -179,7 +202,7 @@ export class SceneEditor {
 
   /** Sends the scene as one change. The local scene changes only after the server has accepted the scene. */
   async propose(scene: Scene): Promise<void> {
-    const patch = diff((this.document ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
+    const patch = diff((this.scene ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
     await this.travel(
       async (server) => {
         await server.patch(patch, this.newGesture());
@@ -190,20 +213,47 @@ export class SceneEditor {
   }
 
   /** Adopts the server's scene. Then applies the unanswered changes `onTheWay` and the queued changes to this scene. */
-  private adopt(state: { scene: Scene; can_undo?: boolean; can_redo?: boolean }, onTheWay: Change[]): void {
-    this.canUndo = state.can_undo ?? this.canUndo;
-    this.canRedo = state.can_redo ?? this.canRedo;
-    for (const [id, layer] of removedBetween(this.document, state.scene)) this.lost.set(id, layer);
+  private adopt(state: Pick<SessionState, "scene"> & Allowed, onTheWay: Change[]): void {
+    for (const [id, layer] of removedBetween(this.scene, state.scene)) this.lost.set(id, layer);
     let scene = state.scene;
     for (const change of [...onTheWay, ...this.queue]) {
       const patch = this.withoutLost(change.patch, scene);
       if (patch !== change.patch) Object.assign(change, { patch, targetsRemovedLayer: true });
       scene = patched(scene, patch);
     }
-    this.document = keptEqual(this.document, scene);
     this.queue = this.queue.filter(({ patch }) => Object.keys(patch).length > 0);
-    this.differsFromServer = this.queue.length > 0 || this.unanswered.length > 0;
-    this.events.changed();
+    this.lostUnanswered = false;
+    batch(() => {
+      this.allow(state);
+      this.show(keptEqual(this.scene, scene));
+    });
+  }
+
+  /** Puts the scene into the model, also if only `pending` has changed. */
+  private show(scene: Scene | null): void {
+    const before = this.scene;
+    batch(() => {
+      this.state.scene.value = scene;
+      this.state.pending.value = this.isPending;
+      this.events.changed(before);
+    });
+  }
+
+  private allow({ can_undo, can_redo }: Allowed): void {
+    const { canUndo, canRedo } = this.state;
+    canUndo.value = can_undo ?? canUndo.peek();
+    canRedo.value = can_redo ?? canRedo.peek();
+  }
+
+  /** Call after the change is in the history. */
+  private accepted(answer: Revision, since: number): void {
+    const scene = this.history.accepted;
+    if (scene === null) return;
+    batch(() => {
+      this.allow(answer);
+      this.state.pending.value = this.isPending;
+      this.events.accepted(answer.revision, since, scene);
+    });
   }
 
   /** With changes of layers that another client has removed, the server would make incomplete layers. */
@@ -227,7 +277,7 @@ export class SceneEditor {
     const since = this.timing.now();
     const before = new Set(this.unanswered); // the result of the step contains these changes
     this.travelling += 1;
-    this.events.changed();
+    this.show(this.scene);
     try {
       const state = await step(server);
       if (this.server !== server) return;
@@ -235,12 +285,12 @@ export class SceneEditor {
       arrived(state.scene);
       const after = this.unanswered.filter((change) => !before.has(change));
       this.adopt(state, after);
-      this.events.accepted(state.revision, since, state.scene);
+      this.accepted(state, since);
     } catch (error) {
       if (this.server !== server || error instanceof Disconnected) return;
       this.travelling -= 1;
       refused(error as Error);
-      this.events.changed();
+      this.show(this.scene);
     }
   }
 
@@ -270,12 +320,7 @@ export class SceneEditor {
         this.patchesAtOnce.answered(this.timing.now() - sentAt);
         this.history.changed(change.patch, change.gesture);
         this.answered(change);
-        if (this.canUndo !== answer.can_undo || this.canRedo !== answer.can_redo) {
-          this.canUndo = answer.can_undo;
-          this.canRedo = answer.can_redo;
-          this.events.changed();
-        }
-        this.events.accepted(answer.revision, change.since, change.scene);
+        this.accepted(answer, change.since);
       },
       (error: unknown) => {
         if (this.server !== server || error instanceof Disconnected) return;
@@ -288,7 +333,6 @@ export class SceneEditor {
 
   private answered(change: Change): void {
     this.unanswered = this.unanswered.filter((other) => other !== change);
-    this.differsFromServer = this.unanswered.length > 0 || this.queue.length > 0;
     this.flush();
     if (this.doubtful) this.doubt();
   }

@@ -15,9 +15,15 @@ const MOST_BYTES = 1_000_000;
 const OF_OTHERS = "others";
 
 export class SceneHistory {
+  /** The server's scene. The model's scene may also contain changes that the server has not accepted. */
   private scene: JsonObject | null = null;
   private steps: Steps = { undo: [], redo: [] };
   private gesture = "";
+
+  /** The newest scene that the server has accepted; null before a session. */
+  get accepted(): Scene | null {
+    return this.scene as unknown as Scene | null;
+  }
 
   /** Call when the server has accepted a change of this page. */
   changed(patch: JsonObject, gesture: string): void {

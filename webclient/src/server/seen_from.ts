@@ -10,7 +10,7 @@ export class SeenFrom {
   /** Call after the scene or the canvas size has changed. */
   async reconsider(): Promise<void> {
     const { editor, model, session, size, tab } = this.server;
-    const { scene } = editor;
+    const scene = model.scene.peek();
     if (scene === null || scene.camera || !editor.isConnected || editor.isPending) return;
     const pixels = size.pixels();
     const key = JSON.stringify([scene, pixels]);

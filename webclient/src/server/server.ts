@@ -11,7 +11,7 @@ import type { Core, Page } from "./core";
 import { describeDataset } from "./datasets";
 import { SceneEditor } from "./editor";
 import { Entry } from "./entry";
-import type { FrameHeader } from "../generated/frame_header";
+import { FrameKind, type FrameHeader } from "../generated/frame_header";
 import { Histograms } from "./histograms";
 import { Latency } from "./latency";
 import { Disconnected } from "./rpc";
@@ -50,8 +50,9 @@ export class Server implements Core {
     readonly page: Page,
   ) {
     this.editor = new SceneEditor(
+      model,
       {
-        changed: () => this.sceneChanged(),
+        changed: (before) => this.sceneChanged(before),
         accepted: (revision, since, scene) => this.accepted(revision, since, scene),
         refused: (error) => this.fail(error),
         gone: (layer) =>
@@ -101,22 +102,22 @@ export class Server implements Core {
 
   taken(revision: number, scene: Scene): void {
     this.scenes.taken(revision, scene);
-    const { readout } = this.model;
-    if (readout.peek().revision !== 0) this.showScene(readout.peek().revision); // 0: no picture of this session
+    const { readout, shownScene } = this.model;
+    const shown = readout.peek().revision;
+    if (shown !== 0) shownScene.value = this.scenes.of(shown); // 0: no picture of this session
   }
 
   /** `bytes`: size of the messages of the frame. */
   presented(header: FrameHeader, bytes: number): void {
-    const { model, page } = this;
+    const { model } = this;
     const at = now();
     this.latency.shown(header.revision, at);
-    this.showScene(header.revision);
     update(model, {
-      shownFrom: page.shown() === "image" ? this.scenes.cameraOf(header.revision) : null,
+      shownScene: this.scenes.of(header.revision),
       failedRevision: null,
       readout: {
         ...model.readout.peek(),
-        stream: page.shown(),
+        stream: header.kind === FrameKind.image ? "image" : "geometry",
         still: header.still,
         latencyMs: this.latency.last,
         framesPerSecond: this.latency.framesPerSecond(at),
@@ -135,31 +136,19 @@ export class Server implements Core {
     this.streams.presented(header, bytes);
   }
 
-  private showScene(revision: number): void {
-    const shownScene = this.scenes.of(revision);
-    const shownDataset = shownScene?.dataset ?? this.model.shownDataset.peek();
-    update(this.model, { shownScene, shownDataset });
-  }
-
   private accepted(revision: number, since: number, scene: Scene): void {
     this.taken(revision, scene);
     this.latency.accepted(revision, since);
-    update(this.model, { revision, pending: this.editor.isPending });
+    update(this.model, { revision });
     void this.seenFrom.reconsider();
   }
 
-  private sceneChanged(): void {
-    const { editor, model } = this;
-    const before = model.scene.peek();
-    update(model, {
-      ...forgottenWith({ scene: before, upcoming: model.upcoming.peek() }, editor.scene),
-      scene: editor.scene,
-      canUndo: editor.canUndo,
-      canRedo: editor.canRedo,
-      pending: editor.isPending,
-    });
-    this.streams.changed(before, editor.scene);
-    if (before?.dataset !== editor.scene?.dataset) void describeDataset(this);
+  private sceneChanged(before: Scene | null): void {
+    const { model } = this;
+    const scene = model.scene.peek();
+    update(model, forgottenWith({ scene: before, upcoming: model.upcoming.peek() }, scene));
+    this.streams.changed(before, scene);
+    if (before?.dataset !== scene?.dataset) void describeDataset(this);
     void this.seenFrom.reconsider();
   }
 

@@ -39,7 +39,6 @@ export type Caller = <M extends MethodName>(method: M, params: Params<M>) => Pro
 
 export class Session {
   private readonly connection: Connection;
-  private rpc: Rpc | null = null;
   private joining: Promise<void> = Promise.resolve();
   /** Scene passed to begin() and not shown yet. The session is opened with it instead of the editor's scene. */
   private chosen: Scene | null = null;
@@ -60,13 +59,22 @@ export class Session {
       post,
       {
         state: (state) => this.stateChanged(state),
-        opened: (rpc) => void this.opened(rpc),
+        opened: (rpc) => void this.joinOrSayWhy(rpc),
         notification: (name, params) => host.notified(name as keyof Notifications, params as never),
         binary: (message) => host.binary(message),
         roundTrip: (milliseconds) => host.roundTrip(milliseconds),
       },
       clock,
     );
+  }
+
+  /** Stream that the server was asked for last. */
+  get stream(): StreamWish {
+    return this.sentStream;
+  }
+
+  private get rpc(): Rpc | null {
+    return this.connection.rpc;
   }
 
   start(): void {
@@ -133,16 +141,10 @@ export class Session {
 
   private stateChanged(state: ConnectionState): void {
     if (state.kind !== "open") {
-      this.rpc = null;
       this.setView(0);
       this.editor.disconnected();
     }
     this.host.connection(state);
-  }
-
-  private async opened(rpc: Rpc): Promise<void> {
-    this.rpc = rpc;
-    await this.joinOrSayWhy(rpc);
   }
 
   private joinOrSayWhy(rpc: Rpc): Promise<void> {

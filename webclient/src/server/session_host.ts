@@ -15,7 +15,7 @@ const NOTHING = "The server has no dataset that can be opened. Start the server 
 function removePicture(server: Core): void {
   server.page.clearPicture();
   const { roundTripMs } = server.model.readout.peek();
-  update(server.model, { shownDataset: null, readout: { ...emptyReadout, roundTripMs } });
+  update(server.model, { shownScene: null, readout: { ...emptyReadout, roundTripMs } });
 }
 
 export function sessionHost(server: Core): SessionHost {
@@ -34,7 +34,7 @@ export function sessionHost(server: Core): SessionHost {
       return scene;
     },
     viewSize: () => ({ ...server.size.pixels(), pixel_ratio: server.size.pixelRatio }),
-    stream: () => server.streams.current(),
+    stream: () => server.streams.wanted(),
     viewOpening: () => server.page.frames()?.expect(),
     viewOpened: (view) => server.page.frames()?.show(view),
     opened: ({ revision, scene }) => {

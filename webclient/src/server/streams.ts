@@ -20,7 +20,6 @@ export class Streams {
   private readonly rate = new LineRate();
   readonly pace = new DrawPace();
   private hardware: boolean | null = null;
-  private asked: StreamWish | null = null;
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
@@ -30,11 +29,6 @@ export class Streams {
   private readonly polygons = new PolygonBytes();
 
   constructor(private readonly server: Core) {}
-
-  current(): StreamWish {
-    this.asked = this.wanted();
-    return this.asked;
-  }
 
   /** The line rate can be measured before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
@@ -66,13 +60,10 @@ export class Streams {
 
   /** Call when a measured value may have changed. */
   reconsider(): void {
-    const wanted = this.wanted();
-    if (wanted.stream === this.asked?.stream && wanted.moving === this.asked.moving) return;
-    this.asked = wanted;
-    this.server.session.setStream(wanted);
+    this.server.session.setStream(this.wanted());
   }
 
-  private wanted(): StreamWish {
+  wanted(): StreamWish {
     const streamChoice = this.server.model.streamChoice.peek();
     if (streamChoice === "auto") return { stream: this.suggested(), moving: "jpeg" };
     this.say("", "");
@@ -86,7 +77,7 @@ export class Streams {
     const { triangles, extractMs } = readout;
     this.hardware ??= hasHardwareWebGL();
     const { stream, why } = chooseStream({
-      current: this.asked?.stream ?? "image",
+      current: this.server.session.stream.stream,
       gesture: this.gesture,
       lineRate: this.rate.bytesPerSecond,
       sawStill: this.still !== null,

@@ -28,7 +28,6 @@ export class GeometryCanvas {
   private background!: Program;
   private uploaded!: UploadedBatches;
   private peeling: DepthPeeling | null = null;
-  private batches: GeometryBatch[] = [];
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -41,14 +40,14 @@ export class GeometryCanvas {
     this.prepare();
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
+      const { batches } = this.uploaded;
       this.prepare();
-      this.setBatches(this.batches);
+      this.setBatches(batches);
       restored();
     });
   }
 
   setBatches(batches: GeometryBatch[]): void {
-    this.batches = batches;
     this.uploaded.set(batches);
     if (!this.isPeeled) this.peeling?.free();
   }

@@ -11,8 +11,8 @@ export class Pivot {
 
   /** (x, y) is the start of the orbit, in CSS pixels of the canvas. */
   seek(x: number, y: number): void {
-    const { editor, session, size, tab } = this.server;
-    const dataset = editor.scene?.dataset;
+    const { editor, model, session, size, tab } = this.server;
+    const dataset = model.scene.peek()?.dataset;
     this.known = null;
     this.asked += 1;
     const turn = this.asked;
@@ -29,7 +29,7 @@ export class Pivot {
   }
 
   of(camera: FullCamera): Vec3 {
-    return this.known !== null && this.known.dataset === this.server.editor.scene?.dataset
+    return this.known !== null && this.known.dataset === this.server.model.scene.peek()?.dataset
       ? this.known.at
       : camera.target;
   }

@@ -46,16 +46,20 @@ const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
 
 export class UploadedBatches {
   private readonly textures: ScaleTextures;
-  private batches: UploadedBatch[] = [];
+  private uploads: UploadedBatch[] = [];
 
   constructor(private readonly gl: WebGL2RenderingContext) {
     this.textures = new ScaleTextures(gl);
   }
 
+  get batches(): GeometryBatch[] {
+    return this.uploads.map(({ batch }) => batch);
+  }
+
   set(batches: GeometryBatch[]): void {
-    const before = new Set(this.batches);
+    const before = new Set(this.uploads);
     const places = placesOf(batches);
-    this.batches = batches.map((batch, i) => {
+    this.uploads = batches.map((batch, i) => {
       const place = places[i] ?? 0;
       for (const uploaded of before) {
         if (!isSameMesh(uploaded.batch, batch)) continue;
@@ -74,12 +78,12 @@ export class UploadedBatches {
   }
 
   has(wanted: (batch: GeometryBatch) => boolean): boolean {
-    return this.batches.some(({ batch }) => wanted(batch));
+    return this.uploads.some(({ batch }) => wanted(batch));
   }
 
   /** From the middle of the widest line or point to its edge, in picture pixels. The server computes the same value. */
   reachOfOverlays(): number {
-    const widths = this.batches.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
+    const widths = this.uploads.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);
   }
 
@@ -100,7 +104,7 @@ export class UploadedBatches {
   }
 
   draw(programs: BatchPrograms, look: Look, pixels: number, wanted: (batch: GeometryBatch) => boolean): void {
-    for (const uploaded of this.batches)
+    for (const uploaded of this.uploads)
       if (wanted(uploaded.batch)) this.drawUploaded(programs, look, pixels, uploaded);
   }
 

@@ -1,5 +1,5 @@
 // The canvases of the page. Shows the server's frames, and draws polygons again when the camera or the lights change.
-import { effect } from "@preact/signals";
+import { computed } from "@preact/signals";
 import { backgroundColors } from "../model/background";
 import { lightsOf } from "../model/lights";
 import { cameraOf, type Model } from "../model/model";
@@ -38,10 +38,11 @@ export class View {
 
   async attach(imageCanvas: HTMLCanvasElement, geometryCanvas: HTMLCanvasElement): Promise<void> {
     const { model, server } = this;
+    const look = computed(() => lookOf(model));
     const viewport = new Viewport(
       imageCanvas,
       geometryCanvas,
-      () => lookOf(model),
+      () => look.peek(),
       () => server.size.pixels(),
       (requestedAt) => server.streams.pace.drawn(requestedAt, now()),
     );
@@ -58,23 +59,15 @@ export class View {
       },
       (callback) => void requestAnimationFrame(callback),
     );
-    effect(() => {
-      lookOf(model); // reads signals: this effect runs again when one of them changes
-      viewport.redraw();
-    });
+    look.subscribe(() => viewport.redraw());
     await geometryReady.catch((error: unknown) => server.fail(error)); // pictures can be shown without this decoder
   }
 
   /** Call when the canvas has a new size, in CSS pixels. `pixelRatio`: device pixels per CSS pixel. */
   resized(width: number, height: number, pixelRatio: number): void {
     this.server.size.set(width, height, pixelRatio);
-    this.model.canvasSize.value = this.server.size.css;
     this.viewport?.redraw();
     this.server.resized();
-  }
-
-  get shown(): "none" | "image" | "geometry" {
-    return this.viewport?.shown ?? "none";
   }
 
   clear(): void {

@@ -15,14 +15,14 @@ export class Viewport implements Screen {
   private geometry: GeometryCanvas | null = null;
   private redrawRequested = false;
   private settling = 0;
-  shown: "none" | "image" | "geometry" = "none";
+  private shown: "none" | "image" | "geometry" = "none";
 
   constructor(
     imageCanvas: HTMLCanvasElement,
     private readonly geometryCanvas: HTMLCanvasElement,
     private readonly look: () => Look | null,
     /** Size of the canvas in device pixels. */
-    readonly size: () => { width: number; height: number },
+    private readonly size: () => { width: number; height: number },
     /** Called after redraw() has drawn polygons. `requestedAt`: time of the request (performance.now). */
     private readonly drawn: (requestedAt: number) => void,
   ) {

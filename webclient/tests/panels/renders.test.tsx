@@ -3,7 +3,7 @@ import { options, render, type ComponentType, type JSX, type VNode } from "preac
 import { act } from "preact/test-utils";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { Scene } from "../../src/generated/protocol";
-import { makeModel } from "../../src/model/model";
+import { makeModel, type Model } from "../../src/model/model";
 import { emptyReadout } from "../../src/model/state";
 import { PageContext } from "../../src/panels/context";
 import { CameraSection } from "../../src/panels/look/camera_section";
@@ -51,7 +51,8 @@ afterEach(() => {
   else options.vnode = vnode;
 });
 
-const BUSY = { ...emptyReadout, stream: "image" as const, revision: 1, latencyMs: 500 };
+// Polygons, because the axes and the mark of the probe then follow the newest camera.
+const BUSY = { ...emptyReadout, stream: "geometry" as const, revision: 1, latencyMs: 500 };
 const PROBE = {
   result: { hit: true, position: [0.5, 0.5, 0.5], vertex: 1, cell: 0, layer: "wall", patch: "inlet", values: { p: 1 } },
   time: 0,
@@ -82,10 +83,10 @@ function rendered(panel: JSX.Element): { atFirst: Counts; byMove: Counts } {
     readout: BUSY,
     revision: 2,
     shownScene: { ...fullScene, time: 1 },
-    shownDataset: "box",
     probe: PROBE as never,
     helpOpen: true,
   });
+  const editor = dragging(model);
   const root = document.createElement("div");
   document.body.replaceChildren(root);
   const commands = recordedCommands(model, []);
@@ -95,31 +96,33 @@ function rendered(panel: JSX.Element): { atFirst: Counts; byMove: Counts } {
   unfold(root);
   const atFirst = counts;
   counts = {};
-  move((scene) => void act(() => void (model.scene.value = scene)));
+  move(editor);
   const byMove = counts;
   void act(() => render(null, root));
   return { atFirst, byMove };
 }
 
-/** Moves the camera as the view does, then as another page of the session does. `show` gets the scene after each. */
-function move(show: (scene: Scene) => void): void {
+const cameraAt = (x: number): Scene["camera"] => ({ position: [x, -9, 0], target: [0, 0, 0], up: [0, 0, 1] });
+
+/** Returns an editor of the model's scene that has sent nothing of a drag of the camera yet. */
+function dragging(model: Model): SceneEditor {
   const nothing = (): void => undefined;
   const editor = new SceneEditor(
-    {
-      changed: () => editor.scene && show(editor.scene),
-      accepted: nothing,
-      refused: nothing,
-      gone: nothing,
-      stuck: nothing,
-    },
+    model,
+    { changed: nothing, accepted: nothing, refused: nothing, gone: nothing, stuck: nothing },
     { now: () => 0, requestFrame: nothing },
     "g",
   );
   const never = (): Promise<never> => new Promise(nothing);
   editor.connected({ patch: never, undo: never, redo: never, get: never }, state(fullScene));
-  editor.change({ camera: { position: [1, -9, 0], target: [0, 0, 0], up: [0, 0, 1] } });
-  const scene = structuredClone(fullScene);
-  editor.overheard({ ...scene, camera: { position: [2, -9, 0], target: [0, 0, 0], up: [0, 0, 1] } });
+  editor.change({ camera: cameraAt(0.5) }, "drag");
+  return editor;
+}
+
+/** Moves the camera as the view does, then as another page of the session does. */
+function move(editor: SceneEditor): void {
+  void act(() => editor.change({ camera: cameraAt(1) }, "drag"));
+  void act(() => editor.overheard({ ...structuredClone(fullScene), camera: cameraAt(2) }));
 }
 
 function sum(parts: Counts[]): Counts {

@@ -185,7 +185,7 @@ test("the status bar tells the picture that is shown", () => {
     latencyMs: 8,
     triangles: 3,
   };
-  const { change, model, root } = stand(<StatusBar />, scene, { readout, shownDataset: "box" });
+  const { change, model, root } = stand(<StatusBar />, scene, { readout, shownScene: scene });
   for (const words of ["1 cells", "image, still", "3 triangles", "latency 8.0 ms", "12 fps"])
     expect(root.textContent).toContain(words);
   change(() => void (model.readout.value = { ...readout, stream: "geometry" }));
