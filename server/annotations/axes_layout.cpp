@@ -35,8 +35,8 @@ public:
     void draw_line() { layout_.draw_line(at(edge_.from), at(edge_.to)); }
 
     void write() {
-        const Place a = at(edge_.from);
-        const Place b = at(edge_.to);
+        const PicturePoint a = at(edge_.from);
+        const PicturePoint b = at(edge_.to);
         const double length = std::hypot(b.x - a.x, b.y - a.y);
         const double spacing =
             (across_spacing * std::abs(edge_.outward.y) + up_spacing * std::abs(edge_.outward.x)) * layout_.em();
@@ -47,7 +47,9 @@ public:
     }
 
 private:
-    [[nodiscard]] Place at(double share) const { return projection_.pixel(glm::mix(edge_.low, edge_.high, share)); }
+    [[nodiscard]] PicturePoint at(double share) const {
+        return projection_.pixel(glm::mix(edge_.low, edge_.high, share));
+    }
     [[nodiscard]] double value(double share) const {
         return glm::mix(edge_.low[edge_.axis], edge_.high[edge_.axis], share);
     }
@@ -57,7 +59,7 @@ private:
     }
 
     // A text that would extend beyond the picture is moved inside.
-    [[nodiscard]] Placed around(Place middle, const std::string& text) {
+    [[nodiscard]] Placed around(PicturePoint middle, const std::string& text) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
         const double x = middle.x - half_width;
@@ -73,12 +75,12 @@ private:
         return placed;
     }
 
-    [[nodiscard]] double half_along(const Place& direction, const std::string& text) {
+    [[nodiscard]] double half_along(const PicturePoint& direction, const std::string& text) {
         return std::abs(direction.x) * layout_.width_of(text, layout_.text()) / 2.0 +
                std::abs(direction.y) * layout_.text().metrics.digit / 2.0;
     }
 
-    [[nodiscard]] Placed beside(Place foot, const std::string& text, double distance) {
+    [[nodiscard]] Placed beside(PicturePoint foot, const std::string& text, double distance) {
         const double away = distance + half_along(edge_.outward, text);
         return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
     }
@@ -121,7 +123,7 @@ private:
     void write_numbers() {
         const double length = tick_length * layout_.em();
         for (const Numbered& one : numbers_) {
-            const Place foot = at(share(one.value));
+            const PicturePoint foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
         // In steep views, a number may overlap the tick of an adjacent number.
@@ -146,9 +148,9 @@ private:
         std::vector<Placed> places;
         for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.15, 0.85, 0.0, 1.0})
             places.push_back(beside(at(glm::mix(edge_.from, edge_.to, share)), name, distance));
-        const Place from = at(edge_.from), to = at(edge_.to);
+        const PicturePoint from = at(edge_.from), to = at(edge_.to);
         const double length = std::hypot(to.x - from.x, to.y - from.y);
-        const Place along{(to.x - from.x) / length, (to.y - from.y) / length};
+        const PicturePoint along{(to.x - from.x) / length, (to.y - from.y) / length};
         const double past = (apart + 2 * gap) * layout_.em() + half_along(along, name);
         places.push_back(around({to.x + past * along.x, to.y + past * along.y}, name));
         places.push_back(around({from.x - past * along.x, from.y - past * along.y}, name));

@@ -29,26 +29,27 @@ struct Candidate {
 };
 
 // Returns the unit vector normal to the edge that points away from the center. `along`: unit vector.
-Place outward_of(Place along, Place middle, Place center) {
-    const Place across{-along.y, along.x};
+PicturePoint outward_of(PicturePoint along, PicturePoint middle, PicturePoint center) {
+    const PicturePoint across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);
-    return side < 0 ? Place{-across.x, -across.y} : across;
+    return side < 0 ? PicturePoint{-across.x, -across.y} : across;
 }
 
 std::optional<Candidate> candidate(const Projection& projection, const Viewpoint& viewpoint, BoxEdge edge) {
     const auto seen = projection.part_seen(edge.low, edge.high);
     if (!seen) return {};
     std::tie(edge.from, edge.to) = *seen;
-    const Place a = projection.pixel(glm::mix(edge.low, edge.high, edge.from));
-    const Place b = projection.pixel(glm::mix(edge.low, edge.high, edge.to));
+    const PicturePoint a = projection.pixel(glm::mix(edge.low, edge.high, edge.from));
+    const PicturePoint b = projection.pixel(glm::mix(edge.low, edge.high, edge.to));
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0)) return {};
-    const Place along{(b.x - a.x) / length, (b.y - a.y) / length};
-    const Place middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const PicturePoint along{(b.x - a.x) / length, (b.y - a.y) / length};
+    const PicturePoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
     const glm::dvec3 center = (vector_of(viewpoint.bounds_min) + vector_of(viewpoint.bounds_max)) * 0.5;
     const bool is_ahead = projection.clip(center).w > 0;
-    edge.outward = outward_of(
-        along, middle, is_ahead ? projection.pixel(center) : Place{viewpoint.width / 2.0, viewpoint.height / 2.0});
+    edge.outward =
+        outward_of(along, middle,
+                   is_ahead ? projection.pixel(center) : PicturePoint{viewpoint.width / 2.0, viewpoint.height / 2.0});
     return Candidate{edge, length, edge.axis == projection.upward_axis() ? -middle.x : middle.y};
 }
 
@@ -68,7 +69,7 @@ glm::dvec4 Projection::clip(const glm::dvec3& world) const {
     return matrix_ * glm::dvec4(world - vector_of(viewpoint_.origin), 1);
 }
 
-Place Projection::pixel(const glm::dvec3& world) const {
+PicturePoint Projection::pixel(const glm::dvec3& world) const {
     const glm::dvec4 at = clip(world);
     return {(at.x / at.w + 1) / 2 * viewpoint_.width, (1 - at.y / at.w) / 2 * viewpoint_.height};
 }

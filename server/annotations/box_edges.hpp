@@ -14,7 +14,7 @@ struct BoxEdge {
     int axis = 0;
     glm::dvec3 low{}, high{}; // world coordinates of the ends of the edge
     double from = 0, to = 1;  // the visible part, as fractions from low to high
-    Place outward;            // unit vector in the picture that is normal to the edge and points away from the box
+    PicturePoint outward;     // unit vector in the picture that is normal to the edge and points away from the box
 };
 
 // Does not own the viewpoint, which must outlive the Projection.
@@ -22,7 +22,7 @@ class Projection {
 public:
     explicit Projection(const Viewpoint& viewpoint);
     [[nodiscard]] glm::dvec4 clip(const glm::dvec3& world) const;
-    [[nodiscard]] Place pixel(const glm::dvec3& world) const; // only for points in front of the eye
+    [[nodiscard]] PicturePoint pixel(const glm::dvec3& world) const; // only for points in front of the eye
     // Returns the part of the line inside the view volume as fractions, 0 at a and 1 at b, or nothing.
     [[nodiscard]] std::optional<std::pair<double, double>> part_seen(const glm::dvec3& a, const glm::dvec3& b) const;
     // The face is normal to `axis`. `upper`: true for the face at bounds_max, false for the face at bounds_min.

@@ -13,13 +13,13 @@ glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 bool is_finite(const Vec3d& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
-void check(const Camera& camera) {
+void check(const ViewCamera& camera) {
     if (!is_usable(camera))
         fail("the camera cannot be used: give finite vectors, a field of view between 0 and 180 degrees and a "
              "positive height");
 }
 
-glm::dmat4 view_matrix(const Camera& camera, const glm::dvec3& origin) {
+glm::dmat4 view_matrix(const ViewCamera& camera, const glm::dvec3& origin) {
     const glm::dvec3 eye = vector_of(camera.position) - origin;
     const glm::dvec3 target = vector_of(camera.target) - origin;
     glm::dvec3 ahead = target - eye;
@@ -52,7 +52,7 @@ Depths depths_of_bounds(const Viewpoint& seen, const glm::dmat4& view) {
 
 } // namespace
 
-bool is_usable(const Camera& camera) {
+bool is_usable(const ViewCamera& camera) {
     return is_finite(camera.position) && is_finite(camera.target) && is_finite(camera.up) && camera.fov_degrees > 0 &&
            camera.fov_degrees < 180 &&
            (!camera.parallel || (camera.parallel_height > 0 && std::isfinite(camera.parallel_height)));
@@ -83,9 +83,9 @@ ViewTransform view_transform(const Viewpoint& seen) {
     return transform;
 }
 
-Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, double fov_degrees) {
+ViewCamera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, double fov_degrees) {
     constexpr double margin = 1.06;
-    Camera camera;
+    ViewCamera camera;
     camera.fov_degrees = fov_degrees;
     const glm::dvec3 low = vector_of(bounds_min);
     const glm::dvec3 high = vector_of(bounds_max);

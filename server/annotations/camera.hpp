@@ -7,7 +7,8 @@
 
 namespace ciel::annotations {
 
-struct Camera {
+// A camera to draw with. All members have values, unlike those of scene::Camera, which is a part of the document.
+struct ViewCamera {
     Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
     double fov_degrees = 30;
     bool parallel = false;
@@ -16,12 +17,12 @@ struct Camera {
 
 // Returns whether all vectors are finite, the field of view lies between 0 and 180 degrees, and the height of a
 // parallel view is positive.
-[[nodiscard]] bool is_usable(const Camera& camera);
+[[nodiscard]] bool is_usable(const ViewCamera& camera);
 
 struct Viewpoint {
     int width = 0, height = 0; // pixels
     Vec3d origin{};            // offsets are world coordinates minus this point
-    Camera camera;
+    ViewCamera camera;
     Vec3d bounds_min{}, bounds_max{}; // bounding box of the scene in world coordinates; sets the depth range
 };
 
@@ -37,7 +38,7 @@ struct ViewTransform {
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
 // The camera shows the whole box with a small margin, also in a parallel view. `aspect`: width / height of the picture.
-[[nodiscard]] Camera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
-                                    double fov_degrees = Camera{}.fov_degrees);
+[[nodiscard]] ViewCamera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
+                                        double fov_degrees = ViewCamera{}.fov_degrees);
 
 } // namespace ciel::annotations

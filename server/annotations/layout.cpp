@@ -106,7 +106,8 @@ bool Layout::is_free(const Box& box) const {
            std::none_of(lines_.begin(), lines_.end(), crosses);
 }
 
-std::vector<std::pair<Place, Place>> Layout::free_parts(const Place& from, const Place& to) const {
+std::vector<std::pair<PicturePoint, PicturePoint>> Layout::free_parts(const PicturePoint& from,
+                                                                      const PicturePoint& to) const {
     std::vector<std::pair<double, double>> hidden;
     for (const Box& box : taken_) {
         const double around = stroke_width();
@@ -116,9 +117,9 @@ std::vector<std::pair<Place, Place>> Layout::free_parts(const Place& from, const
     std::sort(hidden.begin(), hidden.end());
     hidden.emplace_back(1, 1);
     const auto at = [&](double share) {
-        return Place{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+        return PicturePoint{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
     };
-    std::vector<std::pair<Place, Place>> parts;
+    std::vector<std::pair<PicturePoint, PicturePoint>> parts;
     double start = 0;
     for (const auto& [first, last] : hidden) {
         if (first > start) parts.emplace_back(at(start), at(first));
@@ -127,7 +128,7 @@ std::vector<std::pair<Place, Place>> Layout::free_parts(const Place& from, const
     return parts;
 }
 
-void Layout::draw_line(const Place& from, const Place& to) {
+void Layout::draw_line(const PicturePoint& from, const PicturePoint& to) {
     for (const auto& part : free_parts(from, to)) {
         overlay.strokes.push_back({part.first, part.second, stroke_width(), ink_});
         lines_.push_back(part);

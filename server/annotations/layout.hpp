@@ -46,13 +46,14 @@ public:
     void take(const Box& box) { taken_.push_back(box); }
     [[nodiscard]] const std::vector<Box>& taken() const { return taken_; }
     // Draws the parts of the line that are outside all taken boxes, and marks these parts as taken.
-    void draw_line(const Place& from, const Place& to);
+    void draw_line(const PicturePoint& from, const PicturePoint& to);
 
     Overlay overlay;
 
 private:
     [[nodiscard]] Ink paper_at(double y) const;
-    [[nodiscard]] std::vector<std::pair<Place, Place>> free_parts(const Place& from, const Place& to) const;
+    [[nodiscard]] std::vector<std::pair<PicturePoint, PicturePoint>> free_parts(const PicturePoint& from,
+                                                                                const PicturePoint& to) const;
 
     TextMeasure& measure_;
     int width_, height_;
@@ -60,7 +61,7 @@ private:
     Ink ink_{};
     std::array<Ink, 2> paper_{}; // colors of plates at the top and at the bottom of the picture
     std::vector<Box> taken_;
-    std::vector<std::pair<Place, Place>> lines_; // drawn lines; is_free() treats them like taken boxes
+    std::vector<std::pair<PicturePoint, PicturePoint>> lines_; // drawn lines; is_free() treats them like taken boxes
 };
 
 // Each of these functions lays out one part of picture.annotations, never over earlier parts. Call them in this order.

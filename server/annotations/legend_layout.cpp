@@ -213,7 +213,7 @@ double height_for(Layout& layout, const Annotations& annotations, double least) 
     return upper;
 }
 
-void note_left_out(Layout& layout, Place corner, std::size_t count) {
+void note_left_out(Layout& layout, PicturePoint corner, std::size_t count) {
     const TextSize& size = layout.text();
     const std::string text = "+ " + std::to_string(count) + " more";
     const std::string fitting = layout.shortened(text, size, layout.room.right - corner.x);
@@ -245,7 +245,7 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     double right = layout.room.right;
     const std::size_t legends = annotations.legends.size();
     std::size_t next = 0;
-    Place below{}; // the lower left corner of the last column
+    PicturePoint below{}; // the lower left corner of the last column
     while (next < legends) {
         const auto left_over = static_cast<double>(legends - next);
         const double fitting = std::floor((height + between * em) / least);

@@ -45,23 +45,23 @@ bool is_clear(const AnnotatedPicture& picture, const std::vector<glm::dvec3>& po
     const double room = (picture.annotations.axes ? beside_axes : beside_edges) * layout.em();
     return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
         if (!(projection.clip(point).w > 0)) return false;
-        const Place at = projection.pixel(point);
+        const PicturePoint at = projection.pixel(point);
         return layout.is_free({at.x - room, at.y - room, at.x + room, at.y + room});
     });
 }
 
-void step_back(Camera& camera, double by = step) {
+void step_back(ViewCamera& camera, double by = step) {
     for (std::size_t k = 0; k < 3; ++k)
         camera.position[k] = camera.target[k] + by * (camera.position[k] - camera.target[k]);
     camera.parallel_height *= by;
 }
 
 // Moves the scene to the left and down in the picture, by fractions of the picture's width.
-Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double down) {
+ViewCamera stepped_aside(const AnnotatedPicture& picture, double to_left, double down) {
     const glm::dmat4 view = view_transform(picture).view;
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
     const glm::dvec3 up(view[0].y, view[1].y, view[2].y);
-    Camera camera = picture.camera;
+    ViewCamera camera = picture.camera;
     const auto distance = [](const Vec3d& a, const Vec3d& b) {
         return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     };
@@ -78,8 +78,8 @@ Camera stepped_aside(const AnnotatedPicture& picture, double to_left, double dow
 }
 
 // For narrow pictures, in which legends extend past the middle: the scene is beside or below all annotations.
-std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
-                                  const Layout& layout) {
+std::optional<ViewCamera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
+                                      const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;
     double away = 1;
     while (away < furthest_aside) {
@@ -97,7 +97,7 @@ std::optional<Camera> clear_aside(AnnotatedPicture picture, const std::vector<gl
 
 } // namespace
 
-Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text) {
+ViewCamera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text) {
     if (picture.annotations.empty()) return picture.camera;
     AnnotatedPicture judged = picture;
     if (!Layout(picture, text).has_smallest_text()) { // text scales with the picture, so a test at one size is enough

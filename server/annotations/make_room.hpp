@@ -10,6 +10,6 @@ namespace ciel::annotations {
 // not enough, as in a narrow picture, the camera and its target are also moved right or up. If this fails, too, the
 // camera is unchanged. The result depends only on the aspect ratio, unless the text has its smallest size. Throws Error
 // if there is no font.
-[[nodiscard]] Camera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
+[[nodiscard]] ViewCamera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
 
 } // namespace ciel::annotations

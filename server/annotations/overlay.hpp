@@ -12,7 +12,7 @@ namespace ciel::annotations {
 
 using Ink = std::array<float, 4>; // RGB and opacity
 
-struct Place {
+struct PicturePoint { // also a direction in the picture
     double x = 0, y = 0;
 };
 
@@ -30,7 +30,8 @@ struct Box {
 };
 
 // Returns the part of the line inside the box as fractions, 0 at a and 1 at b, or nothing if it only touches the box.
-[[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b);
+[[nodiscard]] std::optional<std::pair<double, double>> part_inside(const Box& box, const PicturePoint& a,
+                                                                   const PicturePoint& b);
 
 // A background that keeps text readable on any picture. It fades out around the box.
 struct Plate {
@@ -43,12 +44,12 @@ struct Fill { // a box with a vertical gradient
     Ink top{}, bottom{};
 };
 struct Stroke { // a line with soft edges
-    Place from, to;
+    PicturePoint from, to;
     double width = 1;
     Ink ink{};
 };
 struct Triangle {
-    std::array<Place, 3> corners{};
+    std::array<PicturePoint, 3> corners{};
     Ink ink{};
 };
 struct Label {

@@ -6,7 +6,7 @@
 
 namespace ciel::annotations {
 
-std::optional<std::pair<double, double>> part_inside(const Box& box, const Place& a, const Place& b) {
+std::optional<std::pair<double, double>> part_inside(const Box& box, const PicturePoint& a, const PicturePoint& b) {
     double from = 0, to = 1;
     const auto cut = [&](double start, double along, double low, double high) {
         if (along == 0) {

@@ -28,19 +28,19 @@ std::array<Arm, 3> arms_of(const AnnotatedPicture& picture) {
     return arms;
 }
 
-void draw_arm(Layout& layout, const Arm& one, Place center) {
+void draw_arm(Layout& layout, const Arm& one, PicturePoint center) {
     const double em = layout.em();
     const double length = std::hypot(one.x, one.y);
     const Ink& ink = inks[one.axis];
-    const Place tip{center.x + arm * em * one.x, center.y + arm * em * one.y};
+    const PicturePoint tip{center.x + arm * em * one.x, center.y + arm * em * one.y};
     const double head = std::min(0.55 * em, 0.7 * arm * em * length); // an arrow along the view direction has no head
     if (head > 0.5) {
-        const Place along{one.x / length, one.y / length};
-        const Place root{tip.x - head * along.x, tip.y - head * along.y};
+        const PicturePoint along{one.x / length, one.y / length};
+        const PicturePoint root{tip.x - head * along.x, tip.y - head * along.y};
         const double half = 0.36 * head;
         layout.overlay.strokes.push_back({center, root, 1.6 * layout.stroke_width(), ink});
-        layout.overlay.triangles.push_back({{tip, Place{root.x - half * along.y, root.y + half * along.x},
-                                             Place{root.x + half * along.y, root.y - half * along.x}},
+        layout.overlay.triangles.push_back({{tip, PicturePoint{root.x - half * along.y, root.y + half * along.x},
+                                             PicturePoint{root.x + half * along.y, root.y - half * along.x}},
                                             ink});
     }
     const TextSize& size = layout.text();
@@ -59,7 +59,7 @@ void lay_triad(Layout& layout, const AnnotatedPicture& picture) {
     if (!is_small || !layout.is_free(box)) return;
     layout.take(box);
     layout.back({box.left + layout.em(), box.top + layout.em(), box.right - layout.em(), box.bottom - layout.em()});
-    const Place center{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+    const PicturePoint center{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
     for (const Arm& one : arms_of(picture)) draw_arm(layout, one, center);
 }
 

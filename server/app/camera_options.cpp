@@ -49,21 +49,22 @@ void CameraOptions::apply(nlohmann::json& document) const {
     if (camera && document.is_object()) document["camera"] = camera_of(*camera);
 }
 
-void CameraOptions::project(scene::Scene& scene) const {
-    if (!scene.camera) return;
-    if (field_of_view) scene.camera->fov = *field_of_view;
-    if (!parallel || scene.camera->parallel) return;
-    scene.camera->parallel = true;
-    scene.camera->parallel_height = height_of(*scene.camera);
+void CameraOptions::project(std::optional<scene::Camera>& given) const {
+    if (!given) return;
+    if (field_of_view) given->fov = *field_of_view;
+    if (!parallel || given->parallel) return;
+    given->parallel = true;
+    given->parallel_height = height_of(*given);
 }
 
-void CameraOptions::stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
-                               const geometry::BoundingBox& box) const {
-    if (scene.camera) return;
-    const annotations::Camera seen =
-        geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height),
-                               field_of_view.value_or(annotations::Camera{}.fov_degrees), parallel, box);
-    scene.camera = {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height};
+scene::CheckedScene CameraOptions::stand_back(const scene::CheckedScene& checked, const geometry::Geometry& geometry,
+                                              geometry::ViewSize size, const geometry::BoundingBox& box) const {
+    if (checked.scene().camera) return checked;
+    const annotations::ViewCamera seen =
+        geometry::default_view(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height),
+                               field_of_view.value_or(annotations::ViewCamera{}.fov_degrees), parallel, box);
+    return checked.with_camera(
+        {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height});
 }
 
 } // namespace ciel::app

@@ -23,10 +23,10 @@ struct CameraOptions {
     // Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
     // If the scene has a camera, applies --field-of-view and --parallel to it, and does not move it.
-    void project(scene::Scene& scene) const;
-    // If the scene has no camera, adds a camera that shows all of `box`.
-    void stand_back(scene::Scene& scene, const geometry::Geometry& geometry, geometry::ViewSize size,
-                    const geometry::BoundingBox& box) const;
+    void project(std::optional<scene::Camera>& given) const;
+    // Returns the scene. If it has no camera, the result has a camera that shows all of `box`.
+    [[nodiscard]] scene::CheckedScene stand_back(const scene::CheckedScene& checked, const geometry::Geometry& geometry,
+                                                 geometry::ViewSize size, const geometry::BoundingBox& box) const;
 };
 
 } // namespace ciel::app

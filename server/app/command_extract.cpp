@@ -67,18 +67,18 @@ std::string range_of(const std::string& scalar, store::LoadedDataset& loaded, st
     return text.str();
 }
 
-std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geometry, store::LoadedDataset& loaded) {
+std::string why_empty(const scene::CheckedScene& checked, const geometry::Geometry& geometry) {
     std::ostringstream text;
     text << "the surface is empty: at time " << geometry.time;
     std::set<std::string> scalars;
     bool slices = false;
-    for (const scene::Layer& layer : scene.layers) {
+    for (const scene::Layer& layer : checked.scene().layers) {
         if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind)) scalars.insert(iso->array);
         slices = slices || std::holds_alternative<scene::SliceLayer>(layer.kind);
     }
     const char* separator = " ";
     for (const std::string& scalar : scalars)
-        text << std::exchange(separator, ", ") << range_of(scalar, loaded, geometry.step);
+        text << std::exchange(separator, ", ") << range_of(scalar, *checked.loaded(), geometry.step);
     if (slices)
         for (std::size_t axis = 0; axis < 3; ++axis)
             text << std::exchange(separator, ", ") << "xyz"[axis] << " lies between " << geometry.bounds_min[axis]
@@ -86,11 +86,11 @@ std::string why_empty(const scene::Scene& scene, const geometry::Geometry& geome
     return text.str();
 }
 
-void tell_left_out(const scene::Scene& scene, const std::vector<std::string>& colors, std::size_t step,
-                   store::LoadedDataset& loaded) {
+void tell_left_out(const scene::CheckedScene& checked, const std::vector<std::string>& colors, std::size_t step) {
+    store::LoadedDataset& loaded = *checked.loaded();
     std::set<std::string> sentences;
     for (const std::string& color : colors) sentences.insert(geometry::left_out_text(color, false, step, loaded));
-    for (const scene::Layer& layer : scene.layers)
+    for (const scene::Layer& layer : checked.scene().layers)
         if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind))
             sentences.insert(geometry::left_out_text(iso->array, true, step, loaded));
     for (const std::string& sentence : sentences)
@@ -109,8 +109,8 @@ int run_command(const ExtractCommand& extract) {
     const auto format = format_of(extract.output);
     if (!extract.scene.has_layers()) throw UsageError("nothing to extract; give --iso, --slice or --plane");
     const auto loaded = load_dataset(extract.scene.dataset);
-    const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
-    const auto geometry = make_geometry(scene, loaded, extract.scene.extraction.chosen());
+    const scene::CheckedScene checked = check_scene(parse_scene(extract.scene.document(*loaded->dataset())), loaded);
+    const auto geometry = make_geometry(checked, extract.scene.extraction.chosen());
     geometry::require_complete(*geometry);
     wire::JoinedSurface joined;
     for (const geometry::Drawable& drawable : geometry->drawables) {
@@ -128,8 +128,8 @@ int run_command(const ExtractCommand& extract) {
         bytes);
     const std::string text = std::move(bytes).str();
     store::replace_file(std::filesystem::absolute(extract.output), store::bytes_of(text));
-    tell_left_out(scene, extract.colors, geometry->step, *loaded);
-    if (written.polygons == 0) std::cerr << "ciel: " << why_empty(scene, *geometry, *loaded) << '\n';
+    tell_left_out(checked, extract.colors, geometry->step);
+    if (written.polygons == 0) std::cerr << "ciel: " << why_empty(checked, *geometry) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
     if (origin != Vec3d{} || extract.from_origin)
         std::printf("the coordinates are relative to the origin %s\n", wire::origin_text(origin).c_str());

@@ -1,10 +1,10 @@
 // ciel info: prints the contents of a dataset. Reads every chunk and thereby verifies every checksum.
 #include "annotations/ticks.hpp"
 #include "app/commands.hpp"
-#include "ciel/field.hpp"
 #include "store/cell_extremes.hpp"
 #include "store/dataset.hpp"
 #include "store/mesh_counts.hpp"
+#include "store/mesh_questions.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -52,8 +52,7 @@ json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
         const store::Step& at = dataset.steps()[step];
         if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.lazy)
-            return count_ambiguous_faces(dataset.topology(at.mesh), dataset.boundary(at.mesh, at.coordinates),
-                                         dataset.values(array.name, step));
+            return store::count_ambiguous_faces(dataset, at, dataset.values(array.name, step));
     }
     return nullptr;
 }

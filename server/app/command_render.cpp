@@ -178,12 +178,14 @@ int run_command(const RenderCommand& render) {
     if (const auto patch = render.lighting.patch(); !patch.empty() && document.is_object())
         document = scene::merge_patch(std::move(document), patch);
     scene::Scene scene = parse_scene(document);
-    render.camera.project(scene);
-    const auto geometry = make_geometry(scene, loaded, render.scene.extraction.chosen());
-    render.camera.stand_back(scene, *geometry, size, box.value_or(probe::shown_bounds(*geometry, scene)));
+    render.camera.project(scene.camera);
+    const scene::CheckedScene checked = check_scene(std::move(scene), loaded);
+    const auto geometry = make_geometry(checked, render.scene.extraction.chosen());
+    const scene::CheckedScene shown =
+        render.camera.stand_back(checked, *geometry, size, box.value_or(probe::shown_bounds(*geometry, checked)));
     render::Image image;
     render::Renderer renderer(backend);
-    renderer.draw(frames::picture_of(*geometry, scene, size), image);
+    renderer.draw(frames::picture_of(*geometry, shown, size), image);
     for (const std::string& remark : frames::remarks_on(*geometry, renderer))
         std::cerr << "ciel: " << printable(remark) << '\n';
     std::vector<std::uint8_t> png;

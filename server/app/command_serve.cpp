@@ -132,11 +132,11 @@ void add_failed(engine::Server& server, const std::vector<importing::Servable>& 
 }
 
 void log_renderer(engine::Server& server) {
-    const auto readiness = server.readiness();
-    if (readiness.ready)
-        spdlog::info("drawing with {} ({}, OpenGL {})", readiness.gl_renderer, readiness.backend, readiness.gl_version);
+    const auto result = server.draw_test_picture();
+    if (result.passed)
+        spdlog::info("drawing with {} ({}, OpenGL {})", result.gl_renderer, result.backend, result.gl_version);
     else
-        spdlog::error("cannot draw: {}", readiness.problem);
+        spdlog::error("cannot draw: {}", result.problem);
 }
 
 int serve(ServeOptions& options) {

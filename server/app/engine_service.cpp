@@ -61,8 +61,8 @@ std::shared_ptr<gateway::Peer> EngineService::connect(gateway::Client client) {
 }
 
 gateway::Readiness EngineService::readiness() {
-    const frames::Readiness drawn = server_.readiness_by_now();
-    return {drawn.ready,
+    const frames::TestPictureResult drawn = server_.test_picture_by_now();
+    return {drawn.passed,
             drawn.problem,
             {{"gl_renderer", drawn.gl_renderer}, {"gl_version", drawn.gl_version}, {"backend", drawn.backend}}};
 }

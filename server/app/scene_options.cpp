@@ -137,13 +137,16 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     }
 }
 
-std::shared_ptr<const geometry::Geometry>
-make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction) {
+scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded) {
     try {
-        return geometry::SceneGeometry(extraction).update({scene, loaded});
+        return {std::move(scene), std::move(loaded)};
     } catch (const scene::Invalid& error) {
         throw Error(printable(error.path) + ": " + error.what());
     }
+}
+
+std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked, Extraction extraction) {
+    return geometry::SceneGeometry(extraction).update(checked);
 }
 
 double time_of_step(const store::Dataset& dataset, double time) {

@@ -39,8 +39,10 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path);
 // Throws Error if the scene is invalid; the error names the path of the invalid member in the document.
 [[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
-[[nodiscard]] std::shared_ptr<const geometry::Geometry>
-make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded, Extraction extraction);
+// Throws Error if the scene names something that the dataset does not have.
+[[nodiscard]] scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
+[[nodiscard]] std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked,
+                                                                      Extraction extraction);
 
 // Returns `time` itself if the dataset has no steps. Prints a note to stderr if the result differs from `time`.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);

@@ -1,4 +1,5 @@
 #include "bench/case.hpp"
+#include "store/mesh_arrays.hpp"
 
 #include <limits>
 
@@ -53,7 +54,7 @@ Case open_case(const std::string& path, const std::string& array) {
         steps_with(*data.dataset, store::parse_scalar(*data.dataset, data.array).array);
     const store::Step& step = data.dataset->steps()[steps[0]];
     data.time = step.time;
-    data.mesh = data.dataset->mesh(step.mesh, step.coordinates);
+    data.mesh = data.dataset->mesh_arrays().all_faces(step.mesh, step.coordinates);
     data.values = loaded.scalar_values(data.array, steps[0]);
     const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
     data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(data.values);

@@ -98,7 +98,7 @@ public:
             low[k] = mesh.bounds[2 * k];
             high[k] = mesh.bounds[2 * k + 1];
         }
-        const annotations::Camera from = annotations::default_camera(low, high, double{width} / height);
+        const annotations::ViewCamera from = annotations::default_camera(low, high, double{width} / height);
         const double angle = share * pi, dx = from.position[0] - from.target[0], dy = from.position[1] - from.target[1];
         scene.camera = scene::Camera{};
         scene.camera->position = {from.target[0] + dx * std::cos(angle) - dy * std::sin(angle),
@@ -119,9 +119,9 @@ private:
     }
 
     void frame(Laps* laps) {
-        const auto geometry =
-            geometry_.update({scene_, data_.loaded}, {}, std::numeric_limits<std::size_t>::max(), !still_);
-        const render::Frame drawn = frames::frame_of(*geometry, scene_, width, height, still_ ? 4 : 1);
+        const scene::CheckedScene checked(scene_, data_.loaded);
+        const auto geometry = geometry_.update(checked, {}, std::numeric_limits<std::size_t>::max(), !still_);
+        const render::Frame drawn = frames::frame_of(*geometry, checked, width, height, still_ ? 4 : 1);
         if (laps != nullptr) laps->lap();
         render::AfterStage after;
         if (laps != nullptr) after = [laps](render::DrawStage) { laps->lap(); };

@@ -90,7 +90,7 @@ std::uint64_t VolumePictures::draw(bool shaded, std::size_t stride) {
 }
 
 void VolumePictures::turn(double degrees) {
-    annotations::Camera& camera = frame_.camera;
+    annotations::ViewCamera& camera = frame_.camera;
     const glm::dvec3 target = vector_of(camera.target);
     const glm::dmat4 rotation = glm::rotate(glm::dmat4(1), glm::radians(degrees), vector_of(camera.up));
     camera.position = array_of(target + glm::dmat3(rotation) * (vector_of(camera.position) - target));

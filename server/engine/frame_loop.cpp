@@ -57,7 +57,7 @@ std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const sc
 // Returns nothing if the client already has the polygons on a grid that is fine enough.
 std::optional<double> grid_to_send(View& view, const FrameRequest& request, const geometry::Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
-    const annotations::Camera camera = geometry::camera_of(geometry, request.version->scene(), aspect);
+    const annotations::ViewCamera camera = geometry::camera_of(geometry, request.version->scene().camera, aspect);
     frames::ContentKey key = frames::content_of(geometry);
     if (view.shows(key, frames::surely_fine_grid(geometry, camera, request.size))) return {};
     return view.grid_of_new(std::move(key), frames::needed_grid(geometry, camera, request.size));
@@ -81,7 +81,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         if (request->stream == Stream::image) {
             const std::optional<double> scale = request->still ? std::nullopt : std::optional(request->scale);
             const std::function<void()> check = [&] { check_wanted(*request, worker.all()); };
-            const auto& image = frames::draw(*geometry, request->version->scene(), request->size, scale,
+            const auto& image = frames::draw(*geometry, request->version->checked, request->size, scale,
                                              worker.renderer(), worker.still_samples(), check);
             header.draw_ms = elapsed_ms(drawing);
             if (drawn) drawn = worker.renderer().remarks();

@@ -7,7 +7,7 @@
 namespace ciel::engine {
 
 OpenSession::OpenSession(std::string id, const EngineServices& services,
-                         std::shared_ptr<const sessions::SceneVersion> first, const sessions::Steps& steps)
+                         std::shared_ptr<const sessions::SceneVersion> first, const sessions::UndoRedoSteps& steps)
     : Session(std::move(id), services, std::move(first), steps), services_(services),
       scene_geometry_(services.extraction), surfaces_(services.memory, limits::Held::surfaces) {}
 

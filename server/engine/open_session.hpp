@@ -18,7 +18,7 @@ class OpenSession final : public sessions::Session {
 public:
     // `steps`: undo and redo steps of the session. Steps beyond the limits of the history are dropped.
     OpenSession(std::string id, const EngineServices& services, std::shared_ptr<const sessions::SceneVersion> first,
-                const sessions::Steps& steps = {});
+                const sessions::UndoRedoSteps& steps = {});
 
     // Makes the geometry on the calling thread. Concurrent calls run one after another. Returns null if `stop` was
     // requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error, LimitReached.

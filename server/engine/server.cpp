@@ -18,11 +18,11 @@ namespace ciel::engine {
 
 namespace {
 
-constexpr std::chrono::seconds readiness_lasts{1};
+constexpr std::chrono::seconds test_picture_lasts{1};
 // Longest wait for a test picture, because probes of /readyz expect an answer within a second.
-constexpr std::chrono::milliseconds readiness_patience{500};
+constexpr std::chrono::milliseconds test_picture_patience{500};
 
-frames::Readiness tested(Worker& worker) {
+frames::TestPictureResult tested(Worker& worker) {
     try {
         return frames::draw_test_picture(worker.renderer());
     } catch (const std::exception& error) {
@@ -44,12 +44,12 @@ struct Server::State {
     Uploads uploads;
     SlowCallQueue slow_calls;
     std::stop_source calls; // a stop request cancels the slow calls in progress
-    std::mutex readiness_mutex;
-    std::condition_variable readiness_known;
-    std::optional<frames::Readiness> last_readiness;
-    bool readiness_asked = false; // whether a test picture waits for a worker or is being drawn
+    std::mutex test_picture_mutex;
+    std::condition_variable test_picture_known;
+    std::optional<frames::TestPictureResult> last_test_picture;
+    bool test_picture_asked = false; // whether a test picture waits for a worker or is being drawn
     Clock::time_point asked_since;
-    std::optional<Clock::time_point> readiness_since;
+    std::optional<Clock::time_point> test_picture_since;
     std::shared_ptr<void> watch;
     std::jthread housekeeping; // the last member, because its thread uses the other members
 
@@ -103,23 +103,23 @@ struct Server::State {
         return bytes;
     }
 
-    void know(const frames::Readiness& readiness) {
-        const std::scoped_lock lock(readiness_mutex);
-        if (last_readiness && last_readiness->ready != readiness.ready)
-            logging::log_event(readiness.ready ? logging::LogLevel::info : logging::LogLevel::error,
-                               readiness.ready ? "draws again" : "cannot draw", {{"reason", readiness.problem}});
-        last_readiness = readiness;
-        readiness_since = Clock::now();
-        readiness_asked = false;
-        readiness_known.notify_all();
+    void know(const frames::TestPictureResult& result) {
+        const std::scoped_lock lock(test_picture_mutex);
+        if (last_test_picture && last_test_picture->passed != result.passed)
+            logging::log_event(result.passed ? logging::LogLevel::info : logging::LogLevel::error,
+                               result.passed ? "draws again" : "cannot draw", {{"reason", result.problem}});
+        last_test_picture = result;
+        test_picture_since = Clock::now();
+        test_picture_asked = false;
+        test_picture_known.notify_all();
     }
 
     // Each worker has its own GL context, so the server is ready only if the pictures of both workers are right.
-    void test_readiness() {
+    void draw_test_pictures() {
         const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
         const auto test_frames = [this, test_pictures](Worker& worker) {
-            const frames::Readiness readiness = tested(worker);
-            if (!readiness.ready) return know(readiness);
+            const frames::TestPictureResult result = tested(worker);
+            if (!result.passed) return know(result);
             if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
         };
         if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
@@ -177,40 +177,40 @@ void Server::look_for_steps(const std::string& name, store::LoadedDataset& datas
 
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
 
-frames::Readiness Server::readiness() {
-    frames::Readiness readiness;
+frames::TestPictureResult Server::draw_test_picture() {
+    frames::TestPictureResult result;
     try {
-        readiness = state_->workers.run([](Worker& worker) { return tested(worker); });
+        result = state_->workers.run([](Worker& worker) { return tested(worker); });
     } catch (const std::exception& error) { // the workers are drained
-        readiness.problem = store::sentence_for_clients(error);
+        result.problem = store::sentence_for_clients(error);
     }
-    state_->know(readiness);
-    return readiness;
+    state_->know(result);
+    return result;
 }
 
-frames::Readiness Server::readiness_by_now() {
+frames::TestPictureResult Server::test_picture_by_now() {
     State& state = *state_;
-    std::unique_lock lock(state.readiness_mutex);
-    const bool is_fresh = state.readiness_since && Clock::now() - *state.readiness_since < readiness_lasts;
-    if (!is_fresh && !state.readiness_asked) {
-        state.readiness_asked = true;
+    std::unique_lock lock(state.test_picture_mutex);
+    const bool is_fresh = state.test_picture_since && Clock::now() - *state.test_picture_since < test_picture_lasts;
+    if (!is_fresh && !state.test_picture_asked) {
+        state.test_picture_asked = true;
         state.asked_since = Clock::now();
         lock.unlock();
-        state.test_readiness();
+        state.draw_test_pictures();
         lock.lock();
     }
-    state.readiness_known.wait_until(lock, state.asked_since + readiness_patience,
-                                     [&] { return !state.readiness_asked; });
-    return state.last_readiness.value_or(
-        frames::Readiness{.problem = "the server has not drawn its test picture yet; ask again in a second"});
+    state.test_picture_known.wait_until(lock, state.asked_since + test_picture_patience,
+                                        [&] { return !state.test_picture_asked; });
+    return state.last_test_picture.value_or(
+        frames::TestPictureResult{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }
 
-frames::Readiness Server::last_readiness() {
+frames::TestPictureResult Server::last_test_picture() {
     {
-        const std::scoped_lock lock(state_->readiness_mutex);
-        if (state_->last_readiness) return *state_->last_readiness;
+        const std::scoped_lock lock(state_->test_picture_mutex);
+        if (state_->last_test_picture) return *state_->last_test_picture;
     }
-    return readiness();
+    return draw_test_picture();
 }
 
 std::string Server::metrics() const {
@@ -233,10 +233,10 @@ std::string Server::metrics() const {
         gauges.held_bytes[i] = state_->memory.bytes(static_cast<limits::Held>(i));
     gauges.memory_limit = state_->memory.most();
     gauges.version = CIEL_VERSION;
-    const std::scoped_lock lock(state_->readiness_mutex);
-    if (state_->last_readiness) {
-        gauges.gl_renderer = state_->last_readiness->gl_renderer;
-        gauges.backend = state_->last_readiness->backend;
+    const std::scoped_lock lock(state_->test_picture_mutex);
+    if (state_->last_test_picture) {
+        gauges.gl_renderer = state_->last_test_picture->gl_renderer;
+        gauges.backend = state_->last_test_picture->backend;
     }
     return state_->metrics.text(gauges);
 }

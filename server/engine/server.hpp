@@ -67,11 +67,11 @@ public:
     void tidy(std::chrono::steady_clock::time_point now);
 
     // Draws a test picture on a frame worker and checks its pixels. Waits until a worker is free.
-    [[nodiscard]] frames::Readiness readiness();
+    [[nodiscard]] frames::TestPictureResult draw_test_picture();
     // Requests test pictures at most once a second. Returns the previous result if workers are busy for over 0.5 s.
-    [[nodiscard]] frames::Readiness readiness_by_now();
+    [[nodiscard]] frames::TestPictureResult test_picture_by_now();
     // Returns the result of the last test picture. Draws a test picture only if there is no result yet.
-    [[nodiscard]] frames::Readiness last_readiness();
+    [[nodiscard]] frames::TestPictureResult last_test_picture();
     [[nodiscard]] std::string metrics() const; // Prometheus text exposition format 0.0.4
     // On SIGTERM, announce_end(), drain_frames() and drain() are called in this order. announce_end() refuses new
     // sessions and views from now on, and notifies clients. It does not block.

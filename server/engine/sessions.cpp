@@ -48,7 +48,7 @@ std::shared_ptr<OpenSession> Sessions::find(const std::string& id) {
 }
 
 std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::function<nlohmann::json()>& document,
-                                            const Caller& by, const sessions::Steps& steps) {
+                                            const Caller& by, const sessions::UndoRedoSteps& steps) {
     const auto begun = Clock::now();
     const auto check = [&] { // requires mutex_ to be held
         if (stopped_)

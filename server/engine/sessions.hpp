@@ -24,7 +24,7 @@ public:
     // are for a new session. Throws LimitReached, and the exceptions of accept_scene().
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
-                                                    const sessions::Steps& steps = {});
+                                                    const sessions::UndoRedoSteps& steps = {});
     void close(const std::string& id, const Caller& by); // throws NotFound
 
     // The id of the view is unique in the process. Only the connection that opened the view may use it.

@@ -14,10 +14,10 @@ struct Background {
     std::array<float, 3> top, bottom;
 };
 
-Background background_of(const scene::Scene& scene) {
-    if (const auto* color = std::get_if<scene::Color>(&scene.background))
+Background background_of(const std::variant<scene::Scene::Background, scene::Color>& background) {
+    if (const auto* color = std::get_if<scene::Color>(&background))
         return {color::floats_of(*color), color::floats_of(*color)};
-    if (std::get<scene::Scene::Background>(scene.background) == scene::Scene::Background::light)
+    if (std::get<scene::Scene::Background>(background) == scene::Scene::Background::light)
         return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
     return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
 }
@@ -58,13 +58,14 @@ render::Volume volume_of(const geometry::VolumeDrawable& drawable, const render:
 
 } // namespace
 
-render::Frame frame_of(const geometry::Geometry& geometry, const scene::Scene& scene, int width, int height,
+render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked, int width, int height,
                        int samples) {
+    const scene::Scene& scene = checked.scene();
     render::Frame frame;
-    static_cast<annotations::Viewpoint&>(frame) = geometry::viewpoint_of(geometry, scene, width, height);
+    static_cast<annotations::Viewpoint&>(frame) = geometry::viewpoint_of(geometry, checked, width, height);
     frame.samples = samples;
     frame.clip = geometry::shader_planes(geometry);
-    const Background background = background_of(scene);
+    const Background background = background_of(scene.background);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;
     frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};

@@ -26,28 +26,28 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
                                    " pixels; ask for a smaller picture");
 }
 
-const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size,
-                          std::optional<double> moving_scale, render::Renderer& renderer, int still_samples,
-                          const std::function<void()>& check_wanted) {
+const render::Image& draw(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
+                          geometry::ViewSize size, std::optional<double> moving_scale, render::Renderer& renderer,
+                          int still_samples, const std::function<void()>& check_wanted) {
     const double scale = moving_scale.value_or(1);
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
-    render::Frame frame = frame_of(geometry, scene, width, height, moving_scale ? 1 : still_samples);
+    render::Frame frame = frame_of(geometry, checked, width, height, moving_scale ? 1 : still_samples);
     // The default camera depends on the picture's size. A smaller interactive picture uses that of the still picture.
-    if (!scene.camera && scale < 1)
+    if (!checked.scene().camera && scale < 1)
         frame.camera =
-            geometry::default_view(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height));
+            geometry::default_view(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height));
     widen_lines(frame, size.pixel_ratio * scale);
     frame.check_wanted = check_wanted;
     return renderer.draw(frame);
 }
 
-render::Frame picture_of(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size,
-                         int samples) {
+render::Frame picture_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
+                         geometry::ViewSize size, int samples) {
     render::Frame frame =
-        frame_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height), samples);
+        frame_of(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height), samples);
     widen_lines(frame, std::max(1.0, annotations::size_of_picture(frame.width, frame.height)));
-    frame.annotations = geometry::annotations_of(geometry, scene);
+    frame.annotations = geometry::annotations_of(geometry, checked);
     return frame;
 }
 

@@ -5,7 +5,7 @@
 #include "geometry/view_size.hpp"
 #include "limits/limits.hpp"
 #include "render/renderer.hpp"
-#include "scene/scene.hpp"
+#include "scene/checked_scene.hpp"
 #include "wire/frame_header.hpp"
 #include "wire/pictures/picture_stream.hpp"
 
@@ -19,12 +19,12 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
 // until the next draw call. Without `moving_scale`, draws a still picture with `still_samples` samples per pixel. With
 // it, draws an interactive picture with one sample; its sizes and line widths are multiplied by `moving_scale`. Throws
 // Error, and the exceptions of `check_wanted` (render::Frame).
-[[nodiscard]] const render::Image& draw(const geometry::Geometry& geometry, const scene::Scene& scene,
+[[nodiscard]] const render::Image& draw(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
                                         geometry::ViewSize size, std::optional<double> moving_scale,
                                         render::Renderer& renderer, int still_samples,
                                         const std::function<void()>& check_wanted);
 // Returns a still picture with annotations, for a file. Widths of lines and points grow in proportion to the text.
-[[nodiscard]] render::Frame picture_of(const geometry::Geometry& geometry, const scene::Scene& scene,
+[[nodiscard]] render::Frame picture_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
                                        geometry::ViewSize size, int samples = default_still_samples);
 // Returns one sentence for each part that the last picture leaves out or shows only partly.
 [[nodiscard]] std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const render::Renderer& renderer);

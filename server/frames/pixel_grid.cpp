@@ -29,7 +29,7 @@ Vec3d position(const Surface& surface, Index vertex) {
 
 class Frustum {
 public:
-    Frustum(const geometry::Geometry& geometry, const annotations::Camera& camera, const geometry::ViewSize& size)
+    Frustum(const geometry::Geometry& geometry, const annotations::ViewCamera& camera, const geometry::ViewSize& size)
         : eye_(camera.position - geometry.origin), forward_(unit(camera.target - camera.position)),
           right_(unit(cross(forward_, camera.up))), up_(cross(right_, forward_)),
           tan_(std::tan(camera.fov_degrees * std::numbers::pi / 360)),
@@ -146,24 +146,24 @@ double largest_offset(const geometry::Geometry& geometry) {
 }
 
 // Distance from the origin at which the grid need not be finer than the resolution of floats.
-double looked_at(const geometry::Geometry& geometry, const annotations::Camera& camera) {
+double looked_at(const geometry::Geometry& geometry, const annotations::ViewCamera& camera) {
     const double nearest = std::max(length(camera.position - geometry.origin), length(camera.target - geometry.origin));
     return std::min(nearest, largest_offset(geometry));
 }
 
 // Returns a larger step if floats are coarser, or if a coordinate in steps would be longer than 30 bits.
-double step_for(double wanted, const geometry::Geometry& geometry, const annotations::Camera& camera) {
+double step_for(double wanted, const geometry::Geometry& geometry, const annotations::ViewCamera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));
 }
 
-double pixel_at(double depth, const annotations::Camera& camera, const geometry::ViewSize& size) {
+double pixel_at(double depth, const annotations::ViewCamera& camera, const geometry::ViewSize& size) {
     return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * depth / std::max(size.height, 1U);
 }
 
 } // namespace
 
-double nearest_pixel(const geometry::Geometry& geometry, const annotations::Camera& camera,
+double nearest_pixel(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                      const geometry::ViewSize& size) {
     if (camera.parallel) return camera.parallel_height / std::max(size.height, 1U);
     const Frustum frustum(geometry, camera, size);
@@ -174,7 +174,7 @@ double nearest_pixel(const geometry::Geometry& geometry, const annotations::Came
     return pixel_at(std::max(nearest, frustum.nearest()), camera, size);
 }
 
-double surely_fine_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+double surely_fine_grid(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                         const geometry::ViewSize& size) {
     double pixel = 0;
     if (camera.parallel)
@@ -184,7 +184,7 @@ double surely_fine_grid(const geometry::Geometry& geometry, const annotations::C
     return pixel > 0 ? step_for(of_a_pixel * pixel, geometry, camera) : 0;
 }
 
-double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+double needed_grid(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                    const geometry::ViewSize& size) {
     return step_for(std::min(of_a_pixel * nearest_pixel(geometry, camera, size), of_a_height * flat_height(geometry)),
                     geometry, camera);

@@ -11,17 +11,17 @@ namespace ciel::frames {
 // the nearest visible triangle, line or point, so that rounding moves no point by more than 0.22 pixels. It is at most
 // 1/32 of the height of triangles that are lit without normals, because their shading would show the rounding. But it
 // is never less than the resolution of floats at the camera's position and target, or than 2^-29 of the largest offset.
-[[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+[[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                                  const geometry::ViewSize& size);
 
 // Computes a fine enough step from the bounds only, because reading all positions takes long each time the camera
 // turns. Returns 0 if a corner of the bounds is not in front of the camera. Ignores triangles that are lit without
 // normals, because needed_grid() has already made the grid fine enough for them.
-[[nodiscard]] double surely_fine_grid(const geometry::Geometry& geometry, const annotations::Camera& camera,
+[[nodiscard]] double surely_fine_grid(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                                       const geometry::ViewSize& size);
 
 // Returns the length of a pixel at the nearest visible point. Its depth counts as at least 1e-4 of the largest depth.
-[[nodiscard]] double nearest_pixel(const geometry::Geometry& geometry, const annotations::Camera& camera,
+[[nodiscard]] double nearest_pixel(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                                    const geometry::ViewSize& size);
 
 } // namespace ciel::frames

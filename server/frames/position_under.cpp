@@ -7,20 +7,20 @@
 
 namespace ciel::frames {
 
-std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::Scene& scene,
+std::optional<Vec3d> position_under(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
                                     geometry::ViewSize size, std::array<double, 2> pixel, const CellLocator& locator,
                                     render::Renderer& renderer, std::function<void()> check_wanted) {
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
     render::Image image;
-    render::Frame frame = frame_of(geometry, scene, width, height, 1);
+    render::Frame frame = frame_of(geometry, checked, width, height, 1);
     frame.check_wanted = std::move(check_wanted);
     renderer.draw(frame, image);
     Vec3d hit{};
     if (!renderer.pick(static_cast<int>(pixel[0]), static_cast<int>(pixel[1]), hit)) return {};
     if (locator.cell_at(hit) != none) return hit;
 
-    const annotations::Camera& camera = frame.camera;
+    const annotations::ViewCamera& camera = frame.camera;
     const Vec3d sight = (camera.parallel ? camera.target : hit) - camera.position;
     const double whole = length(geometry.bounds_max - geometry.bounds_min);
     const double seen = std::min(whole, camera.parallel ? camera.parallel_height : length(sight));

@@ -22,7 +22,7 @@ bool is_test_picture(const render::Image& image) {
            !close(image.rgb.data(), orange);
 }
 
-Readiness draw_test_picture(render::Renderer& renderer) {
+TestPictureResult draw_test_picture(render::Renderer& renderer) {
     // The triangle covers the middle of the picture, but not its corners.
     const std::vector<Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
     const std::vector<Index> indices{0, 1, 2};
@@ -40,15 +40,15 @@ Readiness draw_test_picture(render::Renderer& renderer) {
     render::Image image;
     renderer.draw(frame, image);
 
-    Readiness readiness;
-    readiness.gl_renderer = renderer.gl_renderer();
-    readiness.gl_version = renderer.gl_version();
-    readiness.backend = render::name_of(renderer.backend());
-    readiness.ready = is_test_picture(image);
-    if (!readiness.ready) {
-        readiness.problem =
-            readiness.gl_renderer + " drew a test picture with wrong pixels; choose another back end with --gl";
-        return readiness;
+    TestPictureResult result;
+    result.gl_renderer = renderer.gl_renderer();
+    result.gl_version = renderer.gl_version();
+    result.backend = render::name_of(renderer.backend());
+    result.passed = is_test_picture(image);
+    if (!result.passed) {
+        result.problem =
+            result.gl_renderer + " drew a test picture with wrong pixels; choose another back end with --gl";
+        return result;
     }
     frame.width = 1280; // size of a usual still picture, for the memory check
     frame.height = 720;
@@ -56,10 +56,10 @@ Readiness draw_test_picture(render::Renderer& renderer) {
     try {
         renderer.check_memory(frame);
     } catch (const Error& error) {
-        readiness.ready = false;
-        readiness.problem = error.what();
+        result.passed = false;
+        result.problem = error.what();
     }
-    return readiness;
+    return result;
 }
 
 } // namespace ciel::frames

@@ -7,14 +7,14 @@
 
 namespace ciel::frames {
 
-struct Readiness {
-    bool ready = false;
+struct TestPictureResult {
+    bool passed = false; // the pixels are right, and the memory is enough
     std::string gl_renderer{}, gl_version{}, backend{};
-    std::string problem{}; // a sentence; empty when ready
+    std::string problem{}; // a sentence; empty if the test passed
 };
 
 // Also checks that the memory is enough for a usual still picture. Throws Error if drawing fails.
-[[nodiscard]] Readiness draw_test_picture(render::Renderer& renderer);
+[[nodiscard]] TestPictureResult draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 
 } // namespace ciel::frames

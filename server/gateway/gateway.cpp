@@ -37,20 +37,19 @@ public:
     Gateway(Service& service, const GatewayOptions& options)
         : address_(resolve_host(options.host)), acceptor_(bind(io_, address_, options.port)),
           threads_(std::max(1U, options.threads)), workers_(std::max(1U, options.workers)),
-          context_(service, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {
-    }
+          state_(service, options, access_rules(options, address_.is_loopback(), acceptor_.local_endpoint().port())) {}
 
     int run(const std::function<void(const Listening&)>& on_listening) {
         asio::co_spawn(one_at_a_time_, drain_on_signal(), asio::detached);
         on_listening(listening());
-        asio::co_spawn(one_at_a_time_, accept_connections(acceptor_, io_, context_, workers_), asio::detached);
+        asio::co_spawn(one_at_a_time_, accept_connections(acceptor_, io_, state_, workers_), asio::detached);
         std::vector<std::jthread> threads;
         for (unsigned i = 1; i < threads_; ++i) threads.emplace_back([this] { io_.run(); });
         io_.run();
         threads.clear();
         if (!drained_) abandon();
-        context_.owners.join();
-        context_.probe_thread.join();
+        state_.owners.join();
+        state_.probe_thread.join();
         workers_.join();
         return 0;
     }
@@ -58,8 +57,8 @@ public:
 private:
     Listening listening() const {
         const std::string text = address_.to_string();
-        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), context_.prefix,
-                context_.access.token};
+        return {address_.is_v6() ? "[" + text + "]" : text, acceptor_.local_endpoint().port(), state_.prefix,
+                state_.access.token};
     }
 
     asio::awaitable<void> drain_on_signal() {
@@ -74,26 +73,26 @@ private:
     }
 
     asio::awaitable<void> drain() {
-        spdlog::info("stopping: {} connections", context_.connections.count());
+        spdlog::info("stopping: {} connections", state_.connections.count());
         const auto begin = Clock::now();
-        const auto half = std::chrono::milliseconds(500) * context_.service.limits().drain_seconds;
-        const auto is_over = [this] { return server_drained_ && context_.connections.count() == 0; };
+        const auto half = std::chrono::milliseconds(500) * state_.service.limits().drain_seconds;
+        const auto is_over = [this] { return server_drained_ && state_.connections.count() == 0; };
         acceptor_.close();
-        context_.draining = true;
-        context_.service.announce_end();
+        state_.draining = true;
+        state_.service.announce_end();
         asio::post(workers_, [this] {
-            context_.service.drain_frames();
+            state_.service.drain_frames();
             frames_drained_ = true;
-            context_.service.drain();
+            state_.service.drain();
             server_drained_ = true;
         });
         co_await until(begin + half, [this] { return frames_drained_.load(); });
-        context_.connections.drain_all(); // first call: a connection ends when its answers have been sent
+        state_.connections.drain_all(); // first call: a connection ends when its answers have been sent
         co_await until(begin + half, is_over);
-        context_.service.give_up();
-        context_.connections.drain_all(); // second call: connections end without waiting for answers
+        state_.service.give_up();
+        state_.connections.drain_all(); // second call: connections end without waiting for answers
         co_await until(begin + half * 3 / 2, is_over);
-        context_.connections.drain_all();              // third call: connections end without waiting for the client
+        state_.connections.drain_all();                // third call: connections end without waiting for the client
         co_await until(begin + half * 9 / 5, is_over); // leaves a tenth of drain_seconds for the exit
         drained_ = is_over();
     }
@@ -123,7 +122,7 @@ private:
     asio::ip::tcp::acceptor acceptor_;
     unsigned threads_;
     asio::thread_pool workers_;
-    Context context_;
+    GatewayState state_;
     std::atomic<bool> frames_drained_{false}, server_drained_{false};
     bool drained_ = false;
 };

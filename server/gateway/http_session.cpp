@@ -31,8 +31,8 @@ constexpr int blank_lines = 8; // most blank lines skipped before a request; RFC
 
 class HttpSession {
 public:
-    HttpSession(ConnectionStart start, Context& context, asio::thread_pool& workers)
-        : start_(std::move(start)), context_(context), limits_(context.service.limits()), workers_(workers),
+    HttpSession(ConnectionStart start, GatewayState& state, asio::thread_pool& workers)
+        : start_(std::move(start)), state_(state), limits_(state.service.limits()), workers_(workers),
           stream_(std::move(start_.socket)), deadline_(stream_), guess_pause_(stream_.get_executor()) {
         address_ = without_mapping(start_.peer.address()).to_string();
         remote_ = address_ + ":" + std::to_string(start_.peer.port());
@@ -55,16 +55,16 @@ public:
 private:
     // Called before the first read, because a socket that the client has closed no longer has an owner.
     asio::awaitable<void> look_up_user() {
-        if (!context_.access.own_user_enters || start_.ticket->is_refused()) co_return;
+        if (!state_.access.own_user_enters || start_.ticket->is_refused()) co_return;
         error_code gone;
         const auto own = stream_.socket().local_endpoint(gone);
         if (gone) co_return;
-        is_of_own_user_ = co_await context_.owners.is_own_user(start_.peer, own);
+        is_of_own_user_ = co_await state_.owners.is_own_user(start_.peer, own);
     }
 
     // Returns false if the connection must end.
     asio::awaitable<bool> one_request() {
-        if (context_.draining && buffer_.size() == 0) co_return false;
+        if (state_.draining && buffer_.size() == 0) co_return false;
         waiting_ = true;
         const bool begun = co_await request_begins();
         if (!begun) co_return false;
@@ -133,7 +133,7 @@ private:
         request.id = logging::next_request_id();
         request.address = address_;
         request.is_of_own_user = is_of_own_user_;
-        if (!start_.is_of_trusted_proxy) request.user = is_of_own_user_ && !request.is_proxied ? context_.own_user : "";
+        if (!start_.is_of_trusted_proxy) request.user = is_of_own_user_ && !request.is_proxied ? state_.own_user : "";
         return request;
     }
 
@@ -142,7 +142,7 @@ private:
         const std::string client = client_of(request);
         if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
         if (auto problem = refused_head(message)) return {refused(std::move(*problem)), true};
-        Resolved resolved = resolve(context_, request);
+        Resolved resolved = resolve(state_, request);
         if (!start_.ticket->begin_request(is_let_in(resolved.claim), client))
             return {refused(too_many_of_address()), true};
         return {std::move(resolved), false};
@@ -153,7 +153,7 @@ private:
         auto [resolved, is_last] = look_at(parser.get(), request);
         if (resolved.route != nullptr && resolved.route->kind == Route::Kind::websocket &&
             beast::websocket::is_upgrade(parser.get())) {
-            if (auto problem = context_.draining ? stopping() : refused_handshake(parser.get()))
+            if (auto problem = state_.draining ? stopping() : refused_handshake(parser.get()))
                 resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
@@ -178,7 +178,7 @@ private:
             tell_refusal(request, *resolved.refusal);
         const bool unread = !parser.is_done();
         Response response = co_await response_to(request, resolved);
-        const bool keep_alive = parser.get().keep_alive() && !unread && !context_.draining && !is_last;
+        const bool keep_alive = parser.get().keep_alive() && !unread && !state_.draining && !is_last;
         const bool written =
             co_await write(std::move(response), request.method == "HEAD", parser.get().version(), keep_alive);
         if (written && (unread || is_last)) co_await linger();
@@ -188,7 +188,7 @@ private:
     void tell_refusal(const Request& request, const Response& refusal) {
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
-        if (!context_.log_limiter.allows(status + " " + request.address)) return;
+        if (!state_.log_limiter.allows(status + " " + request.address)) return;
         logging::log_event(logging::LogLevel::warning, "a request was refused",
                            {{"status", status},
                             {"reason", refusal.body.substr(0, refusal.body.find('\n'))},
@@ -201,14 +201,14 @@ private:
 
     // Slows down guessing. If wrong_tokens_waiting answers are already delayed, answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
-        if (context_.log_limiter.allows("token " + request.address))
+        if (state_.log_limiter.allows("token " + request.address))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
                                {{"remote", request.address},
                                 {"user", request.user},
                                 {"request", request.id},
                                 {"ms", request.milliseconds()},
                                 {"note", "further refusals for this address are not logged for a minute"}});
-        if (context_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
+        if (state_.guesses_waiting.fetch_add(1) < limits_.wrong_tokens_waiting) {
             guess_pause_.expires_after(std::chrono::seconds(limits_.wrong_token_seconds));
             error_code ignored;
             co_await guess_pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -216,7 +216,7 @@ private:
             resolved.refusal = sentence(429, "The server has too many requests with wrong tokens; try again later.");
             resolved.refusal->headers.emplace_back("Retry-After", std::to_string(limits_.wrong_token_seconds));
         }
-        --context_.guesses_waiting;
+        --state_.guesses_waiting;
     }
 
     static Resolved refused(Response response) { return {std::move(response), nullptr, {}, Claim::none}; }
@@ -247,7 +247,7 @@ private:
         *start_.on_drain = nullptr;
         *start_.on_cut = nullptr; // a WebSocket is never cut
         deadline_.stop();
-        co_await websocket_session(std::move(stream_), std::move(message), std::move(client), start_.on_drain, context_,
+        co_await websocket_session(std::move(stream_), std::move(message), std::move(client), start_.on_drain, state_,
                                    workers_);
     }
 
@@ -264,12 +264,12 @@ private:
         Response response;
         const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
         if (kind == Route::Kind::rpc)
-            response = co_await rpc_call(stream_, request, resolved.claim == Claim::token, context_, workers_);
+            response = co_await rpc_call(stream_, request, resolved.claim == Claim::token, state_, workers_);
         else if (kind == Route::Kind::quick || kind == Route::Kind::websocket)
-            response = respond(context_, request, resolved);
+            response = respond(state_, request, resolved);
         else
-            co_await on_worker(context_.probe_thread, [&] {
-                response = respond(context_, request, resolved);
+            co_await on_worker(state_.probe_thread, [&] {
+                response = respond(state_, request, resolved);
                 return std::string();
             });
         spdlog::debug("{} {} {} {}", request.remote, request.method, resolved.target.path, response.status);
@@ -285,18 +285,18 @@ private:
         unknown.id = logging::next_request_id();
         unknown.address = address_;
         tell_refusal(unknown, *resolved.refusal);
-        Response response = respond(context_, unknown, resolved);
+        Response response = respond(state_, unknown, resolved);
         const bool written = co_await write(std::move(response), false, 11, false);
         if (written) co_await linger();
     }
 
     asio::awaitable<bool> write(Response response, bool head, unsigned version, bool keep_alive) {
-        ++context_.counters.responses[std::min(response.status / 100, 5U)];
+        ++state_.counters.responses[std::min(response.status / 100, 5U)];
         http::response<http::string_body> message{static_cast<http::status>(response.status), version};
         message.set(http::field::date, http_date(std::time(nullptr)));
         for (const auto& [name, value] : response.headers) message.insert(name, value);
         message.keep_alive(keep_alive);
-        limits::Memory::Charge held(context_.service.memory(), limits::Held::unsent);
+        limits::Memory::Charge held(state_.service.memory(), limits::Held::unsent);
         held.note(response.body.size());
         message.body() = std::move(response.body);
         if (response.status != 204 && response.status != 304) {
@@ -333,7 +333,7 @@ private:
     }
 
     ConnectionStart start_;
-    Context& context_;
+    GatewayState& state_;
     const limits::Limits& limits_;
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
@@ -348,8 +348,8 @@ private:
 
 } // namespace
 
-asio::awaitable<void> http_session(ConnectionStart start, Context& context, asio::thread_pool& workers) {
-    HttpSession session(std::move(start), context, workers);
+asio::awaitable<void> http_session(ConnectionStart start, GatewayState& state, asio::thread_pool& workers) {
+    HttpSession session(std::move(start), state, workers);
     co_await session.run();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gateway/asio.hpp"
-#include "gateway/context.hpp"
+#include "gateway/gateway_state.hpp"
 
 #include <memory>
 
@@ -22,6 +22,6 @@ struct ConnectionStart {
 };
 
 // Runs on the socket's executor, which must be a strand. Returns without throwing when the connection has ended.
-asio::awaitable<void> http_session(ConnectionStart start, Context& context, asio::thread_pool& workers);
+asio::awaitable<void> http_session(ConnectionStart start, GatewayState& state, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

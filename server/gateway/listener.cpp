@@ -25,14 +25,14 @@ std::size_t count_files() {
 
 // The kernel gives a new socket the lowest free number, so all lower numbers are in use. Other connections may have
 // higher numbers, so all connections are counted, too.
-bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, Context& context) {
+bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, GatewayState& state) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
-    const std::size_t used = std::max(below, files_at_start + context.connections.count()) + 1;
-    if (used + context.service.limits().reserved_files <= context.most_files) return false;
-    if (context.log_limiter.allows("files"))
+    const std::size_t used = std::max(below, files_at_start + state.connections.count()) + 1;
+    if (used + state.service.limits().reserved_files <= state.most_files) return false;
+    if (state.log_limiter.allows("files"))
         spdlog::warn("{} of {} file descriptors are in use; the oldest idle connections are closed for new ones. Raise "
                      "the limit (ulimit -n)",
-                     used, context.most_files);
+                     used, state.most_files);
     return true;
 }
 
@@ -45,23 +45,23 @@ std::function<void()> posted(const tcp::socket::executor_type& executor,
     };
 }
 
-void start_session(tcp::socket socket, bool is_short, Context& context, asio::thread_pool& workers) {
-    ++context.counters.connections;
+void start_session(tcp::socket socket, bool is_short, GatewayState& state, asio::thread_pool& workers) {
+    ++state.counters.connections;
     error_code gone;
     const auto peer = socket.remote_endpoint(gone);
     if (gone) return;
     ConnectionStart start{std::move(socket), peer};
-    start.is_of_trusted_proxy = context.proxies.contains(start.peer.address());
+    start.is_of_trusted_proxy = state.proxies.contains(start.peer.address());
     start.on_drain = std::make_shared<std::function<void()>>();
     start.on_cut = std::make_shared<std::function<void()>>();
     start.socket.set_option(tcp::no_delay(true), gone);
     const auto executor = start.socket.get_executor();
     start.ticket =
-        context.connections.open(start.is_of_trusted_proxy ? std::string() : counting_key(start.peer.address()),
-                                 is_short, {posted(executor, start.on_drain), posted(executor, start.on_cut)});
-    if (!start.ticket || start.ticket->is_refused()) ++context.counters.refused_connections;
+        state.connections.open(start.is_of_trusted_proxy ? std::string() : counting_key(start.peer.address()), is_short,
+                               {posted(executor, start.on_drain), posted(executor, start.on_cut)});
+    if (!start.ticket || start.ticket->is_refused()) ++state.counters.refused_connections;
     if (!start.ticket) return;
-    asio::co_spawn(executor, http_session(std::move(start), context, workers), [](const std::exception_ptr& failure) {
+    asio::co_spawn(executor, http_session(std::move(start), state, workers), [](const std::exception_ptr& failure) {
         try {
             if (failure) std::rethrow_exception(failure);
         } catch (const std::exception& error) {
@@ -103,7 +103,7 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
     return acceptor;
 }
 
-asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_context& io, Context& context,
+asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_context& io, GatewayState& state,
                                          asio::thread_pool& workers) {
     const std::size_t files_at_start = count_files();
     asio::steady_timer pause(io);
@@ -112,15 +112,14 @@ asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_conte
         error_code error;
         co_await acceptor.async_accept(socket, asio::redirect_error(asio::use_awaitable, error));
         if (!error) {
-            const bool is_short = is_short_of_files(socket, files_at_start, context);
-            start_session(std::move(socket), is_short, context, workers);
+            const bool is_short = is_short_of_files(socket, files_at_start, state);
+            start_session(std::move(socket), is_short, state, workers);
             if (is_short) {
                 pause.expires_after(pause_when_short);
                 co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
             }
         } else if (error != asio::error::operation_aborted) { // no descriptor is free: wait until connections end
-            if (context.log_limiter.allows("accept"))
-                spdlog::warn("a connection was not accepted: {}", error.message());
+            if (state.log_limiter.allows("accept")) spdlog::warn("a connection was not accepted: {}", error.message());
             pause.expires_after(std::chrono::milliseconds(100));
             co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gateway/asio.hpp"
-#include "gateway/context.hpp"
+#include "gateway/gateway_state.hpp"
 
 namespace ciel::gateway {
 
@@ -13,7 +13,7 @@ namespace ciel::gateway {
 [[nodiscard]] asio::ip::tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsigned short port);
 
 // Accepts connections until the acceptor is closed.
-asio::awaitable<void> accept_connections(asio::ip::tcp::acceptor& acceptor, asio::io_context& io, Context& context,
+asio::awaitable<void> accept_connections(asio::ip::tcp::acceptor& acceptor, asio::io_context& io, GatewayState& state,
                                          asio::thread_pool& workers);
 
 } // namespace ciel::gateway

@@ -57,10 +57,10 @@ bool is_json(std::string_view content_type) {
     return type == "application/json" || type == "application/json-rpc" || type == "application/jsonrequest";
 }
 
-std::optional<Response> refusal(const Context& context, const Request& request, const Target& target,
+std::optional<Response> refusal(const GatewayState& state, const Request& request, const Target& target,
                                 const Route& route, Claim claim) {
     const bool changes_or_streams = route.kind == Route::Kind::websocket || route.method != "GET";
-    if (changes_or_streams && !origin_allowed(context.access, request.origin, request.host))
+    if (changes_or_streams && !origin_allowed(state.access, request.origin, request.host))
         return sentence(403, "The origin " + request.origin + " may not use this server; allow it with --origin.");
     if (request.method == "OPTIONS" && route.method == "POST") return preflight(request, route);
     if (!method_matches(route, request.method)) {
@@ -77,10 +77,10 @@ std::optional<Response> refusal(const Context& context, const Request& request, 
 }
 
 // Relative links break without the slash.
-Response to_prefix(const Context& context, const Request& request) {
-    Response response = sentence(308, "The client is at " + context.prefix + "/");
+Response to_prefix(const GatewayState& state, const Request& request) {
+    Response response = sentence(308, "The client is at " + state.prefix + "/");
     const auto query = std::min(request.target.find('?'), request.target.size());
-    response.headers.emplace_back("Location", context.prefix + "/" + request.target.substr(query));
+    response.headers.emplace_back("Location", state.prefix + "/" + request.target.substr(query));
     return response;
 }
 
@@ -90,31 +90,31 @@ Resolved refused(Response response) { return {std::move(response), nullptr, {}, 
 
 std::span<const Route> routes() { return table; }
 
-Resolved resolve(const Context& context, const Request& request) {
+Resolved resolve(const GatewayState& state, const Request& request) {
     auto target = parse_target(request.target);
     if (!target)
         return refused(
             sentence(400, "The path of the request is malformed; check its percent signs and control characters."));
-    if (!host_allowed(context.access, request.host))
+    if (!host_allowed(state.access, request.host))
         return refused(sentence(403, "The host name " + request.host +
                                          " is not allowed on this server; allow it with --allowed-host."));
-    const auto path = below_prefix(target->path, context.prefix);
-    if (path.empty()) return refused(to_prefix(context, request));
+    const auto path = below_prefix(target->path, state.prefix);
+    if (path.empty()) return refused(to_prefix(state, request));
     target->path = std::string(path);
     const Route& route = route_of(target->path);
-    const Claim claim = claim_of(context.access, request, *target);
-    if (auto response = refusal(context, request, *target, route, claim))
+    const Claim claim = claim_of(state.access, request, *target);
+    if (auto response = refusal(state, request, *target, route, claim))
         return {std::move(response), nullptr, {}, claim};
     return {std::nullopt, &route, std::move(*target), claim};
 }
 
-Response respond(Context& context, const Request& request, const Resolved& resolved) {
+Response respond(GatewayState& state, const Request& request, const Resolved& resolved) {
     Response response;
     if (resolved.refusal)
         response = *resolved.refusal;
     else
         try {
-            response = resolved.route->handler(context, request, resolved.target);
+            response = resolved.route->handler(state, request, resolved.target);
         } catch (const std::exception& error) {
             logging::log_event(logging::LogLevel::error, "request failed",
                                {{"method", request.method},
@@ -125,7 +125,7 @@ Response respond(Context& context, const Request& request, const Resolved& resol
                                 {"remote", request.remote}});
             response = sentence(500, "The request failed; the log of the server names the reason.");
         }
-    add_common_headers(context, request, response);
+    add_common_headers(state, request, response);
     return response;
 }
 

@@ -1,7 +1,7 @@
 // The table of routes, and the checks before a handler runs.
 #pragma once
 
-#include "gateway/context.hpp"
+#include "gateway/gateway_state.hpp"
 #include "gateway/http_message.hpp"
 #include "gateway/target.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace ciel::gateway {
 
-using Handler = Response (*)(Context& context, const Request& request, const Target& target);
+using Handler = Response (*)(GatewayState& state, const Request& request, const Target& target);
 
 struct Route {
     std::string_view path;
@@ -30,9 +30,9 @@ struct Resolved {
 };
 
 // Checks everything except the body: target, Host, method, Origin, token, content type.
-[[nodiscard]] Resolved resolve(const Context& context, const Request& request);
+[[nodiscard]] Resolved resolve(const GatewayState& state, const Request& request);
 
 // Adds the common headers. If the handler throws, the answer has status 500.
-[[nodiscard]] Response respond(Context& context, const Request& request, const Resolved& resolved);
+[[nodiscard]] Response respond(GatewayState& state, const Request& request, const Resolved& resolved);
 
 } // namespace ciel::gateway

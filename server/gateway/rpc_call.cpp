@@ -35,11 +35,11 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, c
 
 } // namespace
 
-asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token, Context& context,
-                                   asio::thread_pool& workers) {
+asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token,
+                                   GatewayState& state, asio::thread_pool& workers) {
     const auto pending = std::make_shared<Pending>(stream.get_executor());
-    const auto peer = context.service.connect({context.next_connection_id++, request.remote, request.user, request.id,
-                                               has_token, pending->hung_up.get_token()});
+    const auto peer = state.service.connect({state.next_connection_id++, request.remote, request.user, request.id,
+                                             has_token, pending->hung_up.get_token()});
     const auto answer = [pending, executor = stream.get_executor()](std::string text) {
         asio::post(executor, [pending, text = std::move(text)]() mutable {
             pending->answer = std::move(text);
@@ -56,7 +56,7 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     stream.socket().cancel(ignored); // ends watch()
     const unsigned status = pending->answer->empty() ? 204 : 200;
     Response response = json(status, std::move(*pending->answer));
-    add_common_headers(context, request, response);
+    add_common_headers(state, request, response);
     co_return response;
 }
 

@@ -27,8 +27,8 @@ constexpr unsigned last_close_code = 4999;
 // All members are used on the socket's strand, except by work on `workers` and by the Client's callbacks.
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
-    WebSocketSession(beast::tcp_stream stream, Context& context, asio::thread_pool& workers)
-        : context_(context), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
+    WebSocketSession(beast::tcp_stream stream, GatewayState& state, asio::thread_pool& workers)
+        : state_(state), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
           send_queue_changed_(socket_.get_executor()), part_ended_(socket_.get_executor()) {
         for (auto* timer : {&inbox_changed_, &send_queue_changed_, &part_ended_})
             timer->expires_at(std::chrono::steady_clock::time_point::max());
@@ -62,7 +62,7 @@ private:
     void end();
     void cut() { beast::get_lowest_layer(socket_).close(); }
 
-    Context& context_;
+    GatewayState& state_;
     asio::thread_pool& workers_;
     websocket::stream<beast::tcp_stream> socket_;
     std::shared_ptr<SendQueue> send_queue_;
@@ -82,7 +82,7 @@ private:
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
-    const auto& limits = context_.service.limits();
+    const auto& limits = state_.service.limits();
     beast::get_lowest_layer(socket_).expires_never(); // the WebSocket has its own time-outs
     ::setsockopt(beast::get_lowest_layer(socket_).socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT,
                  &unsent_bytes, sizeof unsent_bytes); // if this fails, texts wait longer
@@ -93,7 +93,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     socket_.set_option(timeouts);
     socket_.set_option(websocket::stream_base::decorator([this](websocket::response_type& response) {
         response.set(beast::http::field::sec_websocket_protocol, std::string(subprotocol));
-        response.set(beast::http::field::server, "CIEL/" + context_.version);
+        response.set(beast::http::field::server, "CIEL/" + state_.version);
     }));
     socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
         // Disconnects on an invalid close code, because such a code must not be sent back.
@@ -109,25 +109,25 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
 void WebSocketSession::open(Client client) {
     const std::weak_ptr<WebSocketSession> weak = weak_from_this();
     send_queue_ =
-        std::make_shared<SendQueue>(context_.service.limits().unsent_bytes, context_.service.memory(), [this, weak] {
+        std::make_shared<SendQueue>(state_.service.limits().unsent_bytes, state_.service.memory(), [this, weak] {
             asio::post(socket_.get_executor(), [weak] {
                 if (const auto self = weak.lock()) self->send_queue_pushed();
             });
         });
     remote_ = client.remote;
-    client.id = context_.next_connection_id++;
+    client.id = state_.next_connection_id++;
     client.stop = closed_.get_token();
     client.send_text = [send_queue = send_queue_](std::string text) { send_queue->push_text(std::move(text)); };
     client.send_binary = [send_queue = send_queue_](FrameBytes bytes) { send_queue->push_frame(std::move(bytes)); };
     client.has_room = [send_queue = send_queue_](std::size_t bytes) { return send_queue->has_room(bytes); };
-    peer_ = context_.service.connect(std::move(client));
+    peer_ = state_.service.connect(std::move(client));
 }
 
 asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, OnDrain on_drain) {
     const bool accepted = co_await accept(std::move(upgrade));
     if (!accepted) co_return;
     spdlog::debug("{}: WebSocket opened", client.remote);
-    ++context_.counters.websockets_open;
+    ++state_.counters.websockets_open;
     open(std::move(client));
     *on_drain = [this] { drain(); };
     start([this] { return handle_in_order(); });
@@ -137,12 +137,12 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, 
     while (parts_ > 0) co_await changed(part_ended_);
     *on_drain = nullptr;
     send_queue_->close();
-    context_.counters.frames_dropped += send_queue_->dropped_frames();
+    state_.counters.frames_dropped += send_queue_->dropped_frames();
     co_await on_worker(workers_, [this] {
         peer_->closed();
         return std::string();
     });
-    --context_.counters.websockets_open;
+    --state_.counters.websockets_open;
     spdlog::debug("{}: WebSocket closed", remote_);
 }
 
@@ -163,11 +163,11 @@ asio::awaitable<void> WebSocketSession::read() {
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
         if (error) co_return; // closed, lost or idle too long; for a bad message, Beast has sent 1002, 1007 or 1009
         if (close_) continue;
-        if (socket_.got_text()) ++context_.counters.texts_received;
+        if (socket_.got_text()) ++state_.counters.texts_received;
         inbox_bytes_ += buffer.size();
         inbox_.push_back({beast::buffers_to_string(buffer.data()), socket_.got_text()});
         inbox_changed_.cancel();
-        while (inbox_bytes_ > context_.service.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
+        while (inbox_bytes_ > state_.service.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
     }
 }
 
@@ -236,8 +236,8 @@ asio::awaitable<void> WebSocketSession::write() {
         writing_ = true;
         co_await socket_.async_write(bytes, asio::redirect_error(asio::use_awaitable, error));
         writing_ = false;
-        ++(is_text ? context_.counters.texts_sent : context_.counters.frames_sent);
-        context_.counters.bytes_sent += asio::buffer_size(bytes);
+        ++(is_text ? state_.counters.texts_sent : state_.counters.frames_sent);
+        state_.counters.bytes_sent += asio::buffer_size(bytes);
         if (send_queue_->sent()) peer_->has_room();
     }
     cut(); // also ends a pending read from a lost peer
@@ -273,8 +273,8 @@ void WebSocketSession::end() {
 } // namespace
 
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
-                                        Context& context, asio::thread_pool& workers) {
-    const auto session = std::make_shared<WebSocketSession>(std::move(stream), context, workers);
+                                        GatewayState& state, asio::thread_pool& workers) {
+    const auto session = std::make_shared<WebSocketSession>(std::move(stream), state, workers);
     co_await session->run(std::move(upgrade), std::move(client), std::move(on_drain));
 }
 

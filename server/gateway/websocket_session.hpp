@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gateway/asio.hpp"
-#include "gateway/context.hpp"
+#include "gateway/gateway_state.hpp"
 #include "gateway/http_request.hpp"
 #include "gateway/http_session.hpp"
 
@@ -10,6 +10,6 @@ namespace ciel::gateway {
 
 // The caller sets remote, user and has_token of `client`. Returns when the connection, its calls and writes have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
-                                        Context& context, asio::thread_pool& workers);
+                                        GatewayState& state, asio::thread_pool& workers);
 
 } // namespace ciel::gateway

@@ -1,6 +1,6 @@
 #include "geometry/bodies.hpp"
 
-#include "ciel/mesh_faces.hpp"
+#include "store/mesh_questions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,9 +28,9 @@ bool is_sliding(const std::string& name) {
     return name.starts_with("ami") && (name.size() == 3 || !('a' <= name[3] && name[3] <= 'z'));
 }
 
-bool has_wall_type(const Patch& patch) { return patch.type == "wall" || patch.type == "mappedWall"; }
+bool has_wall_type(const MeasuredPatch& patch) { return patch.type == "wall" || patch.type == "mappedWall"; }
 
-bool is_wall_by_name(const Patch& patch) {
+bool is_wall_by_name(const MeasuredPatch& patch) {
     const std::string name = lower_case(patch.name);
     return !is_sliding(name) &&
            std::ranges::none_of(no_walls, [&](std::string_view word) { return name.find(word) != std::string::npos; });
@@ -40,7 +40,7 @@ double margin_along(const BoundingBox& domain, std::size_t axis) {
     return margin_of_side * (domain.high[axis] - domain.low[axis]);
 }
 
-bool is_inside(const Patch& patch, const BoundingBox& domain) {
+bool is_inside(const MeasuredPatch& patch, const BoundingBox& domain) {
     int inside = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double margin = margin_along(domain, axis);
@@ -49,7 +49,7 @@ bool is_inside(const Patch& patch, const BoundingBox& domain) {
     return inside >= 2;
 }
 
-bool is_flat_side(const Patch& patch, const BoundingBox& domain) {
+bool is_flat_side(const MeasuredPatch& patch, const BoundingBox& domain) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double margin = margin_along(domain, axis);
         if (patch.box.high[axis] < domain.low[axis] + margin || patch.box.low[axis] > domain.high[axis] - margin)
@@ -58,25 +58,24 @@ bool is_flat_side(const Patch& patch, const BoundingBox& domain) {
     return false;
 }
 
-double length_of_faces(const Patch& patch) { return std::sqrt(patch.area / static_cast<double>(patch.faces)); }
+double length_of_faces(const MeasuredPatch& patch) { return std::sqrt(patch.area / static_cast<double>(patch.faces)); }
 
 } // namespace
 
-std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step) {
-    std::vector<Patch> patches;
+std::vector<MeasuredPatch> patches_of(const store::Dataset& dataset, const store::Step& step) {
+    std::vector<MeasuredPatch> patches;
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
-        const std::vector<Index> ids(group.ids.begin(), group.ids.end());
-        const FacesSize size = size_of_faces(dataset.numbered_faces(step.mesh, step.coordinates), ids);
+        const FacesSize size = store::size_of_faces(dataset, step, group);
         patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
     }
     return patches;
 }
 
-std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain) {
+std::vector<MeasuredPatch> bodies_of(std::span<const MeasuredPatch> patches, const BoundingBox& domain) {
     double whole = 0, of_sides = 0;
     std::size_t faces_of_sides = 0;
-    for (const Patch& patch : patches) {
+    for (const MeasuredPatch& patch : patches) {
         whole += patch.area;
         if (!is_flat_side(patch, domain)) continue;
         of_sides += patch.area;
@@ -84,8 +83,8 @@ std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& 
     }
     const double length_of_sides = faces_of_sides == 0 ? 0 : std::sqrt(of_sides / static_cast<double>(faces_of_sides));
     const bool types_tell = std::ranges::any_of(patches, has_wall_type);
-    std::vector<Patch> bodies;
-    std::ranges::copy_if(patches, std::back_inserter(bodies), [&](const Patch& patch) {
+    std::vector<MeasuredPatch> bodies;
+    std::ranges::copy_if(patches, std::back_inserter(bodies), [&](const MeasuredPatch& patch) {
         if (!(types_tell ? has_wall_type(patch) : is_wall_by_name(patch))) return false;
         return is_inside(patch, domain) ||
                (!is_flat_side(patch, domain) && length_of_faces(patch) < finer_than_sides * length_of_sides &&
@@ -94,9 +93,9 @@ std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& 
     return bodies;
 }
 
-BoundingBox box_around(std::span<const Patch> patches) {
+BoundingBox box_around(std::span<const MeasuredPatch> patches) {
     BoundingBox box = patches.front().box;
-    for (const Patch& patch : patches)
+    for (const MeasuredPatch& patch : patches)
         for (std::size_t axis = 0; axis < 3; ++axis) {
             box.low[axis] = std::min(box.low[axis], patch.box.low[axis]);
             box.high[axis] = std::max(box.high[axis], patch.box.high[axis]);

@@ -9,7 +9,8 @@
 
 namespace ciel::geometry {
 
-struct Patch {
+// A patch of the boundary with its size.
+struct MeasuredPatch {
     std::string name;
     BoundingBox box;
     double area = 0;       // in squared length units
@@ -18,16 +19,16 @@ struct Patch {
 };
 
 // Returns the size of every patch of the mesh that has faces. Reads all points of these faces.
-[[nodiscard]] std::vector<Patch> patches_of(const store::Dataset& dataset, const store::Step& step);
+[[nodiscard]] std::vector<MeasuredPatch> patches_of(const store::Dataset& dataset, const store::Step& step);
 
 // Returns the patches that are bodies: walls that lie inside `domain` along at least two axes. A wall is also a body if
 // three conditions hold, as for a terrain with buildings: it is not a flat side of the domain; the edges of its faces
 // are shorter than a third of the edges in flat sides; its area is less than 2/3 of the boundary's area.
 // If any patch has the type wall or mappedWall, only such patches are walls. Otherwise a patch is a wall unless its
 // name says that flow passes through it ("inlet") or that it is not the surface of a body ("interface").
-[[nodiscard]] std::vector<Patch> bodies_of(std::span<const Patch> patches, const BoundingBox& domain);
+[[nodiscard]] std::vector<MeasuredPatch> bodies_of(std::span<const MeasuredPatch> patches, const BoundingBox& domain);
 
 // REQUIRES: at least one patch.
-[[nodiscard]] BoundingBox box_around(std::span<const Patch> patches);
+[[nodiscard]] BoundingBox box_around(std::span<const MeasuredPatch> patches);
 
 } // namespace ciel::geometry

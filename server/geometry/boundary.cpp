@@ -1,5 +1,4 @@
 #include "ciel/feature_edges.hpp"
-#include "ciel/mesh_faces.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "geometry/cut.hpp"
 
@@ -22,17 +21,9 @@ std::vector<Index> ids_in(const std::vector<std::string>& groups, const store::D
 
 Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
                          const std::vector<std::string>& groups, std::span<const std::uint8_t> kept) {
+    if (groups.empty()) return loaded.boundary_surface(step, kept, origin);
     const auto dataset = loaded.dataset();
-    const store::Step& at = dataset->steps()[step];
-    if (!groups.empty()) {
-        auto faces = dataset->numbered_faces(at.mesh, at.coordinates);
-        faces.surface_origin = origin;
-        return face_surface(faces, faces_by_id(faces, ids_in(groups, *dataset, at), kept));
-    }
-    auto boundary = dataset->boundary(at.mesh, at.coordinates);
-    boundary.surface_origin = origin;
-    if (kept.empty()) return face_surface(boundary, boundary_faces(boundary));
-    return threshold_surface(*loaded.topology(at.mesh), boundary, *loaded.boxes(step), kept);
+    return loaded.surface_of_faces(step, ids_in(groups, *dataset, dataset->steps()[step]), kept, origin);
 }
 
 std::shared_ptr<const Shape> triangles_shape(Surface&& surface) {

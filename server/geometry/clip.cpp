@@ -20,8 +20,8 @@ constexpr double farthest = 1e30;
 double diagonal(const Geometry& geometry) { return length(geometry.bounds_max - geometry.bounds_min); }
 
 template <class F>
-void for_planes(const scene::Scene& scene, F&& f) {
-    for (const scene::Layer& layer : scene.layers)
+void for_planes(const scene::CheckedScene& checked, F&& f) {
+    for (const scene::Layer& layer : checked.scene().layers)
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
@@ -38,9 +38,9 @@ bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry&
 
 } // namespace
 
-std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry) {
+std::vector<HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry) {
     std::vector<HalfSpace> planes;
-    for_planes(scene, [&](const scene::ClipLayer& clip) {
+    for_planes(checked, [&](const scene::ClipLayer& clip) {
         const scene::Plane plane = plane_of(clip);
         HalfSpace kept;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,9 +54,9 @@ std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& ge
     return planes;
 }
 
-std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene) {
+std::vector<const scene::ClipLayer*> capping(const scene::CheckedScene& checked) {
     std::vector<const scene::ClipLayer*> found;
-    for_planes(scene, [&](const scene::ClipLayer& clip) {
+    for_planes(checked, [&](const scene::ClipLayer& clip) {
         if (clip.caps) found.push_back(&clip);
     });
     return found;

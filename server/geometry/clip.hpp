@@ -8,8 +8,9 @@ namespace ciel::geometry {
 
 // Returns the kept half-spaces of the visible clip layers, in drawing order, relative to the geometry's origin.
 // If nothing thicker than clip_slack remains of the bounding box, returns one half-space that keeps nothing.
-[[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::Scene& scene, const Geometry& geometry);
-[[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::Scene& scene);
+[[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry);
+// The pointers are valid as long as `checked`.
+[[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::CheckedScene& checked);
 
 // In length units. Without this slack, rounding would cut holes into caps and slices that lie in the plane itself.
 [[nodiscard]] double clip_slack(const Geometry& geometry);

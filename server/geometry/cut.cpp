@@ -134,11 +134,9 @@ void Cut::use_field(const std::string& name, store::ScalarField new_field, Extra
     if (!same_topology) {
         query.reset(); // before `field` is replaced, because the query reads it
         field = std::move(new_field);
-        query.emplace(*field.topology, field.points, extraction);
-        query->set_field(*field.field);
+        query.emplace(field.query(extraction));
     } else { // the same topology, whose vertices may have moved
-        query->set_mesh(new_field.points);
-        query->set_field(*new_field.field);
+        new_field.set_in(*query);
         field = std::move(new_field);
     }
     field_name = name;

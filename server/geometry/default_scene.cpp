@@ -109,7 +109,7 @@ double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, s
 
 // `thin`: if set, the camera looks exactly along this axis, as in a plan drawing.
 json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
-    annotations::Camera camera = annotations::default_camera(box.low, box.high, default_aspect);
+    annotations::ViewCamera camera = annotations::default_camera(box.low, box.high, default_aspect);
     if (thin) {
         const Vec3d& target = camera.target;
         const double distance =
@@ -183,9 +183,9 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
 }
 
 // If a patch has the type empty or wedge, the mesh has one layer of cells along its thinnest axis.
-std::optional<std::size_t> thin_axis(std::span<const Patch> patches, const BoundingBox& domain) {
+std::optional<std::size_t> thin_axis(std::span<const MeasuredPatch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
-                             [](const Patch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
+                             [](const MeasuredPatch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))
         return std::nullopt;
     std::size_t thinnest = 0;
     for (const std::size_t axis : {1U, 2U})
@@ -211,12 +211,12 @@ constexpr std::array<std::string_view, 6> pressures{"p",     "pressure", "static
 constexpr std::array<std::string_view, 6> velocities{"u", "velocity", "v", "vel", "umean", "ux"};
 
 // `thin`: if the mesh has one layer of cells, the axis perpendicular to the layer.
-void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const Patch> bodies,
+void show_bodies(const store::Dataset& dataset, const store::Step& step, std::span<const MeasuredPatch> bodies,
                  std::optional<std::size_t> thin, json& scene) {
     const store::ArrayInfo* scalar = preferred(dataset, step, 1, pressures);
     const store::ArrayInfo* vector = preferred(dataset, step, 3, velocities);
     json names = json::array();
-    for (const Patch& body : bodies) names.push_back(body.name);
+    for (const MeasuredPatch& body : bodies) names.push_back(body.name);
     json& layers = scene["layers"];
     layers["surface"] = {{"type", "surface"},
                          {"order", 1},

@@ -122,11 +122,10 @@ bool shows_data(const scene::Layer& layer) {
 
 } // namespace
 
-std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::Scene& scene,
-                                     const store::Dataset& dataset) {
-    const Judge judge(geometry, dataset);
+std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::CheckedScene& checked) {
+    const Judge judge(geometry, *checked.dataset());
     std::vector<EmptyLayer> found;
-    for (const scene::Layer& layer : scene.layers) {
+    for (const scene::Layer& layer : checked.scene().layers) {
         if (!layer.visible || !shows_data(layer) || is_empty(geometry, layer.id)) continue;
         if (auto empty = judge(layer)) found.push_back(std::move(*empty));
     }

@@ -7,7 +7,6 @@ namespace ciel::geometry {
 
 // Returns the visible layers that show nothing, whatever the camera is, in layer order, each with the reason. Leaves
 // out outlines, clip layers and layers in `geometry.empty`. With clip planes, reads points of each shape.
-[[nodiscard]] std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::Scene& scene,
-                                                   const store::Dataset& dataset);
+[[nodiscard]] std::vector<EmptyLayer> empty_layers(const Geometry& geometry, const scene::CheckedScene& checked);
 
 } // namespace ciel::geometry

@@ -57,7 +57,7 @@ std::string plane_name(const std::array<double, 3>& normal, const store::Step& s
 }
 
 store::ScalarField LayerUpdate::drawn(store::ScalarField field) const {
-    field.points.surface_origin = out.origin;
+    field.set_surface_origin(out.origin);
     return field;
 }
 

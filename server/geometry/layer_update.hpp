@@ -17,7 +17,7 @@ struct LayerUpdate {
     std::map<std::pair<std::string, std::size_t>, Cut>& cuts;
     std::map<std::pair<std::string, std::size_t>, Boundary>& boundaries;
     std::map<std::string, VolumeCut>& volumes;
-    const annotations::Camera camera;
+    const annotations::ViewCamera camera;
     const bool moving;
     const std::size_t most_bytes;
     std::size_t bytes;                            // size of all kept state

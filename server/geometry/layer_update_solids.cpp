@@ -1,7 +1,6 @@
 // Layers that show the whole mesh, or only the cells that a threshold keeps: boundary, edges, points, outline.
 #include "geometry/layer_update.hpp"
 
-#include "ciel/mesh_faces.hpp"
 #include "geometry/mesh_side.hpp"
 
 #include <algorithm>
@@ -135,9 +134,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        auto mesh = dataset->points_to_load(step().mesh, step().coordinates);
-        mesh.surface_origin = out.origin;
-        const Surface vertices = all ? vertices_of_cells(*loaded->topology(step().mesh), mesh, kept->cells)
+        const Surface vertices = all ? loaded->vertices_of_cells(out.step, kept->cells, out.origin)
                                      : boundary_surface(*loaded, out.step, out.origin, points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);

@@ -1,6 +1,5 @@
 #include "geometry/mesh_side.hpp"
 
-#include "ciel/mesh_faces.hpp"
 #include "ciel/vector_operators.hpp"
 #include "geometry/cut.hpp"
 
@@ -14,8 +13,8 @@ namespace {
 // The error of a double distance comes from the coordinates from which the distance was computed.
 double rounding(const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
-    if (!distances.points.positions.has_doubles()) return 1e-6 * (high - low);
-    const double coordinate = length(distances.points.surface_origin) + std::max(std::abs(low), std::abs(high));
+    if (!distances.has_double_positions()) return 1e-6 * (high - low);
+    const double coordinate = length(distances.surface_origin()) + std::max(std::abs(low), std::abs(high));
     return 16 * std::numeric_limits<double>::epsilon() * coordinate;
 }
 
@@ -25,7 +24,7 @@ std::optional<double> side_at(double nu, const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
     const double most = rounding(distances);
     if (std::abs(nu - low) <= most)
-        return distances.points.positions.has_doubles()
+        return distances.has_double_positions()
                    ? std::nextafter(low, high)
                    : double{std::nextafter(static_cast<float>(low), static_cast<float>(high))};
     if (std::abs(nu - high) <= most) return high;
@@ -33,8 +32,7 @@ std::optional<double> side_at(double nu, const store::ScalarField& distances) {
 }
 
 Surface side_surface(const store::ScalarField& distances, double nu) {
-    const auto boundary = distances.boundary();
-    return face_surface(boundary, boundary_faces_at(boundary, *distances.field, nu, rounding(distances)));
+    return distances.boundary_at(nu, rounding(distances));
 }
 
 } // namespace ciel::geometry

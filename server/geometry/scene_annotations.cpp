@@ -33,9 +33,10 @@ private:
     std::vector<NamedLegend> named_; // one per legend
 };
 
-std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf wanted) {
+std::vector<annotations::Legend> legends_of(const Geometry& geometry, const std::vector<scene::Layer>& layers,
+                                            LegendsOf wanted) {
     Legends found;
-    for (const scene::Layer& layer : scene.layers) {
+    for (const scene::Layer& layer : layers) {
         if (wanted == LegendsOf::what_is_seen && is_empty(geometry, layer.id)) continue;
         for (const Drawable& drawable : geometry.drawables)
             if (drawable.layer == layer.id && drawable.scalars)
@@ -50,13 +51,15 @@ std::vector<annotations::Legend> legends_of(const Geometry& geometry, const scen
 
 } // namespace
 
-annotations::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene, LegendsOf legends) {
+annotations::Annotations annotations_of(const Geometry& geometry, const scene::CheckedScene& checked,
+                                        LegendsOf legends) {
+    const scene::Scene& scene = checked.scene();
     const scene::Annotations& wanted = scene.annotations;
     annotations::Annotations annotations;
     annotations.title = wanted.title;
     if (wanted.dataset) annotations.captions.push_back(scene.dataset);
     if (wanted.time) annotations.captions.push_back("Time: " + annotations::number_label(geometry.time));
-    if (wanted.legend) annotations.legends = legends_of(geometry, scene, legends);
+    if (wanted.legend) annotations.legends = legends_of(geometry, scene.layers, legends);
     annotations.triad = wanted.triad;
     annotations.axes = wanted.axes;
     annotations.length_units = geometry.length_units;

@@ -10,7 +10,7 @@ namespace ciel::geometry {
 // name their layers. A layer that shows nothing has a legend only with `all_layers`, so that a view does not jump while
 // a changing threshold keeps no cell.
 enum class LegendsOf { what_is_seen, all_layers };
-[[nodiscard]] annotations::Annotations annotations_of(const Geometry& geometry, const scene::Scene& scene,
+[[nodiscard]] annotations::Annotations annotations_of(const Geometry& geometry, const scene::CheckedScene& checked,
                                                       LegendsOf legends = LegendsOf::what_is_seen);
 
 } // namespace ciel::geometry

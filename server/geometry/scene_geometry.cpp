@@ -60,17 +60,18 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->bounds_max = high(dataset->info().meshes[step.mesh]);
     geometry->double_positions = dataset->info().meshes[step.mesh].double_positions;
     // The aspect 1 is arbitrary, because the aspect does not affect the direction of the default camera.
-    const annotations::Camera camera = camera_of(*geometry, scene, 1);
+    const annotations::ViewCamera camera = camera_of(*geometry, scene.camera, 1);
     geometry->origin = drawing_origin(store::middle_of(dataset->info().meshes[step.mesh]), origin_, camera);
     if (geometry->origin != origin_) {
         forget_all();
         origin_ = geometry->origin;
     }
 
-    geometry->clip = clip_planes(scene, *geometry);
-    forget_all_but(scene); // first, to free memory for new state
-    LayerUpdate run{extraction_, loaded, dataset, stop,       *geometry,      cuts_,          boundaries_,
-                    volumes_,    camera, moving,  most_bytes, memory_bytes(), capping(scene), slab_direction(scene)};
+    geometry->clip = clip_planes(checked, *geometry);
+    forget_all_but(checked); // first, to free memory for new state
+    const auto direction = slab_direction(checked);
+    LayerUpdate run{extraction_, loaded, dataset,    stop,           *geometry,        cuts_,    boundaries_, volumes_,
+                    camera,      moving, most_bytes, memory_bytes(), capping(checked), direction};
     const auto visible =
         std::count_if(scene.layers.begin(), scene.layers.end(), [](const auto& one) { return one.visible; });
     std::size_t done = 0;
@@ -85,7 +86,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
         ++done;
     }
     tell();
-    const std::vector<EmptyLayer> empty = empty_layers(*geometry, scene, *dataset);
+    const std::vector<EmptyLayer> empty = empty_layers(*geometry, checked);
     geometry->empty.insert(geometry->empty.end(), empty.begin(), empty.end());
     dataset->check_intact();
     geometry->bytes = memory_bytes();
@@ -98,11 +99,11 @@ void SceneGeometry::forget_all() {
     volumes_.clear();
 }
 
-void SceneGeometry::forget_all_but(const scene::Scene& scene) {
+void SceneGeometry::forget_all_but(const scene::CheckedScene& checked) {
     std::map<std::string, std::size_t> cuts_of; // by layer: number of cuts to keep
     std::set<std::string> shown;
-    const std::size_t caps = capping(scene).size();
-    for (const scene::Layer& layer : scene.layers) {
+    const std::size_t caps = capping(checked).size();
+    for (const scene::Layer& layer : checked.scene().layers) {
         const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind);
         const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind);
         if (layer.visible) shown.insert(layer.id);

@@ -36,7 +36,7 @@ public:
 private:
     using Key = std::pair<std::string, std::size_t>; // layer id, index of the value
     void forget_all();
-    void forget_all_but(const scene::Scene& scene);
+    void forget_all_but(const scene::CheckedScene& checked);
 
     Extraction extraction_;
     std::shared_ptr<store::LoadedDataset> loaded_;

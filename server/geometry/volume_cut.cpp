@@ -75,12 +75,12 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     const std::string wanted = std::to_string(step) + " " + name;
     if (key == wanted) return;
     store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before any change
-    field.points.surface_origin = origin;
+    field.set_surface_origin(origin);
     key.clear();
     slabs = nullptr;
     slabs_key.clear();
     const store::Values stored = loaded.scalar_values(name, step);
-    gradients = vertex_gradients(*field.topology, field.points, stored);
+    gradients = field.gradients(stored);
     const auto [low, high] = field.field->range();
     value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
     values = stored.has_doubles() ? store::Values(floats_from(value_origin, stored)) : stored;
@@ -89,7 +89,7 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
             if (sound->kept[cell] == 0) limits[cell] = not_filled;
     boundary = std::make_shared<const SlabMesh>(
-        slab_boundary(*field.topology, field.boundary(), *loaded.boxes(step), {values.floats(), gradients, limits}));
+        field.slab_boundary(*loaded.boxes(step), {values.floats(), gradients, limits}));
     key = wanted;
 }
 
@@ -110,9 +110,8 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<SlabMesh> cuts;
-    if (!sweep(*planes.topology, planes.points, *planes.field, places, SlabSink{{values.floats(), gradients, limits}},
-               cuts, stop, extraction))
-        return false;
+    const SlabSink sink{{values.floats(), gradients, limits}};
+    if (!planes.cut_slabs(places, sink, cuts, stop, extraction)) return false;
     for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);
     slabs_key = wanted;
@@ -126,8 +125,8 @@ std::size_t VolumeCut::memory_bytes() const {
            (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
 }
 
-scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
-    for (const scene::Layer& layer : scene.layers)
+scene::VolumeLayer::Direction slab_direction(const scene::CheckedScene& checked) {
+    for (const scene::Layer& layer : checked.scene().layers)
         if (const auto* volume = std::get_if<scene::VolumeLayer>(&layer.kind); volume != nullptr && layer.visible)
             return volume->direction;
     return scene::VolumeLayer::Direction::automatic;
@@ -136,7 +135,7 @@ scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene) {
 namespace {
 
 // False if the axis is nearest to the viewing direction and the field of view is 30 degrees.
-bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::Camera& camera) {
+bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::ViewCamera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
     return std::acos(std::min(std::abs(unit_vector(view)[axis]), 1.0)) + std::atan(corner) > widest;
@@ -150,7 +149,7 @@ std::optional<std::size_t> axis_of(scene::VolumeLayer::Direction direction) {
 
 } // namespace
 
-Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera, bool moving) {
+Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera, bool moving) {
     using Direction = scene::VolumeLayer::Direction;
     Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];

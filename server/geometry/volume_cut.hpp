@@ -62,12 +62,12 @@ struct VolumeCut {
 };
 
 // All volumes use the direction of the first one: slabs of two directions cannot be sorted together by depth.
-[[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::Scene& scene);
+[[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::CheckedScene& checked);
 // Returns the requested axis, unless some camera ray is nearly parallel to the slabs: such a ray may stay within one
 // slab, where values are known only at its end. Then, and if no axis is requested, returns the axis nearest to the
 // viewing direction. An axis is taken in its positive direction. In a still picture, returns the viewing direction
 // itself for `screen`, and also if some camera ray is nearly parallel to the slabs of the chosen axis.
-[[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Camera& camera,
+[[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera,
                                 bool moving);
 
 } // namespace ciel::geometry

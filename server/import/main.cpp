@@ -7,7 +7,7 @@
 #include "import/readers/open_source.hpp"
 #include "import/readers/vtk_errors.hpp"
 #include "importing/import_options.hpp"
-#include "store/place.hpp"
+#include "store/new_dataset_directory.hpp"
 #include "store/rewrite.hpp"
 
 #include <CLI/CLI.hpp>
@@ -98,7 +98,8 @@ int run(const Options& options) {
     using namespace ciel::importer;
     install_cancel_handlers();
     capture_vtk_errors();
-    if (!options.list) ciel::store::check_place(options.output, options.force); // before any input is read
+    if (!options.list)
+        ciel::store::check_new_dataset_directory(options.output, options.force); // before any input is read
     if (options.inputs.size() == 1 && ciel::store::is_dataset(options.inputs.front())) return run_rewrite(options);
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {

@@ -4,7 +4,7 @@
 #include "importing/import_end.hpp"
 #include "limits/machine_memory.hpp"
 #include "processes/child_process.hpp"
-#include "store/place.hpp"
+#include "store/new_dataset_directory.hpp"
 
 #include <cstdlib>
 #include <sstream>

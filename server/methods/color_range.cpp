@@ -5,11 +5,12 @@ namespace ciel::methods {
 
 protocol::ColorRangeResult color_range(CallContext& context, const protocol::ColorRangeParams& params) {
     SceneSource source(context, params.session, params.scene);
-    const scene::Scene& scene = source.version().scene();
+    const scene::CheckedScene& checked = source.version().checked;
+    const auto& layers = checked.scene().layers;
     for (const std::string& id : params.layers)
-        if (std::none_of(scene.layers.begin(), scene.layers.end(), [&](const auto& layer) { return layer.id == id; }))
+        if (std::none_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.id == id; }))
             throw limits::NotFound("the scene has no layer " + id);
-    return {probe::visible_range(*source.geometry(), scene, params.layers, params.aspect, params.of == "contours")};
+    return {probe::visible_range(*source.geometry(), checked, params.layers, params.aspect, params.of == "contours")};
 }
 
 } // namespace ciel::methods

@@ -27,7 +27,7 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
         context.check_wanted();
         progress.begin("drawing");
         render::Image drawn;
-        render::Frame frame = frames::picture_of(*geometry, source.version().scene(), size, worker.still_samples());
+        render::Frame frame = frames::picture_of(*geometry, source.version().checked, size, worker.still_samples());
         frame.check_wanted = [&] { context.check_wanted(); };
         worker.renderer().draw(frame, drawn);
         remarks = frames::remarks_on(*geometry, worker.renderer());

@@ -18,13 +18,13 @@ geometry::ViewSize size_of(const CallContext& context, const protocol::ProbePoin
 }
 
 void name_what_is_there(protocol::ProbePointResult& result, const geometry::Geometry& geometry,
-                        const scene::Scene& scene, geometry::ViewSize size, const protocol::ProbePointParams& params,
-                        const store::Dataset& dataset) {
+                        const scene::CheckedScene& checked, geometry::ViewSize size,
+                        const protocol::ProbePointParams& params) {
     const auto there =
-        probe::crossing_at(probe::crossings(geometry, scene, size, *params.pixel), geometry, *result.position);
+        probe::crossing_at(probe::crossings(geometry, checked, size, *params.pixel), geometry, *result.position);
     if (!there) return;
     result.layer = geometry.drawables[there->drawable].layer;
-    result.patch = probe::patch_of(*there, geometry, scene, dataset);
+    result.patch = probe::patch_of(*there, geometry, checked);
 }
 
 std::optional<std::map<std::string, protocol::CellExtremes>> extremes_at(const store::Dataset& dataset,
@@ -58,7 +58,7 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
         geometry = source.geometry();
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();
-            return frames::position_under(*geometry, source.version().scene(), size, *params.pixel, *locator,
+            return frames::position_under(*geometry, source.version().checked, size, *params.pixel, *locator,
                                           worker.renderer(), [&] { context.check_wanted(); });
         });
     }
@@ -73,7 +73,7 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     result.solver_cell = probed.solver_cell;
     result.solver_vertex = probed.solver_vertex;
     if (result.hit) result.extremes = extremes_at(*dataset, step);
-    if (geometry) name_what_is_there(result, *geometry, source.version().scene(), size, params, *dataset);
+    if (geometry) name_what_is_there(result, *geometry, source.version().checked, size, params);
     return result;
 }
 

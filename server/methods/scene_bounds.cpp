@@ -6,9 +6,10 @@ namespace ciel::methods {
 protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
     const auto geometry = source.geometry();
-    const scene::Scene& scene = source.version().scene();
+    const scene::CheckedScene& checked = source.version().checked;
     const bool is_drawn = params.of == "drawn";
-    const auto [low, high] = is_drawn ? probe::drawn_bounds(*geometry, scene) : probe::shown_bounds(*geometry, scene);
+    const auto [low, high] =
+        is_drawn ? probe::drawn_bounds(*geometry, checked) : probe::shown_bounds(*geometry, checked);
     return {{low[0], high[0], low[1], high[1], low[2], high[2]}};
 }
 

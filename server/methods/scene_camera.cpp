@@ -7,8 +7,8 @@ namespace ciel::methods {
 protocol::SceneCameraResult scene_camera(CallContext& context, const protocol::SceneCameraParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
-    const annotations::Camera camera =
-        geometry::viewpoint_of(*source.geometry(), source.version().scene(), static_cast<int>(params.width),
+    const annotations::ViewCamera camera =
+        geometry::viewpoint_of(*source.geometry(), source.version().checked, static_cast<int>(params.width),
                                static_cast<int>(params.height))
             .camera;
     protocol::SceneCameraResult seen{camera.position, camera.target};

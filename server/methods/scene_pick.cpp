@@ -9,11 +9,11 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     SceneSource source(context, params.session, params.scene);
-    const scene::Scene& scene = source.version().scene();
+    const scene::CheckedScene& checked = source.version().checked;
     const auto geometry = source.geometry();
-    const auto crossings = probe::crossings(*geometry, scene, size, params.pixel);
+    const auto crossings = probe::crossings(*geometry, checked, size, params.pixel);
     protocol::ScenePickResult picked;
-    if (const auto seen = probe::bounds_in_view(*geometry, scene, size)) {
+    if (const auto seen = probe::bounds_in_view(*geometry, checked, size)) {
         Vec3d& centre = picked.centre.emplace();
         for (std::size_t k = 0; k < 3; ++k) centre[k] = (seen->low[k] + seen->high[k]) / 2;
     }
@@ -21,7 +21,7 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     const probe::Crossing& first = crossings.front();
     picked.position = first.position;
     picked.layer = geometry->drawables[first.drawable].layer;
-    picked.patch = probe::patch_of(first, *geometry, scene, *source.version().checked.dataset());
+    picked.patch = probe::patch_of(first, *geometry, checked);
     return picked;
 }
 

@@ -14,7 +14,7 @@ std::map<std::string, double> table_of(const limits::Limits& limits) {
 } // namespace
 
 protocol::ServerInfoResult server_info(CallContext& context, const protocol::ServerInfoParams&) {
-    const frames::Readiness drawing = context.server.last_readiness();
+    const frames::TestPictureResult drawing = context.server.last_test_picture();
     const bool by_signatures = context.server.options().extraction.algorithm == Algorithm::signatures;
     const std::string algorithm = by_signatures ? "signatures" : "propagation";
     return {CIEL_VERSION,

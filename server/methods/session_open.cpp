@@ -19,8 +19,8 @@ protocol::SessionOpenResult session_open(CallContext& context, const protocol::S
         const std::string name = params.dataset ? *params.dataset : first_dataset(context.server.catalog());
         return geometry::default_scene(*context.dataset(name), name).document;
     };
-    const sessions::Steps steps{params.undo.value_or(std::vector<nlohmann::json>()),
-                                params.redo.value_or(std::vector<nlohmann::json>())};
+    const sessions::UndoRedoSteps steps{params.undo.value_or(std::vector<nlohmann::json>()),
+                                        params.redo.value_or(std::vector<nlohmann::json>())};
     const auto session = context.server.sessions().open(params.session.value_or(""), document, context.caller(), steps);
     if (context.streaming_connection()) session->subscribe(context.connection.id);
     return state_of(*session, session->status());

@@ -20,8 +20,8 @@ std::array<float, 3> color(Reader& from) {
     return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
 }
 
-annotations::Camera camera(Reader& from) {
-    annotations::Camera camera;
+annotations::ViewCamera camera(Reader& from) {
+    annotations::ViewCamera camera;
     camera.position = vector(from);
     camera.target = vector(from);
     camera.up = vector(from);
@@ -79,7 +79,7 @@ void write(Writer& to, const annotations::Stroke& stroke) {
 }
 
 void write(Writer& to, const annotations::Triangle& triangle) {
-    for (const annotations::Place& corner : triangle.corners) to.numbers(std::array{corner.x, corner.y});
+    for (const annotations::PicturePoint& corner : triangle.corners) to.numbers(std::array{corner.x, corner.y});
     write(to, triangle.ink);
 }
 

@@ -81,10 +81,10 @@ bool shows_part(const scene::Layer& layer) {
 bool is_iso(const scene::Layer& layer) { return std::holds_alternative<scene::IsoLayer>(layer.kind); }
 
 template <class Counts>
-Box box_of(const geometry::Geometry& geometry, const scene::Scene& scene, Counts counts) {
+Box box_of(const geometry::Geometry& geometry, const std::vector<scene::Layer>& layers, Counts counts) {
     Box box;
     const geometry::ClipPlanes cutter(geometry);
-    for (const scene::Layer& layer : scene.layers) {
+    for (const scene::Layer& layer : layers) {
         if (!shows_data(layer) || !counts(layer)) continue;
         for (const geometry::Drawable& drawable : geometry.drawables)
             if (drawable.layer == layer.id) add_drawable(box, drawable, cutter);
@@ -98,9 +98,9 @@ Box box_of(const geometry::Geometry& geometry, const scene::Scene& scene, Counts
 // Positions are offsets from the geometry's origin.
 class View {
 public:
-    View(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size) {
+    View(const geometry::Geometry& geometry, const scene::CheckedScene& checked, geometry::ViewSize size) {
         const auto view = annotations::view_transform(
-            geometry::viewpoint_of(geometry, scene, static_cast<int>(size.width), static_cast<int>(size.height)));
+            geometry::viewpoint_of(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height)));
         clip_of_ = view.projection * view.view;
     }
     [[nodiscard]] bool shows(const Vec3f& at) const {
@@ -113,10 +113,11 @@ private:
 };
 
 template <class Counts>
-Box box_in_view(const geometry::Geometry& geometry, const scene::Scene& scene, const View& view, Counts counts) {
+Box box_in_view(const geometry::Geometry& geometry, const std::vector<scene::Layer>& layers, const View& view,
+                Counts counts) {
     Box box;
     const geometry::ClipPlanes cutter(geometry);
-    for (const scene::Layer& layer : scene.layers) {
+    for (const scene::Layer& layer : layers) {
         if (!shows_data(layer) || !counts(layer)) continue;
         for (const geometry::Drawable& drawable : geometry.drawables) {
             if (drawable.layer != layer.id) continue;
@@ -129,27 +130,29 @@ Box box_in_view(const geometry::Geometry& geometry, const scene::Scene& scene, c
 
 } // namespace
 
-std::optional<geometry::BoundingBox> bounds_in_view(const geometry::Geometry& geometry, const scene::Scene& scene,
-                                                    geometry::ViewSize size) {
-    const View view(geometry, scene, size);
-    Box box = box_in_view(geometry, scene, view, shows_part);
-    if (box.is_empty()) box = box_in_view(geometry, scene, view, [](const scene::Layer&) { return true; });
+std::optional<geometry::BoundingBox> bounds_in_view(const geometry::Geometry& geometry,
+                                                    const scene::CheckedScene& checked, geometry::ViewSize size) {
+    const View view(geometry, checked, size);
+    const std::vector<scene::Layer>& layers = checked.scene().layers;
+    Box box = box_in_view(geometry, layers, view, shows_part);
+    if (box.is_empty()) box = box_in_view(geometry, layers, view, [](const scene::Layer&) { return true; });
     return box.is_empty() ? std::nullopt : std::optional(box.from(geometry.origin));
 }
 
-geometry::BoundingBox drawn_bounds(const geometry::Geometry& geometry, const scene::Scene& scene) {
-    if (!box_of(geometry, scene, shows_part).is_empty()) {
+geometry::BoundingBox drawn_bounds(const geometry::Geometry& geometry, const scene::CheckedScene& checked) {
+    const std::vector<scene::Layer>& layers = checked.scene().layers;
+    if (!box_of(geometry, layers, shows_part).is_empty()) {
         const auto counts = [](const scene::Layer& layer) { return shows_part(layer) || is_iso(layer); };
-        return box_of(geometry, scene, counts).from(geometry.origin);
+        return box_of(geometry, layers, counts).from(geometry.origin);
     }
-    const Box all = box_of(geometry, scene, [](const scene::Layer&) { return true; });
-    return all.is_empty() ? shown_bounds(geometry, scene) : all.from(geometry.origin);
+    const Box all = box_of(geometry, layers, [](const scene::Layer&) { return true; });
+    return all.is_empty() ? shown_bounds(geometry, checked) : all.from(geometry.origin);
 }
 
-geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const scene::Scene& scene) {
+geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const scene::CheckedScene& checked) {
     const geometry::BoundingBox whole{geometry.bounds_min, geometry.bounds_max};
     std::vector<const scene::Layer*> shown;
-    for (const scene::Layer& layer : scene.layers)
+    for (const scene::Layer& layer : checked.scene().layers)
         if (shows_data(layer)) shown.push_back(&layer);
     const bool all_have_thresholds = !shown.empty() && std::all_of(shown.begin(), shown.end(), [](const auto* layer) {
         return has_threshold(*layer);

@@ -1,11 +1,11 @@
 #include "probe/sight.hpp"
 
 #include "annotations/camera.hpp"
-#include "ciel/mesh_faces.hpp"
 #include "ciel/vectors.hpp"
 #include "geometry/clip.hpp"
 #include "geometry/clip_planes.hpp"
 #include "geometry/viewpoint.hpp"
+#include "store/mesh_questions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +56,9 @@ std::optional<double> met(const Ray& ray, const Vec3f& a, const Vec3f& b, const 
     return share >= 0 && share <= 1 ? std::optional(share) : std::nullopt;
 }
 
-const scene::SurfaceLayer* surface_layer(const scene::Scene& scene, const std::string& id) {
-    const auto found =
-        std::find_if(scene.layers.begin(), scene.layers.end(), [&](const auto& layer) { return layer.id == id; });
-    return found == scene.layers.end() ? nullptr : std::get_if<scene::SurfaceLayer>(&found->kind);
+const scene::SurfaceLayer* surface_layer(const std::vector<scene::Layer>& layers, const std::string& id) {
+    const auto found = std::find_if(layers.begin(), layers.end(), [&](const auto& layer) { return layer.id == id; });
+    return found == layers.end() ? nullptr : std::get_if<scene::SurfaceLayer>(&found->kind);
 }
 
 bool shows(const scene::SurfaceLayer& layer, const store::Group& group) {
@@ -70,11 +69,11 @@ bool shows(const scene::SurfaceLayer& layer, const store::Group& group) {
 
 } // namespace
 
-std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene::Scene& scene, geometry::ViewSize size,
-                                std::array<double, 2> pixel) {
+std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
+                                geometry::ViewSize size, std::array<double, 2> pixel) {
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
-    const Ray ray = ray_through(geometry::viewpoint_of(geometry, scene, width, height), pixel);
+    const Ray ray = ray_through(geometry::viewpoint_of(geometry, checked, width, height), pixel);
     const double length = std::sqrt(dot(ray.along, ray.along));
     const geometry::ClipPlanes cutter(geometry);
     std::vector<Crossing> found;
@@ -118,10 +117,11 @@ std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings, cons
 }
 
 std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Geometry& geometry,
-                                    const scene::Scene& scene, const store::Dataset& dataset) {
+                                    const scene::CheckedScene& checked) {
     const geometry::Drawable& drawable = geometry.drawables[crossing.drawable];
-    const scene::SurfaceLayer* layer = surface_layer(scene, drawable.layer);
+    const scene::SurfaceLayer* layer = surface_layer(checked.scene().layers, drawable.layer);
     if (layer == nullptr) return {};
+    const store::Dataset& dataset = *checked.dataset();
     const store::Step& step = dataset.steps()[geometry.step];
     std::array<Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -130,10 +130,7 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
         vertices[i] = point.a;
     }
     for (const store::Group& group : dataset.groups(step.mesh)) {
-        if (!shows(*layer, group)) continue;
-        const std::vector<Index> ids(group.ids.begin(), group.ids.end());
-        const auto faces = dataset.numbered_faces(step.mesh, step.coordinates);
-        if (face_with_vertices(faces, ids, vertices) != none) return group.name;
+        if (shows(*layer, group) && store::has_face_with(dataset, step, group, vertices)) return group.name;
     }
     return {};
 }

@@ -16,11 +16,11 @@ constexpr int frame_height = 1000; // pixels; arbitrary, because only the aspect
 // The range of the values at positions that are in view and not clipped. Without an aspect, all positions are used.
 class SeenValues {
 public:
-    SeenValues(const geometry::Geometry& geometry, const scene::Scene& scene, std::optional<double> aspect)
+    SeenValues(const geometry::Geometry& geometry, const scene::CheckedScene& checked, std::optional<double> aspect)
         : geometry_(geometry) {
         if (!aspect) return;
         const int width = std::max(1, static_cast<int>(std::lround(*aspect * frame_height)));
-        const auto view = annotations::view_transform(geometry::viewpoint_of(geometry, scene, width, frame_height));
+        const auto view = annotations::view_transform(geometry::viewpoint_of(geometry, checked, width, frame_height));
         anywhere_ = false;
         clip_of_ = view.projection * view.view;
     }
@@ -58,11 +58,12 @@ private:
 
 } // namespace
 
-std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geometry, const scene::Scene& scene,
+std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geometry,
+                                                   const scene::CheckedScene& checked,
                                                    const std::vector<std::string>& layers, std::optional<double> aspect,
                                                    bool of_contours) {
     const auto is_asked = [&](const std::string& layer) { return std::ranges::find(layers, layer) != layers.end(); };
-    SeenValues seen(geometry, scene, aspect);
+    SeenValues seen(geometry, checked, aspect);
     for (const geometry::Drawable& drawable : geometry.drawables) {
         if (!drawable.scalars || drawable.contours != of_contours || !is_asked(drawable.layer)) continue;
         const auto& positions = drawable.shape->surface.positions;

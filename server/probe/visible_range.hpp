@@ -10,7 +10,7 @@ namespace ciel::probe {
 // are inside the view and kept by the clip planes are used, including hidden vertices. `of_contours`: if true, uses
 // only the contour lines on the layers; if false, everything else.
 [[nodiscard]] std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geometry,
-                                                                 const scene::Scene& scene,
+                                                                 const scene::CheckedScene& checked,
                                                                  const std::vector<std::string>& layers,
                                                                  std::optional<double> aspect, bool of_contours);
 

@@ -94,4 +94,10 @@ CheckedScene::CheckedScene(Scene scene, std::shared_ptr<store::LoadedDataset> lo
         std::visit(Check{*dataset_, pointer_step("/layers", layer.id)}, layer.kind);
 }
 
+CheckedScene CheckedScene::with_camera(const Camera& camera) const {
+    CheckedScene changed = *this;
+    changed.scene_.camera = camera;
+    return changed;
+}
+
 } // namespace ciel::scene

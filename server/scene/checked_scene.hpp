@@ -17,6 +17,9 @@ public:
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::shared_ptr<store::LoadedDataset>& loaded() const { return loaded_; }
     [[nodiscard]] const std::shared_ptr<store::Dataset>& dataset() const { return dataset_; }
+    // Returns a copy with another camera. It is not checked again, because a camera names nothing in the dataset.
+    // REQUIRES: `camera` follows the rules of a scene (rules.hpp).
+    [[nodiscard]] CheckedScene with_camera(const Camera& camera) const;
 
 private:
     Scene scene_;

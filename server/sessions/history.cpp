@@ -18,7 +18,7 @@ void History::record(Document before, const std::string& gesture) {
 bool History::append_undo(Document document) { return append(undo_, std::move(document)); }
 bool History::append_redo(Document document) { return append(redo_, std::move(document)); }
 
-bool History::append(Steps& to, Document document) {
+bool History::append(KeptDocuments& to, Document document) {
     const std::size_t bytes = scene::heap_bytes(*document);
     if (undo_.size() + redo_.size() >= steps_ || bytes_ + bytes > most_bytes_) return false;
     to.push_front({std::move(document), bytes});
@@ -44,20 +44,20 @@ Document History::redo(Document now) {
     return shown;
 }
 
-void History::push(Steps& to, Document document) {
+void History::push(KeptDocuments& to, Document document) {
     const std::size_t bytes = scene::heap_bytes(*document);
     to.push_back({std::move(document), bytes});
     bytes_ += bytes;
 }
 
-Document History::pop(Steps& from) {
-    Step step = std::move(from.back());
+Document History::pop(KeptDocuments& from) {
+    KeptDocument last = std::move(from.back());
     from.pop_back();
-    bytes_ -= step.bytes;
-    return std::move(step.document);
+    bytes_ -= last.bytes;
+    return std::move(last.document);
 }
 
-void History::forget_oldest(Steps& of) {
+void History::forget_oldest(KeptDocuments& of) {
     bytes_ -= of.front().bytes;
     of.pop_front();
 }

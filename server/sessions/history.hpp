@@ -30,20 +30,20 @@ public:
     [[nodiscard]] std::size_t bytes() const { return bytes_; } // heap bytes of all kept documents
 
 private:
-    struct Step {
+    struct KeptDocument {
         Document document;
         std::size_t bytes = 0;
     };
-    using Steps = std::deque<Step>; // the step next to the current document is the last
+    using KeptDocuments = std::deque<KeptDocument>; // the last one is the nearest step
 
-    void push(Steps& to, Document document);
-    bool append(Steps& to, Document document);
-    [[nodiscard]] Document pop(Steps& from);
-    void forget_oldest(Steps& of);
+    void push(KeptDocuments& to, Document document);
+    bool append(KeptDocuments& to, Document document);
+    [[nodiscard]] Document pop(KeptDocuments& from);
+    void forget_oldest(KeptDocuments& of);
     void keep_limits();
 
     std::size_t steps_, most_bytes_, bytes_ = 0;
-    Steps undo_, redo_;
+    KeptDocuments undo_, redo_;
     std::string gesture_; // gesture of the last recorded change; empty: the next change is a separate step
 };
 

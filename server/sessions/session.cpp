@@ -46,7 +46,7 @@ void send(const OpenConnections& connections, const std::set<std::uint64_t>& to,
 } // namespace
 
 Session::Session(std::string id, const SessionServices& services, std::shared_ptr<const SceneVersion> first,
-                 const Steps& steps)
+                 const UndoRedoSteps& steps)
     : id_(std::move(id)), services_(services), version_(std::move(first)),
       history_(services.limits.undo_steps, services.limits.history_bytes),
       documents_(services.memory, limits::Held::scenes), used_(Clock::now()) {

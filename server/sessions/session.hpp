@@ -22,8 +22,9 @@ struct SessionStatus {
     bool can_undo = false, can_redo = false;
 };
 
-// Merge patches. The first step of each list is the step next to the scene (session.open in the contract).
-struct Steps {
+// A history that a client gives to a new session, as merge patches. The first step of each list is the step next to the
+// scene (session.open in the contract).
+struct UndoRedoSteps {
     std::vector<nlohmann::json> undo, redo;
 };
 
@@ -39,7 +40,7 @@ class Session {
 public:
     // Drops `steps` beyond the history's limits. Throws LimitReached if there is no memory for the documents.
     Session(std::string id, const SessionServices& services, std::shared_ptr<const SceneVersion> first,
-            const Steps& steps = {});
+            const UndoRedoSteps& steps = {});
 
     [[nodiscard]] const std::string& id() const { return id_; }
     [[nodiscard]] Clock::time_point opened() const { return opened_; }

@@ -2,6 +2,7 @@
 
 #include "ciel/mesh_faces.hpp"
 #include "ciel/point_interpolation.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 
 #include <algorithm>
@@ -131,7 +132,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
         const Values stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
         writer.add_values({array.info, stored});
         if (!array.made) continue;
-        if (!points) points.emplace(dataset.mesh(plan.mesh, plan.coordinates));
+        if (!points) points.emplace(dataset.mesh_arrays().all_faces(plan.mesh, plan.coordinates));
         const int components = array.made->components;
         stored.with([&](auto cells) { writer.add_values({*array.made, points->apply(cells, components)}); });
     }
@@ -147,16 +148,17 @@ bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
 
 std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t of_source) {
     const Topology wanted = source.topology(of_source);
-    const FaceMeshView boundary = source.boundary(of_source, 0);
+    const FaceMeshView boundary = source.mesh_arrays().boundary(of_source, 0);
     for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
-        if (same_faces(dataset.boundary(mesh, 0), boundary) && same_cells(dataset.topology(mesh), wanted)) return mesh;
+        if (same_faces(dataset.mesh_arrays().boundary(mesh, 0), boundary) && same_cells(dataset.topology(mesh), wanted))
+            return mesh;
     throw Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
                 "; only steps on the same mesh can be appended");
 }
 
 // Adds a coordinate set if no set of the mesh has the positions of `wanted`.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
-    const FaceMeshView known = writer.before()->points(mesh, 0);
+    const FaceMeshView known = writer.before()->mesh_arrays().points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);
     // In a dataset of an earlier version, the origin can be different from zero.
     if (known.origin != wanted.origin) {
@@ -227,7 +229,8 @@ std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Datase
             held.push_back(source.values(name, step));
             arrays.push_back({*source.find(name), held.back()});
         }
-        writer.add_step(at.time, mesh, coordinates_like(writer, mesh, source.points(at.mesh, at.coordinates)), arrays);
+        writer.add_step(at.time, mesh,
+                        coordinates_like(writer, mesh, source.mesh_arrays().points(at.mesh, at.coordinates)), arrays);
         ++appended;
     }
     writer.finish();

@@ -8,6 +8,7 @@
 #include "store/format/documents.hpp"
 #include "store/format/layout.hpp"
 #include "store/format/step_table.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/statistics.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 // -1 in the file means that the solver gave no id.
 std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id && *id >= 0 ? id : std::nullopt; }
 
-class MappedDataset final : public Dataset {
+class MappedDataset final : public Dataset, private MeshArrays {
 public:
     MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, FileAccess access,
                   const MappedDataset* before)
@@ -76,7 +77,8 @@ public:
         for (const auto& mesh : meshes_) mesh->check_unchanged();
     }
 
-    FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const override {
+    const MeshArrays& mesh_arrays() const override { return *this; }
+    FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const override {
         const FaceMeshView view = points(mesh, coordinates);
         try {
             return at(mesh)->all_faces(view);
@@ -126,7 +128,7 @@ public:
 
     Topology topology(std::size_t mesh) const override {
         const MappedMesh& of = *at(mesh);
-        return of.has_blocks() ? of.stored_topology() : Topology(this->mesh(mesh, 0));
+        return of.has_blocks() ? of.stored_topology() : Topology(all_faces(mesh, 0));
     }
 
     std::vector<Group> groups(std::size_t mesh) const override { return at(mesh)->groups(); }

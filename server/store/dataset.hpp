@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/block_ranges.hpp"
-#include "ciel/numbered_faces.hpp"
+#include "ciel/topology.hpp"
 #include "store/files/local_files.hpp"
 #include "store/format/histogram.hpp"
 #include "store/format/steps.hpp"
@@ -18,6 +18,7 @@
 
 namespace ciel::store {
 
+class MeshArrays;   // mesh_arrays.hpp
 struct PagedValues; // cache/paged_file.hpp
 
 // What Dataset::open does if the commit marker has no ranges, as for steps that were appended with plain Zarr.
@@ -68,20 +69,7 @@ public:
     // Size of copied values and positions; 0 with FileAccess::mapped.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
 
-    // Returns the mesh with all faces (all_faces in ciel/numbered_faces.hpp). They are kept in memory until the last
-    // view of them is destroyed; in format 1 they are mapped. Throws Error that names a damaged file.
-    [[nodiscard]] virtual FaceMeshView mesh(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the mesh without faces: face_count() is 0. Reads only positions.
-    [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Like points, but reads no position. Positions are read and checked when FaceMeshView::loader loads them. If the
-    // mesh was stored without blocks, reads all positions.
-    [[nodiscard]] virtual FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the mesh with the numbered faces (ciel/numbered_faces.hpp) and with positions as in points_to_load. The
-    // first call checks the faces. Group::ids of a group of faces are numbers of these faces. Throws Error as mesh
-    // does.
-    [[nodiscard]] virtual FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Like numbered_faces, but returns only the boundary faces, which are the first numbered faces.
-    [[nodiscard]] virtual FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual const MeshArrays& mesh_arrays() const = 0; // positions and faces
     // The topology keeps the files of records open, and reads a record when the record is first used.
     [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;

@@ -1,8 +1,9 @@
 #include "store/loaded.hpp"
 
 #include "ciel/geometric_vertices.hpp"
-#include "ciel/threshold_surface.hpp"
+#include "ciel/mesh_faces.hpp"
 #include "store/cache/cache.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/no_value.hpp"
 
 #include <algorithm>
@@ -141,8 +142,8 @@ struct LoadedDataset::State {
         auto& found = kept->geometric[at.coordinates];
         if (!found)
             found = std::make_shared<const GeometricVertices>([of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
-                FaceMeshView boundary = of->boundary(at_mesh, at_coordinates);
-                const FaceMeshView points = of->points(at_mesh, at_coordinates); // reads all positions
+                FaceMeshView boundary = of->mesh_arrays().boundary(at_mesh, at_coordinates);
+                const FaceMeshView points = of->mesh_arrays().points(at_mesh, at_coordinates); // reads all positions
                 boundary.positions = points.positions;
                 boundary.loader = points.loader;
                 boundary.keep_alive = points.keep_alive;
@@ -157,7 +158,7 @@ struct LoadedDataset::State {
         auto& found = kept->boxes[at.coordinates];
         if (found) return found;
         auto stored = of.block_boxes(at.mesh, at.coordinates);
-        if (!stored) stored = block_boxes(topology, of.points(at.mesh, at.coordinates).positions);
+        if (!stored) stored = block_boxes(topology, of.mesh_arrays().points(at.mesh, at.coordinates).positions);
         return found = std::make_shared<const BlockBoxes>(*std::move(stored));
     }
 
@@ -182,7 +183,8 @@ struct LoadedDataset::State {
         });
         of->check_intact();
         // Does not return `topology`, because the field may have been cached before a refresh.
-        return {kept->topology, {kept, &kept->field}, of->points_to_load(at.mesh, at.coordinates), of, step};
+        return {
+            kept->topology, {kept, &kept->field}, of->mesh_arrays().points_to_load(at.mesh, at.coordinates), of, step};
     }
 
     mutable std::mutex mutex;
@@ -195,13 +197,6 @@ struct LoadedDataset::State {
     std::shared_ptr<const Topology> fitted_topology;
     Cache fields, planes;
 };
-
-FaceMeshView ScalarField::boundary() const {
-    const Step& at = dataset->steps()[step];
-    FaceMeshView boundary = dataset->boundary(at.mesh, at.coordinates);
-    boundary.surface_origin = points.surface_origin;
-    return boundary;
-}
 
 LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
     : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes)) {}
@@ -296,7 +291,8 @@ std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& 
         made->kept.assign(of->info().meshes[at.mesh].cells, 1);
         if (any_went_wrong(at, cells)) leave_out_cells(*cells, of->values(cells->name, step), made->kept);
         if (any_went_wrong(at, faces))
-            leave_out_owners(of->boundary(at.mesh, at.coordinates), *faces, of->values(faces->name, step), made->kept);
+            leave_out_owners(of->mesh_arrays().boundary(at.mesh, at.coordinates), *faces, of->values(faces->name, step),
+                             made->kept);
         made->left_out = static_cast<std::size_t>(std::ranges::count(made->kept, 0));
         return {made, made->kept.size()};
     });
@@ -331,7 +327,8 @@ std::shared_ptr<const CellLocator> LoadedDataset::locator(std::size_t step) {
     const auto of_mesh = topology(at.mesh);
     auto held = std::make_shared<const Held>(
         Held{of, of_mesh,
-             CellLocator(*of_mesh, of->points_to_load(at.mesh, at.coordinates), state_->boxes(*of, at, *of_mesh))});
+             CellLocator(*of_mesh, of->mesh_arrays().points_to_load(at.mesh, at.coordinates),
+                         state_->boxes(*of, at, *of_mesh))});
     return {held, &held->locator};
 }
 
@@ -352,11 +349,37 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const std::size_t value_bytes = of->info().meshes[at.mesh].double_positions ? sizeof(double) : sizeof(float);
     const std::size_t bytes = field_bytes(of_mesh->counts().vertices, value_bytes);
     return State::field(state_->planes, of, step, key.str(), of_mesh, bytes, [&] {
-        const FaceMeshView points = of->points_to_load(at.mesh, at.coordinates);
+        const FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
         Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);
         return made;
     });
+}
+
+Surface LoadedDataset::surface_of_faces(std::size_t step, std::vector<Index> numbers,
+                                        std::span<const std::uint8_t> kept, const Vec3d& origin) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    FaceMeshView faces = of->mesh_arrays().numbered_faces(at.mesh, at.coordinates);
+    faces.surface_origin = origin;
+    return face_surface(faces, faces_by_id(faces, std::move(numbers), kept));
+}
+
+Surface LoadedDataset::boundary_surface(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    FaceMeshView boundary = of->mesh_arrays().boundary(at.mesh, at.coordinates);
+    boundary.surface_origin = origin;
+    if (kept.empty()) return face_surface(boundary, boundary_faces(boundary));
+    return threshold_surface(*topology(at.mesh), boundary, *boxes(step), kept);
+}
+
+Surface LoadedDataset::vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin) {
+    const auto of = state_->current();
+    const Step& at = State::step_of(*of, step);
+    FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
+    points.surface_origin = origin;
+    return ciel::vertices_of_cells(*topology(at.mesh), points, kept);
 }
 
 std::size_t LoadedDataset::memory_bytes() const {

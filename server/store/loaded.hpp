@@ -2,22 +2,10 @@
 #pragma once
 
 #include "ciel/cell_locator.hpp"
-#include "ciel/field.hpp"
+#include "store/scalar_field.hpp"
 #include "store/stored_scalar.hpp"
 
 namespace ciel::store {
-
-// Keeps all data alive that its members refer to.
-struct ScalarField {
-    std::shared_ptr<const Topology> topology;
-    std::shared_ptr<const Field> field;
-    FaceMeshView points; // without faces; callers may change surface_origin
-    std::shared_ptr<const Dataset> dataset;
-    std::size_t step = 0;
-
-    // Reads and checks the faces at the first call for the mesh. Positions are loaded as in Dataset::points_to_load.
-    [[nodiscard]] FaceMeshView boundary() const;
-};
 
 // Records which cells have a NaN or infinite result of the solver in an array. Pictures do not show these cells.
 struct SoundCells {
@@ -66,6 +54,17 @@ public:
     [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
     [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
+
+    // The next three functions return positions as offsets from `origin`. `kept`: one flag per cell; if it is empty,
+    // all cells are kept. Returns the numbered faces `numbers` whose owner is kept, each once. polygon_face: the number
+    // of the face.
+    [[nodiscard]] Surface surface_of_faces(std::size_t step, std::vector<Index> numbers,
+                                           std::span<const std::uint8_t> kept, const Vec3d& origin);
+    // Returns the boundary of the kept cells. polygon_face: the number of the face, or `none` for a face inside the
+    // mesh that has no number.
+    [[nodiscard]] Surface boundary_surface(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin);
+    // Returns the vertices of the kept cells, as a surface without polygons.
+    [[nodiscard]] Surface vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 

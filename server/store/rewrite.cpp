@@ -1,6 +1,7 @@
 #include "store/rewrite.hpp"
 
 #include "store/format/layout.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& n
 }
 
 std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh, const FaceMeshView& all) {
-    const std::vector<Index> id = ids_of_numbers(all, dataset.numbered_faces(mesh, 0));
+    const std::vector<Index> id = ids_of_numbers(all, dataset.mesh_arrays().numbered_faces(mesh, 0));
     std::vector<NamedGroup> groups;
     for (const Group& group : dataset.groups(mesh)) {
         NamedGroup named{group.of, group.name, {group.ids.begin(), group.ids.end()}, group.facts};
@@ -72,7 +73,7 @@ public:
     std::vector<std::string> run() {
         for (std::size_t mesh = 0; mesh < from_.info().meshes.size(); ++mesh) {
             tell_part();
-            const FaceMeshView all = from_.mesh(mesh, 0);
+            const FaceMeshView all = from_.mesh_arrays().all_faces(mesh, 0);
             to_.add_mesh(copy_of(all), from_.original_vertex(mesh), from_.original_cell(mesh),
                          groups_of(from_, mesh, all), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
         }
@@ -90,7 +91,7 @@ private:
         const Step& step = from_.steps()[index];
         std::size_t& sets = sets_.try_emplace(step.mesh, 1).first->second;
         for (; sets <= step.coordinates; ++sets)
-            (void)to_.add_coordinates(step.mesh, from_.points(step.mesh, sets).positions);
+            (void)to_.add_coordinates(step.mesh, from_.mesh_arrays().points(step.mesh, sets).positions);
         to_.begin_step(step.time, step.mesh, step.coordinates);
         for (const auto& [name, array] : step.arrays) add_array(name, array, index);
         to_.end_step();

@@ -11,8 +11,9 @@
 #include "store/format/marker.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/imported_copy.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/mesh_counts.hpp"
-#include "store/place.hpp"
+#include "store/new_dataset_directory.hpp"
 #include "store/statistics.hpp"
 #include "store/write_mesh.hpp"
 #include "store/written_points.hpp"
@@ -86,15 +87,15 @@ void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std:
     auto& sums = attributes.coordinate_checksums;
     for (const auto sets = parse_zarr_array(read_text(document, layout::document_bytes), document).shape[0];
          sums.size() < sets;)
-        sums.push_back(checksum(dataset.points(mesh, sums.size()).positions.bytes()));
+        sums.push_back(checksum(dataset.mesh_arrays().points(mesh, sums.size()).positions.bytes()));
 }
 
 } // namespace
 
 struct Writer::State {
-    fs::path directory;           // temporary directory of a new dataset, or the dataset when appending
-    std::unique_ptr<Place> place; // null when appending
-    Descriptor lock;              // when appending: lock on the dataset's directory
+    fs::path directory; // temporary directory of a new dataset, or the dataset when appending
+    std::unique_ptr<NewDatasetDirectory> new_directory; // null when appending
+    Descriptor lock;                                    // when appending: lock on the dataset's directory
     std::shared_ptr<Dataset> before;
     DatasetInfo info;
     Marker marker;
@@ -108,7 +109,7 @@ struct Writer::State {
     ~State() { take_back(); }
     State(const State&) = delete;
 
-    [[nodiscard]] bool appending() const { return place == nullptr; }
+    [[nodiscard]] bool appending() const { return new_directory == nullptr; }
 
     [[nodiscard]] WrittenMesh& mesh(std::size_t index) {
         if (index >= meshes.size()) throw Error("the dataset has no mesh " + std::to_string(index));
@@ -242,19 +243,19 @@ struct Writer::State {
 namespace {
 
 // An error names files by their final paths, because the temporary directory will be deleted.
-void read_again(const Place& place) {
+void read_again(const NewDatasetDirectory& directory) {
     try {
-        const auto dataset = Dataset::open(place.temporary());
+        const auto dataset = Dataset::open(directory.temporary());
         for (std::size_t mesh = 0; mesh < dataset->info().meshes.size(); ++mesh) {
-            (void)dataset->points(mesh, 0);
-            (void)dataset->numbered_faces(mesh, 0);
+            (void)dataset->mesh_arrays().points(mesh, 0);
+            (void)dataset->mesh_arrays().numbered_faces(mesh, 0);
             (void)dataset->groups(mesh);
         }
     } catch (const Error& error) {
         std::string what = error.what();
-        const std::string folder = place.temporary().string();
+        const std::string folder = directory.temporary().string();
         for (std::size_t at = 0; (at = what.find(folder, at)) != std::string::npos;)
-            what.replace(at, folder.size(), place.target().string());
+            what.replace(at, folder.size(), directory.target().string());
         throw Error("the written dataset cannot be read back and was removed: " + what);
     }
 }
@@ -267,8 +268,8 @@ Writer::~Writer() = default;
 
 Writer::Writer(const fs::path& directory, const DatasetHeader& header, bool overwrite)
     : state_(std::make_unique<State>()) {
-    state_->place = std::make_unique<Place>(directory, overwrite);
-    state_->directory = state_->place->temporary();
+    state_->new_directory = std::make_unique<NewDatasetDirectory>(directory, overwrite);
+    state_->directory = state_->new_directory->temporary();
     DatasetInfo& info = state_->info;
     info.id = random_id();
     info.created = now_iso8601();
@@ -484,8 +485,8 @@ void Writer::finish() {
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
         state.put_root();
         if (!state.commit().move_steps_to_table(state.marker)) state.commit().put(state.marker);
-        read_again(*state.place);
-        state.place->commit();
+        read_again(*state.new_directory);
+        state.new_directory->commit();
     }
     state.finished = true;
 }

@@ -313,17 +313,17 @@ TEST_P(OnDemandOutOfMemory, Extrema) {
 
 // CellRanges that failed to build must be built by the next call. Without the ranges, extraction is correct but slow.
 TEST_P(OnDemandOutOfMemory, RangesOfCells) {
-    const Block& block = data.topology.blocks().cells(0);
+    const detail::Block& block = data.topology.blocks().cells(0);
     const std::vector<float> values = random_field(block.vertex_count, 5);
-    const auto twice = [&](CellRanges& ranges) {
+    const auto twice = [&](detail::CellRanges& ranges) {
         ranges.resize(1);
         (void)ranges.of(block, 0, values);
         return ranges.of(block, 0, values);
     };
-    CellRanges fresh;
+    detail::CellRanges fresh;
     const auto expected = twice(fresh);
     fail_each([&](std::size_t nth) {
-        CellRanges ranges;
+        detail::CellRanges ranges;
         ranges.resize(1);
         (void)ranges.of(block, 0, values);
         const bool failed = fails(nth, [&] { (void)ranges.of(block, 0, values); });

@@ -71,7 +71,7 @@ void EveryUse::show_layers() {
             json layers{{id, all[id]}};
             if (id == "clip") layers["capped"] = {{"type", "surface"}, {"color", {{"array", "p"}}}};
             const auto shown = geometry.update({scene::parse({{"dataset", name_}, {"layers", layers}}), loaded});
-            (void)frames::frame_of(*shown, scene::parse({{"dataset", name_}}), 64, 64, 1);
+            (void)frames::frame_of(*shown, {scene::parse({{"dataset", name_}}), loaded}, 64, 64, 1);
         });
     attempt("default scene", [&] { (void)geometry::default_scene(*loaded, name_); });
     attempt("probe",

@@ -7,6 +7,7 @@
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/loaded.hpp"
+#include "store/mesh_arrays.hpp"
 
 #include <string_view>
 
@@ -37,18 +38,17 @@ void mend_checksums(const fs::path& dataset, const std::string& before, const st
 void use(const fs::path& directory) {
     store::LoadedDataset loaded(store::Dataset::open(directory), 1 << 20);
     const auto dataset = loaded.dataset();
-    const FaceMeshView faces = dataset->numbered_faces(0, 0);
+    const FaceMeshView faces = dataset->mesh_arrays().numbered_faces(0, 0);
     for (Index face = 0; face < faces.face_count(); ++face) (void)faces.loop(face).front();
     for (const store::Group& group : dataset->groups(0))
         if (group.of == store::Group::Of::faces)
             for (const Index face : group.ids) (void)faces.owner[face];
-    (void)dataset->mesh(0, 0);
+    (void)dataset->mesh_arrays().all_faces(0, 0);
     for (std::size_t step = 0; step < dataset->steps().size(); ++step)
         for (const store::ScalarField& scalar :
              {loaded.scalar("p", step), loaded.scalar("U:magnitude", step), loaded.plane(step, {1, 1, 1}, {0, 0, 1})})
             for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
-                Query query(*scalar.topology, scalar.points, algorithm);
-                query.set_field(*scalar.field);
+                Query query = scalar.query(algorithm);
                 Surface surface;
                 for (const double nu : {3.5, 0.0, 13.0}) query.extract(nu, true, surface);
             }

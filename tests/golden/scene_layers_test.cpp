@@ -107,17 +107,18 @@ TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
                                        {"scene_parts", parts()},
                                        {"scene_lines_to_see_through", lines_to_see_through()},
                                        {"scene_points_to_see_through", points_to_see_through()}}) {
-        const scene::Scene scene = scene::parse(
+        scene::Scene scene = scene::parse(
             {{"dataset", "box"},
              {"layers", layers},
              {"camera", {{"position", place(13, -9, 13)}, {"target", place(3, 3, 3)}, {"up", {0, 0, 1}}, {"fov", 34}}},
              {"annotations", {{"legend", true}, {"triad", true}}}});
         geometry::SceneGeometry geometry{Extraction{}};
-        const auto shown = geometry.update({scene, loaded});
+        const scene::CheckedScene checked(std::move(scene), loaded);
+        const auto shown = geometry.update(checked);
         EXPECT_TRUE(shown->lacking.empty());
         for (const render::Backend backend : render::available_backends()) {
             render::Renderer renderer(backend);
-            const render::Image& image = renderer.draw(frames::picture_of(*shown, scene, {360, 270}));
+            const render::Image& image = renderer.draw(frames::picture_of(*shown, checked, {360, 270}));
             EXPECT_TRUE(test::matches_golden(name, {image.width, image.height, image.rgb}, render::name_of(backend)));
         }
     }

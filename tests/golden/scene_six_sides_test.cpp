@@ -69,10 +69,10 @@ TEST(GoldenScenes, LayersOfADocumentLookRightFromSixSides) {
         test::Picture all{columns * width, rows * height, {}};
         all.rgb.resize(std::size_t{3} * columns * width * rows * height);
         for (std::size_t i = 0; i < looks.size(); ++i) {
-            const scene::Scene scene = scene::parse(scene_from(looks[i]));
-            const auto shown = geometry.update({scene, loaded});
+            const scene::CheckedScene checked(scene::parse(scene_from(looks[i])), loaded);
+            const auto shown = geometry.update(checked);
             ASSERT_TRUE(shown->lacking.empty());
-            const render::Image& image = renderer.draw(frames::picture_of(*shown, scene, {width, height}));
+            const render::Image& image = renderer.draw(frames::picture_of(*shown, checked, {width, height}));
             for (std::size_t row = 0; row < height; ++row) {
                 const std::size_t at = (i / columns * height + row) * columns * width + i % columns * width;
                 std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(3 * row * width), 3 * width,

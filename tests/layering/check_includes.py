@@ -1,6 +1,6 @@
 """Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
-library of the outside world into another room, when the declared edges form a circle, or when a room above the store
-reads the face lists of a mesh."""
+library of the outside world into another room, when the declared edges form a circle, when a room above the store reads
+the face lists of a mesh, or when a private name of the kernel is not in ciel::detail or is used elsewhere."""
 
 import graphlib
 import pathlib
@@ -36,11 +36,28 @@ OUTSIDE = {
         "import",
     },
 }
-# Face lists of a mesh. Rooms above the store use the functions of ciel/mesh_faces.hpp and cell_locator.hpp instead.
-FACE_LISTS = re.compile(r"\bFaceMeshView\b|\.loop\(|\.neighbour\b|\.owner\[|\bface_(?:offset|vertex)\b")
+# Face lists of a mesh, and every function that returns a view of them: a view in an `auto` variable names no type. Rooms
+# above the store ask store/mesh_questions.hpp, LoadedDataset, ScalarField and ciel/cell_locator.hpp instead.
+FACE_LISTS = re.compile(
+    r"\bFaceMesh(?:View)?\b|\bmesh_arrays\b|\bMeshArrays\b|\bface_mesh_view\b|\bwith_faces\b|(?:\.|->)stored\(\)"
+    r"|\.loop\(|\.neighbour\b|\.owner\[|\bface_(?:offset|vertex)\b"
+)
 WITH_FACE_LISTS = {"ciel", "store", "import", "demo", "bench"}
 PROGRAMS = {"app", "import"}  # no room may include these
 KERNEL_SOURCES = pathlib.Path("ciel/src")  # an include root of the kernel only
+# Private names of the kernel: its public headers declare some, and some tests have KERNEL_SOURCES as an include root.
+# Another library's `detail` has that library's name before it.
+PRIVATE_NAMES = re.compile(r"(?<!::)\bdetail::|\bciel::detail\b")
+WITH_PRIVATE_NAMES = (
+    "server/ciel/include",
+    "server/ciel/src",
+    "tests/allocations",
+    "tests/oracle",
+    "tests/unit/ciel",
+)
+# What may begin in the first column in a header of KERNEL_SOURCES while `namespace ciel` is open: nested classes of
+# public classes, their access labels, and comments. All else is in ciel::detail.
+IN_PUBLIC_NAMESPACE = re.compile(r"(?:struct|class) \w+::\w+ \{$|(?:public|protected|private):$|\}|//|\s|$")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -74,10 +91,34 @@ def circle_in(edges):
     return []
 
 
+def wrong_namespaces(server):
+    """Returns a sentence for each line that declares a private name of the kernel in ciel, or uses one elsewhere."""
+    problems = []
+    for header in sorted((server / KERNEL_SOURCES).rglob("*.hpp")):
+        is_public = False
+        for number, line in enumerate(header.read_text().splitlines(), 1):
+            if line.startswith("namespace "):
+                is_public = line != "namespace ciel::detail {"
+            elif line.startswith("} // namespace"):
+                is_public = False
+            elif is_public and not IN_PUBLIC_NAMESPACE.match(line):
+                problems.append(f"{header}:{number}: {line}: move it to namespace ciel::detail")
+    root = server.parent
+    for source in sorted([*server.rglob("*.[ch]pp"), *(root / "tests").rglob("*.[ch]pp")]):
+        if source.relative_to(root).as_posix().startswith(tuple(f"{folder}/" for folder in WITH_PRIVATE_NAMES)):
+            continue
+        problems += [
+            f"{source}:{number}: {match.group(0)}: only {', '.join(WITH_PRIVATE_NAMES)} use private names of the kernel"
+            for number, line in enumerate(source.read_text().splitlines(), 1)
+            if (match := PRIVATE_NAMES.search(line))
+        ]
+    return problems
+
+
 def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
     edges, orders = read_declared(edges_file)
     rooms = {path.name for path in server.iterdir() if path.is_dir()}
-    problems = circle_in(edges)
+    problems = circle_in(edges) + wrong_namespaces(server)
     for source in sorted(server.rglob("*.[ch]pp")):
         relative = source.relative_to(server)
         room, folder = place_of(relative)

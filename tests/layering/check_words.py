@@ -18,6 +18,12 @@ RETIRED = [
     (r"\bPartIds\b|\bHeldParts\b", "ArrayIds, HeldArrays", set()),
     (r"\bMissingPart\b|\bKeptParts\b|\bGeometryParts\b", "MissingArrays, KeptArrays, UploadedBatches", set()),
     (r"\bIndexPart\b", "BoxedRange", set()),
+    (r"\bgateway::Context\b|gateway/context\.hpp", "gateway::GatewayState", set()),
+    (r"\bframes::Readiness\b", "frames::TestPictureResult", set()),
+    (r"\bsessions::Steps\b", "sessions::UndoRedoSteps", set()),
+    (r"\bstore::Place\b|store/place\.hpp", "store::NewDatasetDirectory", set()),
+    (r"\bannotations::(Place|Camera)\b", "annotations::PicturePoint or ViewCamera", set()),
+    (r"\bgeometry::Patch\b", "geometry::MeasuredPatch", set()),
     (r"\buseApp\b|\bAppState\b", "useModel and useCommands, PageState", set()),
     (r"\bkernel_unit\b", "tests/unit/ciel", set()),
 ]

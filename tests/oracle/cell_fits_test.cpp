@@ -3,6 +3,7 @@
 #include "ciel/contour.hpp"
 #include "fields/many_gradients.hpp"
 #include "oracle/kernel_mesh.hpp"
+#include "oracle/random_cells.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
@@ -16,6 +17,9 @@
 #include <random>
 
 namespace ciel::test {
+
+using namespace ciel::detail;
+
 namespace {
 
 class SharedFits : public testing::TestWithParam<NamedMesh> {
@@ -149,38 +153,22 @@ TEST(SharedFitsOf, AnotherMeshAreRefusedOrNotUsed) {
     EXPECT_EQ(fits->memory_bytes(), forgotten);
 }
 
-// Random cells. Some are flat or stretched, have a corner without a value, or are of a size whose cube is outside the
-// range of float32.
 class ManyGradients : public testing::TestWithParam<CellType> {
 protected:
     static constexpr std::size_t cells = 4099;
-
-    void put_cell(std::size_t corners) {
-        const double size = std::pow(10.0, below(7) == 0 ? static_cast<double>(below(60)) - 30 : 0);
-        const double flat = below(5) == 0 ? 0 : std::pow(10.0, -static_cast<double>(below(12)));
-        for (std::size_t c = 0; c < corners; ++c) {
-            vertex.push_back(static_cast<std::uint16_t>(samples.size()));
-            samples.push_back({size * share(), size * share(), size * flat * share(), share()});
-        }
-        if (below(9) == 0) samples.back().value = below(2) == 0 ? std::nan("") : INFINITY;
-    }
-    std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); }
-    double share() { return std::uniform_real_distribution<double>(0, 1)(random); }
-
-    std::mt19937 random{5};
-    std::vector<Sample> samples;
-    std::vector<std::uint16_t> vertex;
+    RandomCells random;
 };
 
 TEST_P(ManyGradients, AreThoseOfEachCellToTheBit) {
     (void)with_shape(GetParam(), [&]<const StandardShape & shape>() {
-        while (vertex.size() < cells * shape.corners) put_cell(shape.corners);
+        for (std::size_t i = 0; i < cells; ++i) random.put_cell(shape.corners);
         std::vector<CellGradient> found(cells);
-        many_gradients(shape.type, vertex, samples, found);
+        many_gradients(shape.type, random.vertex, random.samples, found);
         std::size_t solved = 0;
         for (std::size_t i = 0; i < cells; ++i) {
             std::array<Sample, shape.corners> corners;
-            for (std::size_t c = 0; c < shape.corners; ++c) corners[c] = samples[vertex[i * shape.corners + c]];
+            for (std::size_t c = 0; c < shape.corners; ++c)
+                corners[c] = random.samples[random.vertex[i * shape.corners + c]];
             const CellGradient expected = standard_gradient<shape>(corners);
             EXPECT_EQ(std::memcmp(&expected.gradient, &found[i].gradient, sizeof expected.gradient), 0) << i;
             EXPECT_EQ(expected.volume, found[i].volume) << i;

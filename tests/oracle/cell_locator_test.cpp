@@ -98,7 +98,7 @@ TEST(CellLocator, KnowsCellsTheirNearestVertexAndTheOutside) {
     const FaceMeshView mesh = assembled.mesh.view();
     const Topology topology(mesh, {50});
     const CellLocator locator = locator_of(topology, mesh);
-    const CellFaces faces = cell_faces(mesh);
+    const detail::CellFaces faces = detail::cell_faces(mesh);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         Vec3d middle{};
         for (const Index face : faces.of(cell))

@@ -13,6 +13,9 @@
 #include <sys/mman.h>
 
 namespace ciel::test {
+
+using namespace ciel::detail;
+
 namespace {
 
 constexpr Index absent = 6; // number of made-up blocks

@@ -258,9 +258,9 @@ TEST(CellRanges, AreEmptyWhereThereIsNoValue) {
         const Field field = make_field(mesh.topology, none_at_all);
         const Field::Data& blocks = field.data();
         for (Index b = 0; b < mesh.topology.block_count(); ++b) {
-            const Block& block = mesh.topology.blocks().cells(b);
+            const detail::Block& block = mesh.topology.blocks().cells(b);
             (void)blocks.ranges.of(block, b, blocks.of_block(b)); // the ranges are built by the second call
-            for (const CellRanges::Range& range : blocks.ranges.of(block, b, blocks.of_block(b)))
+            for (const detail::CellRanges::Range& range : blocks.ranges.of(block, b, blocks.of_block(b)))
                 EXPECT_GT(range[0], range[1]) << named.name;
         }
     }

@@ -148,7 +148,7 @@ TEST(GiantFace, AMateIsFoundInAFewStepsOrListed) {
         const KernelMesh mesh(input);
         const Topology::Blocks& blocks = mesh.topology.blocks();
         for (Index b = 0; b < blocks.count(); ++b)
-            with_mates(blocks.cells(b), blocks.mates(b), [&](const auto& polyhedra, const auto& mates) {
+            detail::with_mates(blocks.cells(b), blocks.mates(b), [&](const auto& polyhedra, const auto& mates) {
                 for (Index h = 0; h < polyhedra.vertex.size() + polyhedra.inner_corners; ++h) {
                     const Index bits = mates.mate_bits(h);
                     if (bits == mates.escape) continue;

@@ -86,7 +86,7 @@ TEST(VerticesOfCells, AreTheirCorners) {
             const Assembled assembled = assemble(test::view(input));
             const FaceMeshView mesh = assembled.mesh.view();
             const Topology topology(mesh, {cells_per_block});
-            const CellFaces faces = cell_faces(mesh);
+            const detail::CellFaces faces = detail::cell_faces(mesh);
             for (const Index one_in : {1U, 2U, 9U}) {
                 std::vector<std::uint8_t> kept(mesh.cell_count());
                 std::set<Index> expected;
@@ -182,7 +182,7 @@ TEST(SameCells, AreAsManyAndCloseTheSameFaces) {
 TEST(CornersOfCell, AreThoseOfItsFaces) {
     const Assembled assembled = assemble(test::view(test::zoo({{3, 3, 3}})));
     const FaceMeshView mesh = assembled.mesh.view();
-    const CellFaces faces = cell_faces(mesh);
+    const detail::CellFaces faces = detail::cell_faces(mesh);
     const Topology topology(mesh, {5});
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         std::set<Index> expected;

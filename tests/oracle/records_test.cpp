@@ -13,6 +13,9 @@
 #include <random>
 
 namespace ciel::test {
+
+using namespace ciel::detail;
+
 namespace {
 
 // Returns the mesh followed by a copy of it that shares no vertex with the first.

@@ -9,6 +9,9 @@
 #include <cmath>
 
 namespace ciel::test {
+
+using namespace ciel::detail;
+
 namespace {
 
 using Axes = std::array<Point, 3>; // orthonormal

@@ -1,7 +1,8 @@
 #include "import/mesh/joined_mesh.hpp"
 
 #include "ciel/face_lists.hpp"
-#include "import/mesh/cell_shapes.hpp"
+#include "ciel/vtk_shapes.hpp"
+#include "import/mesh/cell_dimension.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,26 +62,15 @@ private:
         mesh_.source_cell.push_back(mesh_.parts[part_].first_cell + static_cast<Index>(cell));
     }
 
-    void add_standard(CellType type, std::span<const Index> corners, vtkIdType cell) {
-        if (type == CellType::polyhedron)
-            append_prism_faces(corners, mesh_.face_offset, mesh_.face_vertex);
-        else
-            append_standard_faces(type, corners, mesh_.face_offset, mesh_.face_vertex);
-        close_cell(type, cell);
-    }
-
-    void add_shape(const CellShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
-        if (nodes.size() < static_cast<std::size_t>(shape.least_nodes))
+    void add_shape(const VtkShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
+        if (nodes.size() < shape.least_points)
             fail("cell " + std::to_string(cell) + " has " + std::to_string(nodes.size()) +
-                 " nodes; the smallest number of nodes for its cell type is " + std::to_string(shape.least_nodes));
-        std::array<Index, 12> corners{};
-        for (int i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
-        if (shape.vtk_type == VTK_VOXEL) {
-            std::swap(corners[2], corners[3]);
-            std::swap(corners[6], corners[7]);
-        }
+                 " nodes; the smallest number of nodes for its cell type is " + std::to_string(shape.least_points));
+        VtkCorners corners{};
+        for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
         if (shape.reduced_from != nullptr) ++mesh_.reduced_cells[shape.reduced_from];
-        add_standard(shape.type, std::span<const Index>(corners.data(), shape.corners), cell);
+        append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
+        close_cell(shape.type, cell);
     }
 
     // VTK's face stream: the number of faces, then for each face the number of points and the point ids.
@@ -145,7 +135,7 @@ private:
                 vtkIdType size = 0;
                 const vtkIdType* nodes = nullptr;
                 grid->GetCells()->GetCellAtId(cell, size, nodes);
-                add_shape(*find_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
+                add_shape(*find_vtk_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
             }
         }
         if (!surface.cells.empty()) mesh_.surfaces.push_back(std::move(surface));
@@ -190,7 +180,7 @@ private:
                     if (hole || (!blank_points_known_ && is_ghost(cell)))
                         ++mesh_.blanked_cells;
                     else
-                        add_shape(*find_shape(VTK_HEXAHEDRON), nodes, cell);
+                        add_shape(*find_vtk_shape(VTK_HEXAHEDRON), nodes, cell);
                 }
     }
 

@@ -30,7 +30,7 @@ struct JoinedMesh {
     std::vector<Surface> surfaces;
     Index point_count = 0; // number of running points
     std::uint64_t blanked_cells = 0;
-    std::map<std::string, std::uint64_t> reduced_cells; // CellShape::reduced_from -> number of cells
+    std::map<std::string, std::uint64_t> reduced_cells; // VtkShape::reduced_from -> number of cells
     std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1; they are left out
     std::uint64_t convex_point_sets = 0;                // left out, because VTK lists no faces for them
 

@@ -117,18 +117,19 @@ void OverlayPainter::add(const annotations::Stroke& stroke, double width, const 
     if (!(length > 0)) return;
     const double reach = width / 2 + 0.5;
     // Strokes have square caps, so that strokes that meet leave no gap.
-    const annotations::Place along{dx / length * width / 2, dy / length * width / 2};
-    const annotations::Place across{-dy / length * reach, dx / length * reach};
+    const annotations::PicturePoint along{dx / length * width / 2, dy / length * width / 2};
+    const annotations::PicturePoint across{-dy / length * reach, dx / length * reach};
     for (const auto& [end, side] : {std::pair(0, -1), {1, -1}, {1, 1}, {0, -1}, {1, 1}, {0, 1}}) {
-        const annotations::Place at = end == 1 ? annotations::Place{stroke.to.x + along.x, stroke.to.y + along.y}
-                                               : annotations::Place{stroke.from.x - along.x, stroke.from.y - along.y};
+        const annotations::PicturePoint at =
+            end == 1 ? annotations::PicturePoint{stroke.to.x + along.x, stroke.to.y + along.y}
+                     : annotations::PicturePoint{stroke.from.x - along.x, stroke.from.y - along.y};
         vertices_.push_back({static_cast<float>(at.x + side * across.x), static_cast<float>(at.y + side * across.y),
                              static_cast<float>(side * reach), 0, ink, soft, static_cast<float>(width / 2)});
     }
 }
 
 void OverlayPainter::add(const annotations::Triangle& triangle) {
-    for (const annotations::Place& corner : triangle.corners)
+    for (const annotations::PicturePoint& corner : triangle.corners)
         vertices_.push_back({static_cast<float>(corner.x), static_cast<float>(corner.y), 0, 0, triangle.ink, flat, 0});
 }
 

@@ -43,9 +43,9 @@ public:
 
     std::uint64_t draw(double value, End end, render::Renderer& renderer) {
         std::get<scene::IsoLayer>(scene_.layers.front().kind).values = {value};
-        const auto geometry =
-            geometry_.update({scene_, data_.loaded}, {}, std::numeric_limits<std::size_t>::max(), true);
-        const render::Frame frame = frames::frame_of(*geometry, scene_, width, height, 1);
+        const scene::CheckedScene checked(scene_, data_.loaded);
+        const auto geometry = geometry_.update(checked, {}, std::numeric_limits<std::size_t>::max(), true);
+        const render::Frame frame = frames::frame_of(*geometry, checked, width, height, 1);
         camera_ = frame.camera;
         origin_ = frame.origin;
         const render::Image& image = renderer.draw(frame);
@@ -55,7 +55,7 @@ public:
         return geometry->triangles;
     }
 
-    [[nodiscard]] const annotations::Camera& camera() const { return camera_; }
+    [[nodiscard]] const annotations::ViewCamera& camera() const { return camera_; }
     [[nodiscard]] const Vec3d& origin() const { return origin_; }
     [[nodiscard]] double covered_share() const { return bench::covered_share(image_->rgb); }
     [[nodiscard]] std::size_t bytes() const { return jpeg_.size(); }
@@ -64,7 +64,7 @@ private:
     const bench::Case& data_;
     scene::Scene scene_;
     geometry::SceneGeometry geometry_{Extraction{}};
-    annotations::Camera camera_;
+    annotations::ViewCamera camera_;
     Vec3d origin_{};
     const render::Image* image_ = nullptr; // last picture; owned by the renderer
     wire::JpegStream stream_;
@@ -103,7 +103,7 @@ private:
     VtkWindow window_;
     std::function<void(double)> set_value_;
     std::function<vtkDataObject*()> surface_;
-    annotations::Camera camera_;
+    annotations::ViewCamera camera_;
     Vec3d origin_{};
     std::span<const std::uint8_t> pixels_;
     std::vector<std::uint8_t> jpeg_;

@@ -18,7 +18,7 @@ VtkWindow::VtkWindow(int width, int height)
 
 VtkWindow::~VtkWindow() = default;
 
-void VtkWindow::set_camera(const annotations::Camera& camera, const Vec3d& origin) {
+void VtkWindow::set_camera(const annotations::ViewCamera& camera, const Vec3d& origin) {
     vtkCamera* to = renderer_->GetActiveCamera();
     const auto offset = [&](const Vec3d& at) { return Vec3d{at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]}; };
     to->SetPosition(offset(camera.position).data());

@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
     // `origin`: origin of the positions of the actors.
-    void set_camera(const annotations::Camera& camera, const Vec3d& origin);
+    void set_camera(const annotations::ViewCamera& camera, const Vec3d& origin);
     // Rows from the bottom, RGBA. Valid until the next draw.
     std::span<const std::uint8_t> draw();
 

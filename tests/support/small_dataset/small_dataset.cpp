@@ -1,5 +1,6 @@
 #include "support/small_dataset/small_dataset.hpp"
 
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -94,7 +95,8 @@ void write_small_dataset(const std::filesystem::path& directory) {
 
 void append_step(const std::filesystem::path& directory, double time) {
     const auto dataset = store::Dataset::open(directory);
-    const Arrays arrays = arrays_at(dataset->points(0, 0).positions.floats(), dataset->original_cell(0), time);
+    const Arrays arrays =
+        arrays_at(dataset->mesh_arrays().points(0, 0).positions.floats(), dataset->original_cell(0), time);
     auto writer = store::Writer::append(directory);
     writer.add_step(time, 0, 0, arrays.views(true));
     writer.finish();

@@ -78,8 +78,8 @@ TEST(BoxEdges, ProjectFarFromTheOriginToTheSamePixels) {
         far_frame.bounds_min[k] += offset[k];
         far_frame.bounds_max[k] += offset[k];
     }
-    const annotations::Place a = annotations::Projection(near_frame).pixel({1, 1, -1});
-    const annotations::Place b = annotations::Projection(far_frame).pixel({500001, 4000001, 99});
+    const annotations::PicturePoint a = annotations::Projection(near_frame).pixel({1, 1, -1});
+    const annotations::PicturePoint b = annotations::Projection(far_frame).pixel({500001, 4000001, 99});
     EXPECT_NEAR(a.x, b.x, 1e-6);
     EXPECT_NEAR(a.y, b.y, 1e-6);
 }

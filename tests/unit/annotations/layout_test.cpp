@@ -141,7 +141,7 @@ TEST_F(LayoutTest, HasNothingOnAnythingElseWhereverTheBoxLies) {
 
 TEST_F(LayoutTest, LinesEndAtTheEdgesOfABox) {
     const annotations::Box box{10, 10, 20, 30};
-    const auto inside = [&](annotations::Place a, annotations::Place b) {
+    const auto inside = [&](annotations::PicturePoint a, annotations::PicturePoint b) {
         return annotations::part_inside(box, a, b).value_or(std::pair(-1.0, -1.0));
     };
     EXPECT_EQ(inside({0, 20}, {40, 20}), std::pair(0.25, 0.5));
@@ -281,7 +281,7 @@ TEST_F(LayoutTest, HasAViewThatMakesRoomForIt) {
         Frame frame = annotated_frame(width, height);
         frame.camera =
             annotations::default_camera(frame.bounds_min, frame.bounds_max, static_cast<double>(width) / height);
-        const annotations::Camera before = frame.camera;
+        const annotations::ViewCamera before = frame.camera;
         frame.camera = annotations::clear_of_annotations(frame, font);
         EXPECT_LT(frame.camera.position[1], before.position[1]) << "further away";
         const annotations::Overlay overlay = annotations::lay_out(frame, font);
@@ -289,7 +289,7 @@ TEST_F(LayoutTest, HasAViewThatMakesRoomForIt) {
         for (const annotations::Fill& fill : overlay.fills) legends = std::min(legends, fill.box.left);
         const annotations::Projection projection(frame);
         for (unsigned corner = 0; corner < 8; ++corner) {
-            const annotations::Place at = projection.pixel(
+            const annotations::PicturePoint at = projection.pixel(
                 {(corner & 1U) != 0 ? 3 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1});
             EXPECT_LT(at.x, legends) << width;
         }

@@ -7,6 +7,8 @@
 namespace ciel {
 namespace {
 
+using detail::BlockCuts;
+
 std::vector<Index> blocks_from(Index begin, std::size_t count) {
     std::vector<Index> blocks(count);
     std::iota(blocks.begin(), blocks.end(), begin);

@@ -2,6 +2,7 @@
 #include "demo/demo.hpp"
 
 #include "store/dataset.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/folder.hpp"
 
 #include <algorithm>
@@ -32,8 +33,8 @@ protected:
 
     // The numbered faces, with positions that can be read.
     static FaceMeshView faces() {
-        FaceMeshView faces = dataset->numbered_faces(0, 0);
-        const FaceMeshView points = dataset->points(0, 0);
+        FaceMeshView faces = dataset->mesh_arrays().numbered_faces(0, 0);
+        const FaceMeshView points = dataset->mesh_arrays().points(0, 0);
         faces.positions = points.positions;
         faces.keep_alive = points.keep_alive;
         return faces;

@@ -40,7 +40,7 @@ public:
     SlowCallQueue::Job note(char letter) {
         return [this, letter](SlowCallQueue::Outcome outcome) {
             const std::scoped_lock lock(mutex_);
-            if (turn == SlowCallQueue::Outcome::cancelled) order += '*';
+            if (outcome == SlowCallQueue::Outcome::cancelled) order += '*';
             order += letter;
         };
     }

@@ -24,7 +24,7 @@ geometry::Geometry square(float depth, float side, float across = 0) {
     return geometry;
 }
 
-const annotations::Camera camera{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 30, false, 1};
+const annotations::ViewCamera camera{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 30, false, 1};
 constexpr geometry::ViewSize size{1280, 720, 1};
 
 double pixel_at(double depth) { return 2 * depth * std::tan(15 * std::numbers::pi / 180) / 720; }
@@ -66,7 +66,7 @@ TEST(pixel_grid, of_what_passes_the_eye_counts_what_is_seen_of_it) {
 }
 
 TEST(pixel_grid, of_a_parallel_view_is_the_same_at_all_depths) {
-    annotations::Camera parallel = camera;
+    annotations::ViewCamera parallel = camera;
     parallel.parallel = true;
     parallel.parallel_height = 7.2;
     const double step = needed_grid(square(40, 4), parallel, size);
@@ -86,7 +86,7 @@ TEST(pixel_grid, of_flat_triangles_is_fine_enough_for_their_light) {
 
 TEST(pixel_grid, of_the_bounds_is_as_fine_and_reads_no_positions) {
     const geometry::Geometry geometry = square(40, 4);
-    annotations::Camera outside = camera;
+    annotations::ViewCamera outside = camera;
     for (const double away : {60.0, 200.0, 3000.0}) {
         outside.position = {-away, 10, 0};
         const double quick = surely_fine_grid(geometry, outside, size);
@@ -109,7 +109,7 @@ TEST(pixel_grid, is_never_finer_than_floats_where_the_camera_looks) {
 // because the origin is near the eye.
 TEST(pixel_grid, is_a_quarter_of_a_pixel_at_an_origin_near_the_eye) {
     geometry::Geometry geometry = square(1e-4F, 1e-5F);
-    annotations::Camera near = camera;
+    annotations::ViewCamera near = camera;
     near.parallel = true;
     near.parallel_height = 4e-4;
     near.target = {1e-4, 0, 0};

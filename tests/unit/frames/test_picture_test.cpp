@@ -15,10 +15,10 @@ render::Image filled(std::array<std::uint8_t, 3> color) {
 
 TEST(test_picture, of_a_renderer_that_draws_is_ready) {
     render::Renderer renderer(render::Backend::automatic);
-    const Readiness readiness = draw_test_picture(renderer);
-    EXPECT_TRUE(readiness.ready);
-    EXPECT_EQ(readiness.gl_renderer, renderer.gl_renderer());
-    EXPECT_EQ(readiness.problem, "");
+    const TestPictureResult result = draw_test_picture(renderer);
+    EXPECT_TRUE(result.passed);
+    EXPECT_EQ(result.gl_renderer, renderer.gl_renderer());
+    EXPECT_EQ(result.problem, "");
 }
 
 TEST(test_picture, with_wrong_pixels_is_not) {

@@ -22,16 +22,18 @@ protected:
     SceneAnnotations() { test::write_small_dataset(folder / "box.ciel"); }
 
     annotations::Annotations of(const json& layers, const json& annotations = json::object(), double time = 0) {
-        scene = scene::parse({{"dataset", "box"}, {"time", time}, {"layers", layers}, {"annotations", annotations}});
-        shown = geometry.update({scene, catalog.open("box")});
-        return annotations_of(*shown, scene);
+        checked.emplace(
+            scene::parse({{"dataset", "box"}, {"time", time}, {"layers", layers}, {"annotations", annotations}}),
+            catalog.open("box"));
+        shown = geometry.update(*checked);
+        return annotations_of(*shown, *checked);
     }
     static json surface(const json& color) { return {{"type", "surface"}, {"color", color}}; }
 
     test::Folder folder;
     store::Catalog catalog{{folder.path()}};
     SceneGeometry geometry{test::chosen_algorithm()};
-    scene::Scene scene;
+    std::optional<scene::CheckedScene> checked;
     std::shared_ptr<const Geometry> shown;
 };
 
@@ -100,23 +102,23 @@ TEST_F(SceneAnnotations, AreSwitched) {
 
 TEST_F(SceneAnnotations, MakeRoomForThemselvesInPicturesAndFramesAlike) {
     static_cast<void>(of({{"a", surface({{"array", "p"}})}}, {{"axes", true}}));
-    const auto picture = frames::picture_of(*shown, scene, {320, 200}).camera;
-    const auto bare = camera_of(*shown, scene, 1.6);
-    const auto away = [](const annotations::Camera& camera) {
+    const auto picture = frames::picture_of(*shown, *checked, {320, 200}).camera;
+    const auto bare = camera_of(*shown, checked->scene().camera, 1.6);
+    const auto away = [](const annotations::ViewCamera& camera) {
         return std::hypot(camera.position[0] - camera.target[0], camera.position[1] - camera.target[1],
                           camera.position[2] - camera.target[2]);
     };
     EXPECT_GT(away(picture), 1.05 * away(bare)) << "else the legend lies on the box";
-    EXPECT_EQ(picture.position, frames::frame_of(*shown, scene, 320, 200, 1).camera.position)
+    EXPECT_EQ(picture.position, frames::frame_of(*shown, *checked, 320, 200, 1).camera.position)
         << "a pixel of the one is probed in the other";
-    scene.camera = scene::Camera{{9, 8, 7}, {0, 0, 0}, {0, 0, 1}, 30, false, 1};
-    EXPECT_EQ(frames::picture_of(*shown, scene, {320, 200}).camera.position, scene.camera->position);
+    const scene::Camera given{{9, 8, 7}, {0, 0, 0}, {0, 0, 1}, 30, false, 1};
+    EXPECT_EQ(frames::picture_of(*shown, checked->with_camera(given), {320, 200}).camera.position, given.position);
 }
 
 TEST_F(SceneAnnotations, AreOnPicturesAndNotOnFrames) {
     static_cast<void>(of({{"a", surface({{"array", "p"}})}}));
-    EXPECT_FALSE(frames::picture_of(*shown, scene, {320, 200}).annotations.empty());
-    EXPECT_TRUE(frames::frame_of(*shown, scene, 320, 200, 4).annotations.empty());
+    EXPECT_FALSE(frames::picture_of(*shown, *checked, {320, 200}).annotations.empty());
+    EXPECT_TRUE(frames::frame_of(*shown, *checked, 320, 200, 4).annotations.empty());
 }
 
 } // namespace

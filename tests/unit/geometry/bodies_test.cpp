@@ -8,30 +8,31 @@ namespace {
 
 const BoundingBox domain{{-5, -4, 0}, {15, 4, 8}};
 
-Patch patch(const std::string& name, const BoundingBox& box, double area, std::size_t faces) {
+MeasuredPatch patch(const std::string& name, const BoundingBox& box, double area, std::size_t faces) {
     return {name, box, area, faces};
 }
 
-std::vector<std::string> chosen(const std::vector<Patch>& patches, const BoundingBox& of = domain) {
+std::vector<std::string> chosen(const std::vector<MeasuredPatch>& patches, const BoundingBox& of = domain) {
     std::vector<std::string> names;
-    for (const Patch& body : bodies_of(patches, of)) names.push_back(body.name);
+    for (const MeasuredPatch& body : bodies_of(patches, of)) names.push_back(body.name);
     return names;
 }
 
 // The sides of a wind tunnel.
-const std::vector<Patch> tunnel{
+const std::vector<MeasuredPatch> tunnel{
     patch("inlet", {{-5, -4, 0}, {-5, 4, 8}}, 64, 64), patch("outlet", {{15, -4, 0}, {15, 4, 8}}, 64, 64),
     patch("frontAndBack", {{-5, -4, 0}, {15, 4, 8}}, 320, 320), patch("upperWall", {{-5, -4, 8}, {15, 4, 8}}, 160, 160),
     patch("lowerWall", {{-5, -4, 0}, {15, 4, 0}}, 160, 5349)};
 
-std::vector<Patch> tunnel_with(const Patch& further) {
-    std::vector<Patch> patches = tunnel;
+std::vector<MeasuredPatch> tunnel_with(const MeasuredPatch& further) {
+    std::vector<MeasuredPatch> patches = tunnel;
     patches.push_back(further);
     return patches;
 }
 
 TEST(bodies, are_what_stands_in_the_tunnel_but_not_its_ground) {
-    std::vector<Patch> patches = tunnel_with(patch("motorBike_rr-wh-tyre", {{1, -0.1, 0}, {1.6, 0.1, 0.6}}, 0.5, 1864));
+    std::vector<MeasuredPatch> patches =
+        tunnel_with(patch("motorBike_rr-wh-tyre", {{1, -0.1, 0}, {1.6, 0.1, 0.6}}, 0.5, 1864));
     patches.push_back(patch("motorBike_hbars", {{0.2, -0.3, 0.8}, {0.4, 0.3, 1}}, 0.1, 587));
     EXPECT_THAT(chosen(patches), testing::ElementsAre("motorBike_rr-wh-tyre", "motorBike_hbars"));
     const BoundingBox box = box_around(bodies_of(patches, domain));
@@ -57,9 +58,9 @@ TEST(bodies, that_touch_all_sides_have_finer_faces) {
 }
 
 TEST(bodies, are_not_the_walls_of_a_pipe) {
-    const std::vector<Patch> pipe{patch("in", {{0, 0, 0}, {0, 1, 1}}, 0.8, 100),
-                                  patch("out", {{10, 0, 0}, {10, 1, 1}}, 0.8, 100),
-                                  patch("wall", {{0, 0, 0}, {10, 1, 1}}, 31, 100'000)};
+    const std::vector<MeasuredPatch> pipe{patch("in", {{0, 0, 0}, {0, 1, 1}}, 0.8, 100),
+                                          patch("out", {{10, 0, 0}, {10, 1, 1}}, 0.8, 100),
+                                          patch("wall", {{0, 0, 0}, {10, 1, 1}}, 31, 100'000)};
     EXPECT_THAT(chosen(pipe, {{0, 0, 0}, {10, 1, 1}}), testing::IsEmpty());
 }
 

@@ -3,6 +3,7 @@
 #include "ciel/assemble.hpp"
 #include "ciel/mesh_faces.hpp"
 #include "geometry/cut.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 #include "support/folder.hpp"
 #include "support/meshes.hpp"
@@ -86,7 +87,7 @@ TEST_F(BoundarySurface, IsThatOfAllFaces) {
             const Surface found = boundary_surface(loaded, 0, origin, groups, kept);
             const Surface wanted = expected(groups, kept);
             EXPECT_EQ(polygons_of(found), polygons_of(wanted)) << (groups.empty() ? "all" : groups.back());
-            const FaceMeshView faces = dataset->numbered_faces(0, 0);
+            const FaceMeshView faces = dataset->mesh_arrays().numbered_faces(0, 0);
             for (std::size_t i = 0; i < found.polygon_face.size(); ++i)
                 if (found.polygon_face[i] != none) {
                     EXPECT_EQ(faces.owner[found.polygon_face[i]], found.polygon_cell[i]);
@@ -95,7 +96,7 @@ TEST_F(BoundarySurface, IsThatOfAllFaces) {
 }
 
 TEST_F(BoundarySurface, FacesOfAGroupHaveTheirVertices) {
-    const FaceMeshView all = made.mesh.view(), faces = dataset->numbered_faces(0, 0);
+    const FaceMeshView all = made.mesh.view(), faces = dataset->mesh_arrays().numbered_faces(0, 0);
     const std::vector<store::Group> groups = dataset->groups(0);
     for (std::size_t i = 0; i < groups.size(); ++i) {
         if (groups[i].of != store::Group::Of::faces) continue;

@@ -29,15 +29,15 @@ protected:
     static void TearDownTestSuite() { folder.reset(); }
 
     std::shared_ptr<const Geometry> show(const json& layers) {
-        parsed = scene::parse({{"dataset", "box"}, {"layers", layers}});
-        return geometry.update({parsed, loaded});
+        checked.emplace(scene::parse({{"dataset", "box"}, {"layers", layers}}), loaded);
+        return geometry.update(*checked);
     }
 
     static std::unique_ptr<test::Folder> folder;
     store::Catalog catalog{{folder->path()}};
     std::shared_ptr<store::LoadedDataset> loaded = catalog.open("box");
     SceneGeometry geometry{test::chosen_algorithm()};
-    scene::Scene parsed;
+    std::optional<scene::CheckedScene> checked;
 };
 std::unique_ptr<test::Folder> cells::folder;
 
@@ -106,7 +106,7 @@ TEST_F(cells, caps_look_like_their_surface_and_patches_have_none) {
 
 TEST_F(cells, a_moved_clip_is_in_frames_and_in_messages) {
     const auto first = show({{"s", surface}, {"c", clip_x(3)}});
-    const render::Frame frame = frames::frame_of(*first, parsed, 320, 200, 1);
+    const render::Frame frame = frames::frame_of(*first, *checked, 320, 200, 1);
     ASSERT_EQ(frame.clip.size(), 1U);
     EXPECT_EQ(frame.clip[0][0], -1);
     const double plane = test::box_origin[0] + 3 - first->origin[0];

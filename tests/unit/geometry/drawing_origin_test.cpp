@@ -7,7 +7,7 @@ namespace {
 
 constexpr Vec3d middle{50, 50, 50}, wall{50, 50, 0}, beside{50, 50.001, 0};
 
-annotations::Camera looking_at(const Vec3d& target, double distance) {
+annotations::ViewCamera looking_at(const Vec3d& target, double distance) {
     return {{target[0], target[1] - distance, target[2]}, target, {0, 0, 1}, 30, false, 1};
 }
 
@@ -21,7 +21,7 @@ TEST(drawing_origin, is_the_middle_while_floats_are_fine_enough) {
 
 TEST(drawing_origin, is_the_target_of_a_camera_that_is_close) {
     EXPECT_EQ(drawing_origin(middle, {}, looking_at(wall, 1e-3)), wall);
-    annotations::Camera parallel = looking_at(wall, 100);
+    annotations::ViewCamera parallel = looking_at(wall, 100);
     parallel.parallel = true;
     parallel.parallel_height = 1e-3;
     EXPECT_EQ(drawing_origin(middle, {}, parallel), wall);

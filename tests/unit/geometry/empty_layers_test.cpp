@@ -22,17 +22,17 @@ protected:
     EmptyLayers() { test::write_small_dataset(folder / "box.ciel"); }
 
     const Geometry& show(const json& layers) {
-        scene = scene::parse({{"dataset", "box"}, {"layers", layers}});
-        shown = geometry.update({scene, catalog.open("box")});
+        checked.emplace(scene::parse({{"dataset", "box"}, {"layers", layers}}), catalog.open("box"));
+        shown = geometry.update(*checked);
         return *shown;
     }
-    std::size_t legends() { return annotations_of(*shown, scene).legends.size(); }
-    std::size_t legends_in_the_way() { return annotations_of(*shown, scene, LegendsOf::all_layers).legends.size(); }
+    std::size_t legends() { return annotations_of(*shown, *checked).legends.size(); }
+    std::size_t legends_in_the_way() { return annotations_of(*shown, *checked, LegendsOf::all_layers).legends.size(); }
 
     test::Folder folder;
     store::Catalog catalog{{folder.path()}};
     SceneGeometry geometry{test::chosen_algorithm()};
-    scene::Scene scene;
+    std::optional<scene::CheckedScene> checked;
     std::shared_ptr<const Geometry> shown;
 };
 

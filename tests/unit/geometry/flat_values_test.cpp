@@ -97,9 +97,9 @@ TEST_F(flat_values, leave_edges_and_contour_lines_as_they_are) {
 
 TEST_F(flat_values, have_the_range_of_the_cells_that_are_seen) {
     const json layer = by_cells(slice);
-    const auto shown = show({{"a", layer}});
-    const scene::Scene scene = scene::parse({{"dataset", "box"}, {"layers", {{"a", layer}}}});
-    const auto range = probe::visible_range(*shown, scene, {"a"}, std::nullopt, false);
+    const scene::CheckedScene checked(scene::parse({{"dataset", "box"}, {"layers", {{"a", layer}}}}), loaded);
+    const auto shown = geometry.update(checked);
+    const auto range = probe::visible_range(*shown, checked, {"a"}, std::nullopt, false);
     const auto [low, high] =
         std::minmax_element(shown->drawables[0].scalars->begin(), shown->drawables[0].scalars->end());
     ASSERT_TRUE(range.has_value());

@@ -111,7 +111,7 @@ TEST_P(scene_geometry, what_a_scene_says_of_colors_arrives_at_the_renderer) {
     EXPECT_EQ(scale.steps, 6);
     EXPECT_EQ(scale.above, (color::Rgb8{255, 0, 0}));
     EXPECT_EQ(scale.range, (std::array<double, 2>{36e-6, 36})) << "p reaches down to zero: six decades are shown";
-    EXPECT_EQ(frames::frame_of(*shown, scene::parse(document), 32, 32, 1).primitives.at(0).scale, scale);
+    EXPECT_EQ(frames::frame_of(*shown, {scene::parse(document), loaded}, 32, 32, 1).primitives.at(0).scale, scale);
     EXPECT_TRUE(shown->lacking.empty());
 }
 
@@ -251,9 +251,10 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
     json glass = slice(1);
     glass["opacity"] = 0.5;
     glass["order"] = -1;
-    const auto parsed = scene::parse(scene_of({{"i", iso({20})}, {"s", glass}, {"o", {{"type", "outline"}}}}));
-    const auto shown = geometry.update({parsed, loaded});
-    const render::Frame frame = frames::frame_of(*shown, parsed, 320, 200, 4);
+    const scene::CheckedScene checked(
+        scene::parse(scene_of({{"i", iso({20})}, {"s", glass}, {"o", {{"type", "outline"}}}})), loaded);
+    const auto shown = geometry.update(checked);
+    const render::Frame frame = frames::frame_of(*shown, checked, 320, 200, 4);
     ASSERT_EQ(frame.primitives.size(), 3U);
     EXPECT_EQ(frame.primitives[2].color[3], 0.5F);
     const std::size_t drawn_from[] = {1, 2, 0}; // drawables are in layer order: glass, iso, outline

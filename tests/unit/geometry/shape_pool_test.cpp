@@ -64,8 +64,8 @@ TEST(Cut, MovesWithoutNewBuffers) {
     const auto topology = std::make_shared<const Topology>(assembled.mesh.view());
     const std::vector<float> values{0, 1, 2, 3};
     Cut cut;
-    cut.use_field("f", {topology, std::make_shared<const Field>(*topology, values, nullptr), assembled.mesh.view(), {}},
-                  {});
+    cut.use_field(
+        "f", {topology, std::make_shared<const Field>(*topology, values, nullptr), assembled.mesh.view(), {}, 0}, {});
     ASSERT_TRUE(cut.extract(0.5, true, {}));
     const Vec3f* const buffer = cut.shape->surface.positions.data();
     const Index* const indices = cut.shape->indices.data();

@@ -32,15 +32,16 @@ protected:
     // Draws the layers from a camera at (x, -3, z) that looks at the box's center, so that it sees every side
     // obliquely.
     std::vector<std::uint8_t> picture(const json& layers, double x, double z) {
-        const scene::Scene scene = scene::parse(
+        scene::Scene scene = scene::parse(
             {{"dataset", "box"},
              {"layers", layers},
              {"background", "#000000"},
              {"lighting", {{"on", false}}},
              {"annotations", {{"legend", false}, {"triad", false}}},
              {"camera", {{"position", place(x, -3, z)}, {"target", place(3, 3, 3)}, {"up", {0, 1, 0}}, {"fov", 40}}}});
-        const auto shown = geometry.update({scene, loaded});
-        return renderer.draw(frames::picture_of(*shown, scene, {240, 180})).rgb;
+        const scene::CheckedScene checked(std::move(scene), loaded);
+        const auto shown = geometry.update(checked);
+        return renderer.draw(frames::picture_of(*shown, checked, {240, 180})).rgb;
     }
 
     static std::unique_ptr<test::Folder> folder;

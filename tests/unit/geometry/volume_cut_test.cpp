@@ -146,7 +146,7 @@ TEST_F(volume_cut, the_axis_is_the_one_nearest_to_the_view_or_the_one_that_is_as
 
 TEST_F(volume_cut, a_wide_still_has_no_slabs_that_it_looks_along) {
     const auto normal = [](const Vec3d& view, double fov, bool moving = false, bool parallel = false) {
-        annotations::Camera camera;
+        annotations::ViewCamera camera;
         camera.position = {};
         camera.target = view;
         camera.fov_degrees = fov;
@@ -165,7 +165,7 @@ TEST_F(volume_cut, a_wide_still_has_no_slabs_that_it_looks_along) {
 TEST(slab_normal, is_across_the_axis_asked_for_unless_the_camera_looks_along_such_slabs) {
     using Direction = scene::VolumeLayer::Direction;
     const Vec3d x{1, 0, 0}, y{0, 1, 0};
-    annotations::Camera camera;
+    annotations::ViewCamera camera;
     for (const bool moving : {false, true})
         for (const bool parallel : {false, true}) {
             camera.parallel = parallel;

@@ -23,7 +23,7 @@ json heavy_scene() {
 class GivenUp : public Service {
 protected:
     void SetUp() override {
-        if (server.readiness().gl_renderer.find("llvmpipe") == std::string::npos)
+        if (server.draw_test_picture().gl_renderer.find("llvmpipe") == std::string::npos)
             GTEST_SKIP() << "a GPU has drawn these pictures before anybody could give them up";
     }
     struct Opened {

@@ -184,7 +184,7 @@ struct Params {
 constexpr Params bad_params[] = {
     {"missing", "dataset.describe", R"({})", "/dataset", "/dataset is missing"},
     {"missing by position", "dataset.describe", R"([])", "/dataset", "/dataset is missing"},
-    {"too many", "dataset.describe", R"(["box", 1])", "/1", "the call has 2 params; the method has at most 1"},
+    {"too many", "dataset.describe", R"(["box", 1])", "/1", "the call has 2 params; the method takes at most 1"},
     {"unknown", "dataset.list", R"({"x": 1})", "/x", "/x is not a known member"},
     {"type", "dataset.describe", R"({"dataset": 1})", "/dataset", "/dataset must be a string"},
     {"type by position", "dataset.describe", R"([null])", "/dataset", "/dataset must be a string"},

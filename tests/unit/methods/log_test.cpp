@@ -122,7 +122,7 @@ TEST_F(Logged, a_frame_that_takes_long_is_called_slow) {
     json view;
     {
         engine::Server server(options());
-        if (server.readiness().gl_renderer.find("llvmpipe") == std::string::npos)
+        if (server.draw_test_picture().gl_renderer.find("llvmpipe") == std::string::npos)
             GTEST_SKIP() << "a graphics card draws such frames too fast";
         double milliseconds = 0;
         for (int layers = 2; milliseconds < 1000; layers *= 3) {
@@ -144,28 +144,28 @@ TEST_F(Logged, a_frame_that_takes_long_is_called_slow) {
     EXPECT_GE(lines.back()["ms"].get<double>(), 1000);
 }
 
-class Readiness : public Service {};
+class TestPicture : public Service {};
 
-TEST_F(Readiness, is_told_from_the_last_result_while_the_worker_draws_for_others) {
+TEST_F(TestPicture, is_told_from_the_last_result_while_the_worker_draws_for_others) {
     engine::Server server(options());
-    ASSERT_TRUE(server.readiness().ready);
+    ASSERT_TRUE(server.draw_test_picture().passed);
     std::promise<void> gate;
     server.frame_workers().post([opened = gate.get_future().share()](engine::Worker&) { opened.wait(); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a readiness result stays valid
-    auto answer = std::async(std::launch::async, [&] { return server.readiness_by_now(); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a result stays valid
+    auto answer = std::async(std::launch::async, [&] { return server.test_picture_by_now(); });
     EXPECT_EQ(answer.wait_for(std::chrono::seconds(20)), std::future_status::ready) << "it waits for the worker";
     gate.set_value();
-    EXPECT_TRUE(answer.get().ready);
+    EXPECT_TRUE(answer.get().passed);
 }
 
-TEST_F(Readiness, ends_where_nothing_is_drawn_any_more) {
+TEST_F(TestPicture, ends_where_nothing_is_drawn_any_more) {
     engine::Server server(options());
-    ASSERT_TRUE(server.readiness().ready);
+    ASSERT_TRUE(server.draw_test_picture().passed);
     server.drain();
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));
-    const frames::Readiness readiness = server.readiness_by_now();
-    EXPECT_FALSE(readiness.ready);
-    EXPECT_THAT(readiness.problem, HasSubstr("about to stop"));
+    const frames::TestPictureResult result = server.test_picture_by_now();
+    EXPECT_FALSE(result.passed);
+    EXPECT_THAT(result.problem, HasSubstr("about to stop"));
 }
 
 } // namespace

@@ -150,10 +150,10 @@ TEST_F(Sharing, draining_tells_and_refuses) {
 
 TEST_F(Sharing, readiness_draws) {
     engine::Server server(options());
-    const frames::Readiness readiness = server.readiness();
-    EXPECT_TRUE(readiness.ready) << readiness.problem;
-    EXPECT_FALSE(readiness.gl_renderer.empty());
-    EXPECT_THAT(server.metrics(), testing::HasSubstr("ciel_gl_info{renderer=\"" + readiness.gl_renderer));
+    const frames::TestPictureResult result = server.draw_test_picture();
+    EXPECT_TRUE(result.passed) << result.problem;
+    EXPECT_FALSE(result.gl_renderer.empty());
+    EXPECT_THAT(server.metrics(), testing::HasSubstr("ciel_gl_info{renderer=\"" + result.gl_renderer));
 }
 
 TEST_F(Sharing, the_other_algorithm_serves_the_same_pictures) {

@@ -17,7 +17,7 @@ protected:
         return made;
     }
     Slow() {
-        (void)server.readiness();
+        (void)server.draw_test_picture();
         gate.lock();
         server.picture_workers().post([this](engine::Worker&) { const std::scoped_lock open(gate); });
     }
@@ -47,7 +47,7 @@ TEST_F(Slow, quick_methods_do_not_wait_for_slow_ones) {
     Client client(server, true), scripts(server, false);
     auto first = scripts.post(picture()), second = scripts.post(picture());
     for (Client* each : {&client, &scripts}) {
-        EXPECT_EQ(each->call("server.info")["gl_renderer"], server.last_readiness().gl_renderer);
+        EXPECT_EQ(each->call("server.info")["gl_renderer"], server.last_test_picture().gl_renderer);
         EXPECT_EQ(each->call("dataset.list").size(), 2U);
         const std::string session = each->call("session.open", {{"dataset", "box"}})["session"];
         EXPECT_EQ(each->error_code("scene.patch", {{"session", session}, {"patch", {{"background", "light"}}}}), 0);
@@ -55,9 +55,9 @@ TEST_F(Slow, quick_methods_do_not_wait_for_slow_ones) {
         client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
         client.frames_until_still(2);
     }
-    EXPECT_TRUE(server.readiness().ready);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a readiness result stays valid
-    EXPECT_TRUE(server.readiness_by_now().ready);
+    EXPECT_TRUE(server.draw_test_picture().passed);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a result stays valid
+    EXPECT_TRUE(server.test_picture_by_now().passed);
     EXPECT_TRUE(drew_nothing());
     open();
     EXPECT_THAT(first.get(), HasSubstr("image/png"));

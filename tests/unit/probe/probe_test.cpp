@@ -1,5 +1,6 @@
 #include "probe/probe.hpp"
 
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -61,7 +62,7 @@ TEST_F(probe_points, outside_of_the_box_is_nothing) {
 }
 
 TEST_F(probe_points, a_vertex_is_its_own_nearest) {
-    const FaceMeshView mesh = dataset->points(0, 0);
+    const FaceMeshView mesh = dataset->mesh_arrays().points(0, 0);
     for (Index vertex = 0; vertex < mesh.vertex_count(); vertex += 7) {
         const float* at = &mesh.positions.floats()[std::size_t{3} * vertex];
         const Probed probed = probe(*dataset, 0, locator, world({at[0], at[1], at[2]}));

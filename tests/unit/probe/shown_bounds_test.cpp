@@ -62,9 +62,10 @@ TEST(ShownBounds, AreThoseOfWhatClipsAndThresholdsLeave) {
         {"an outline alone, clipped", {{"o", outline}, {"c", clip("x", 2)}}, none, {2, 6, 6}},
     };
     for (const Row& row : rows) {
-        const scene::Scene scene = scene::parse({{"dataset", "box"}, {"layers", row.layers}});
-        const auto shown = geometry.update({scene, catalog.open("box")});
-        const geometry::BoundingBox found = shown_bounds(*shown, scene);
+        const scene::CheckedScene checked(scene::parse({{"dataset", "box"}, {"layers", row.layers}}),
+                                          catalog.open("box"));
+        const auto shown = geometry.update(checked);
+        const geometry::BoundingBox found = shown_bounds(*shown, checked);
         for (std::size_t k = 0; k < 3; ++k) {
             EXPECT_NEAR(found.low[k] - test::box_origin[k], row.low[k], 1e-4) << row.what;
             EXPECT_NEAR(found.high[k] - test::box_origin[k], row.high[k], 1e-4) << row.what;
@@ -100,9 +101,10 @@ TEST(DrawnBounds, AreThoseOfWhatTheLayersDraw) {
         {"an outline alone", {{"o", outline}}, none, all},
     };
     for (const Row& row : rows) {
-        const scene::Scene scene = scene::parse({{"dataset", "box"}, {"layers", row.layers}});
-        const auto shown = geometry.update({scene, catalog.open("box")});
-        const geometry::BoundingBox found = drawn_bounds(*shown, scene);
+        const scene::CheckedScene checked(scene::parse({{"dataset", "box"}, {"layers", row.layers}}),
+                                          catalog.open("box"));
+        const auto shown = geometry.update(checked);
+        const geometry::BoundingBox found = drawn_bounds(*shown, checked);
         for (std::size_t k = 0; k < 3; ++k) {
             EXPECT_NEAR(found.low[k] - test::box_origin[k], row.low[k], 1e-4) << row.what;
             EXPECT_NEAR(found.high[k] - test::box_origin[k], row.high[k], 1e-4) << row.what;
@@ -123,9 +125,9 @@ TEST(BoundsInView, AreThoseOfThePointsThatThePictureShows) {
                           {"up", {0, 1, 0}},
                           {"parallel", true},
                           {"parallel_height", height}};
-        const scene::Scene scene =
-            scene::parse({{"dataset", "box"}, {"camera", camera}, {"layers", std::move(layers)}});
-        return bounds_in_view(*geometry.update({scene, catalog.open("box")}), scene, {100, 100, 1});
+        const scene::CheckedScene checked(
+            scene::parse({{"dataset", "box"}, {"camera", camera}, {"layers", std::move(layers)}}), catalog.open("box"));
+        return bounds_in_view(*geometry.update(checked), checked, {100, 100, 1});
     };
     const auto expect = [&](const std::optional<geometry::BoundingBox>& box, const Vec3d& low, const Vec3d& high) {
         ASSERT_TRUE(box);

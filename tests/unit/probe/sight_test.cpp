@@ -32,16 +32,15 @@ protected:
                           {"target", {o[0] + 3, o[1] + 3.1, o[2] + 2.7}},
                           {"parallel", parallel},
                           {"parallel_height", 10}};
-        scene = scene::parse({{"dataset", "box"}, {"camera", camera}, {"layers", std::move(layers)}});
-        shown = geometry.update({scene, catalog.open("box")});
+        checked.emplace(scene::parse({{"dataset", "box"}, {"camera", camera}, {"layers", std::move(layers)}}),
+                        catalog.open("box"));
+        shown = geometry.update(*checked);
     }
     std::vector<Seen> along(std::array<double, 2> pixel = middle) {
-        const auto loaded = catalog.open("box");
         std::vector<Seen> seen;
-        for (const Crossing& crossing : crossings(*shown, scene, size, pixel))
+        for (const Crossing& crossing : crossings(*shown, *checked, size, pixel))
             seen.push_back({std::round(1e3 * (crossing.position[0] - test::box_origin[0])) / 1e3,
-                            shown->drawables[crossing.drawable].layer,
-                            patch_of(crossing, *shown, scene, *loaded->dataset())});
+                            shown->drawables[crossing.drawable].layer, patch_of(crossing, *shown, *checked)});
         return seen;
     }
 
@@ -51,7 +50,7 @@ protected:
         return store::Catalog{{folder.path()}};
     }();
     geometry::SceneGeometry geometry{test::chosen_algorithm()};
-    scene::Scene scene;
+    std::optional<scene::CheckedScene> checked;
     std::shared_ptr<const geometry::Geometry> shown;
 };
 
@@ -88,7 +87,7 @@ TEST_F(Sight, passes_through_what_is_cut_away_or_hidden_or_no_polygon) {
 
 TEST_F(Sight, the_crossing_at_a_position_is_the_nearest_within_the_error_of_the_depth_buffer) {
     show({{"w", whole}, {"s", slice}});
-    const auto found = crossings(*shown, scene, size, middle);
+    const auto found = crossings(*shown, *checked, size, middle);
     const auto at = [&](double x) {
         return crossing_at(found, *shown,
                            {test::box_origin[0] + x, test::box_origin[1] + 3.1, test::box_origin[2] + 2.7});

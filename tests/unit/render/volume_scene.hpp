@@ -74,7 +74,7 @@ inline Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
 
 // Ray through the pixel coordinates (x, y), from the nearest visible place on. Does not use the renderer's matrices.
 inline Ray ray_of(const Frame& frame, double x, double y) {
-    const annotations::Camera& camera = frame.camera;
+    const annotations::ViewCamera& camera = frame.camera;
     const Vec3d ahead = unit_of(plus(camera.target, camera.position, -1));
     const Vec3d right = unit_of(cross_of(ahead, camera.up)), up = cross_of(right, ahead);
     const double across = 2 * x / frame.width - 1, down = 1 - 2 * y / frame.height;

@@ -1,5 +1,6 @@
 // Rules of appending: names, sizes and times, order of the imported file, point values, coordinates.
 #include "store/append.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/store_box/box.hpp"
 #include "support/store_box/format_1.hpp"
 
@@ -211,7 +212,7 @@ TEST_F(AppendTest, AMeshThatMovesOnceHasItsPositionsOnce) {
     for (const Step& step : dataset->steps()) coordinates.push_back(step.coordinates);
     EXPECT_THAT(coordinates, ElementsAre(0, 0, 1, 1, 1, 2, 1, 0));
     EXPECT_EQ(position_sets(directory), 3U);
-    EXPECT_EQ(dataset->points(0, 2).positions[0], 2);
+    EXPECT_EQ(dataset->mesh_arrays().points(0, 2).positions[0], 2);
 }
 
 TEST_F(AppendTest, AMovingMeshOfAnotherOriginIsOffset) {
@@ -219,7 +220,7 @@ TEST_F(AppendTest, AMovingMeshOfAnotherOriginIsOffset) {
     EXPECT_EQ(append_dataset(open(), *Dataset::open(scratch / "far.ciel")), 3U);
     const auto dataset = Dataset::open(directory);
     EXPECT_EQ(position_sets(directory), 3U);
-    EXPECT_EQ(dataset->points(0, dataset->steps()[1].coordinates).positions[0], 100);
+    EXPECT_EQ(dataset->mesh_arrays().points(0, dataset->steps()[1].coordinates).positions[0], 100);
     EXPECT_EQ(dataset->steps()[2].coordinates, dataset->steps()[3].coordinates);
 }
 

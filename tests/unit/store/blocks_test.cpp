@@ -4,6 +4,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
 #include "store/loaded.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/write_blocks.hpp"
 #include "support/meshes.hpp"
 #include "support/store_box/box.hpp"
@@ -193,14 +194,15 @@ TEST(Ranges, AreThoseOfTheBlocks) {
                          block_ranges(topology, one_scalar(info, dataset->values(array, 0), scalar)));
     }
     const auto boxes = dataset->block_boxes(0, 0).value(),
-               expected = block_boxes(topology, dataset->points(0, 0).positions);
+               expected = block_boxes(topology, dataset->mesh_arrays().points(0, 0).positions);
     for (std::size_t axis = 0; axis < 3; ++axis) expect_equal(boxes[axis], expected[axis]);
 }
 
 TEST(Ranges, AreWrittenForAppendedStepsToo) {
     const test::Folder scratch;
     const auto before = written(scratch);
-    std::vector<float> positions(before->points(0, 0).positions.begin(), before->points(0, 0).positions.end());
+    std::vector<float> positions(before->mesh_arrays().points(0, 0).positions.begin(),
+                                 before->mesh_arrays().points(0, 0).positions.end());
     for (float& x : positions) x *= 2;
     std::vector<float> p(positions.size() / 3, 1);
     p[0] = -7;
@@ -220,12 +222,12 @@ TEST(Ranges, LetASurfaceReadTheBlocksThatItCrosses) {
     const ScalarField p = loaded.scalar("p", 0); // p equals x
     const auto [low, high] = p.field->range();
     const double near_one_side = low + 0.06 * (high - low);
-    const ScalarField plane = loaded.plane(0, {p.points.origin[0] + near_one_side, 0, 0}, {1, 0, 0});
+    const double origin = loaded.dataset()->mesh_arrays().points_to_load(0, 0).origin[0];
+    const ScalarField plane = loaded.plane(0, {origin + near_one_side, 0, 0}, {1, 0, 0});
     const fs::path cells = scratch / "a.ciel/meshes/0/blocks/cells";
     EXPECT_EQ(touched_bytes(scratch / "a.ciel/meshes/0/blocks"), 0U) << "a field reads no record";
-    Query query(*p.topology, p.points);
+    Query query = p.query();
     Surface surface;
-    query.set_field(*p.field);
     query.extract(near_one_side, false, surface);
     EXPECT_FALSE(surface.polygon_cell.empty());
     const std::size_t some = touched_bytes(cells);

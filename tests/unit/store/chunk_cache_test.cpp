@@ -2,6 +2,7 @@
 #include "ciel/extract.hpp"
 #include "store/cache/chunk_cache.hpp"
 #include "store/loaded.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 #include "support/meshes.hpp"
 #include "support/store_box/box.hpp"
@@ -63,15 +64,15 @@ TEST_F(ManySteps, OnlyTheLastUsedStayMapped) {
 TEST_F(ManySteps, WhatSomebodyHoldsStaysMapped) {
     const auto dataset = Dataset::open(directory);
     const Values first = dataset->values("p", 0);
-    const FaceMeshView points = dataset->points(0, 1);
+    const FaceMeshView points = dataset->mesh_arrays().points(0, 1);
     const float x = points.positions[0];
     for (std::size_t step = 1; step < steps; ++step) {
         (void)dataset->values("p", step);
-        (void)dataset->points(0, step);
+        (void)dataset->mesh_arrays().points(0, step);
     }
     EXPECT_THAT(first, testing::Each(0.0F));
     EXPECT_EQ(dataset->values("p", 0).data(), first.data());
-    EXPECT_EQ(dataset->points(0, 1).positions.data(), points.positions.data());
+    EXPECT_EQ(dataset->mesh_arrays().points(0, 1).positions.data(), points.positions.data());
     EXPECT_EQ(points.positions[0], x);
 }
 
@@ -90,8 +91,7 @@ TEST_F(ManySteps, AFieldOfAnEarlierStepCanStillBeCut) {
     LoadedDataset loaded(Dataset::open(directory), 1U << 20U);
     const ScalarField early = loaded.plane(1, {1.5, 0, 0}, {1, 0, 0});
     for (std::size_t step = 2; step < steps; ++step) (void)loaded.scalar("p", step);
-    Query query(*early.topology, early.points);
-    query.set_field(*early.field);
+    Query query = early.query();
     Surface surface;
     ASSERT_TRUE(query.extract(0, true, surface));
     EXPECT_EQ(surface.polygon_cell.size(), 4U);

@@ -3,6 +3,7 @@
 #include "ciel/extract.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "store/loaded.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/store_box/box.hpp"
 
 #include <fcntl.h>
@@ -81,15 +82,14 @@ TEST_F(ColdFilesTest, OpeningReadsNoneOfThem) {
     EXPECT_EQ(cached_in(""), 0U);
     LoadedDataset loaded(dataset, 1U << 30U);
     const ScalarField field = loaded.scalar("p", 0);
-    EXPECT_EQ(field.points.vertex_count(), 68921U);
+    EXPECT_EQ(field.topology->counts().vertices, 68921U);
     EXPECT_EQ(cached_in(""), 0U) << "a field that nobody has cut";
 }
 
 TEST_F(ColdFilesTest, ASurfaceReadsWhatItCrosses) {
     LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
     const ScalarField field = loaded.scalar("p", 0);
-    Query query(*field.topology, field.points);
-    query.set_field(*field.field);
+    Query query = field.query();
     query.set_normals(Normals::polygons);
     Surface surface;
     ASSERT_TRUE(query.extract(2000.5, true, surface)); // between the first two layers of cells
@@ -106,7 +106,7 @@ TEST_F(ColdFilesTest, ASurfaceReadsWhatItCrosses) {
 
 TEST_F(ColdFilesTest, TheBoundaryReadsNoOtherFace) {
     const auto dataset = Dataset::open(directory);
-    const FaceMeshView boundary = dataset->boundary(0, 0);
+    const FaceMeshView boundary = dataset->mesh_arrays().boundary(0, 0);
     const std::vector<CellFace> some{{0, boundary.owner[0]}, {1, boundary.owner[1]}};
     EXPECT_EQ(face_surface(boundary, some).polygon_face.size(), 2U);
     EXPECT_GT(cached_in("faces/face_vertex"), 0U);

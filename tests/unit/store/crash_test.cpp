@@ -1,5 +1,6 @@
 // A writer that fails or is killed leaves no partial dataset.
-#include "store/place.hpp"
+#include "store/mesh_arrays.hpp"
+#include "store/new_dataset_directory.hpp"
 #include "support/store_box/box.hpp"
 
 #include <csignal>
@@ -76,7 +77,7 @@ TEST(Crash, AWriterAtWorkIsNotCleanedUpByAnother) {
     Writer second(scratch / "a.ciel", {});
     add_box(second, test::box(2, 1, 1));
     first.finish();
-    EXPECT_THROW(second.finish(), Error) << "the place is taken by now";
+    EXPECT_THROW(second.finish(), Error) << "the path is taken by now";
     EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 1U);
 }
 
@@ -151,7 +152,7 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
     test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
     EXPECT_THROW(Writer(scratch / "a.ciel", {}), Error);
     const auto before = Dataset::open(scratch / "a.ciel");
-    (void)before->mesh(0, 0);
+    (void)before->mesh_arrays().all_faces(0, 0);
     {
         Writer writer(scratch / "a.ciel", {}, true);
         add_box(writer, test::box(2, 1, 1));
@@ -159,7 +160,7 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
         writer.finish();
     }
     EXPECT_EQ(Dataset::open(scratch / "a.ciel")->info().meshes[0].cells, 2U);
-    EXPECT_EQ(before->mesh(0, 0).cell_count(), 1U) << "what was read stays";
+    EXPECT_EQ(before->mesh_arrays().all_faces(0, 0).cell_count(), 1U) << "what was read stays";
     EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
     fs::create_directory(scratch / "photos");
     test::overwrite_file(scratch / "photos" / "cat.jpg", "cat");
@@ -174,10 +175,10 @@ TEST(Overwrite, OnlyADatasetAndOnlyWhenAsked) {
 TEST(Overwrite, APlaceIsCheckedWithoutATrace) {
     const test::Folder scratch;
     test::write_box(scratch / "a.ciel", test::box(1, 1, 1));
-    check_place(scratch / "a.ciel", true);
-    check_place(scratch / "b.ciel", false);
-    EXPECT_THROW(check_place(scratch / "a.ciel", false), Error);
-    EXPECT_THROW(check_place(scratch / "nowhere/a.ciel", true), Error);
+    check_new_dataset_directory(scratch / "a.ciel", true);
+    check_new_dataset_directory(scratch / "b.ciel", false);
+    EXPECT_THROW(check_new_dataset_directory(scratch / "a.ciel", false), Error);
+    EXPECT_THROW(check_new_dataset_directory(scratch / "nowhere/a.ciel", true), Error);
     EXPECT_THAT(entries(scratch.path()), testing::ElementsAre("a.ciel"));
 }
 

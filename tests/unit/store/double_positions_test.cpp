@@ -1,5 +1,6 @@
 // Double positions: what is read equals what was written, to the last bit, in every coordinate set.
 #include "store/append.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/rewrite.hpp"
 #include "support/store_box/box.hpp"
 
@@ -53,11 +54,11 @@ TEST_F(DoublePositions, AreReadAsTheyWereWritten) {
     const auto dataset = open();
     EXPECT_NO_THROW(dataset->verify());
     EXPECT_TRUE(dataset->info().meshes[0].double_positions);
-    EXPECT_THAT(dataset->points(0, 0).positions, ElementsAreArray(points));
-    EXPECT_THAT(dataset->points(0, 1).positions, ElementsAreArray(moved(0.3)));
+    EXPECT_THAT(dataset->mesh_arrays().points(0, 0).positions, ElementsAreArray(points));
+    EXPECT_THAT(dataset->mesh_arrays().points(0, 1).positions, ElementsAreArray(moved(0.3)));
     EXPECT_THAT(test::read_file(directory / "meshes/0/positions/.zarray"), testing::HasSubstr("\"<f8\""));
     EXPECT_EQ(dataset->info().meshes[0].bounds[1], moved(0.3)[3 * 26]);
-    EXPECT_EQ(dataset->points(0, 0).origin, Vec3d{});
+    EXPECT_EQ(dataset->mesh_arrays().points(0, 0).origin, Vec3d{});
 }
 
 TEST_F(DoublePositions, HaveTheBoxesOfTheirBlocks) {
@@ -66,7 +67,7 @@ TEST_F(DoublePositions, HaveTheBoxesOfTheirBlocks) {
     for (const std::size_t set : {0U, 1U}) {
         const auto stored = dataset->block_boxes(0, set);
         ASSERT_TRUE(stored);
-        const BlockBoxes expected = block_boxes(dataset->topology(0), dataset->points(0, set).positions);
+        const BlockBoxes expected = block_boxes(dataset->topology(0), dataset->mesh_arrays().points(0, set).positions);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             EXPECT_EQ((*stored)[axis].low, expected[axis].low);
             EXPECT_EQ((*stored)[axis].high, expected[axis].high);
@@ -84,7 +85,7 @@ TEST_F(DoublePositions, AreFoundAndAddedByAnAppend) {
     EXPECT_EQ(writer.add_coordinates(0, floats), 2U);
     writer.add_step(3, 0, 2, {});
     writer.finish();
-    EXPECT_THAT(open()->points(0, 2).positions, testing::Each(0.5));
+    EXPECT_THAT(open()->mesh_arrays().points(0, 2).positions, testing::Each(0.5));
 }
 
 TEST_F(DoublePositions, ThatWouldBeRoundedAreRefused) {
@@ -99,7 +100,7 @@ TEST_F(DoublePositions, ThatWouldBeRoundedAreRefused) {
     writer.add_step(0, 0, 1, {});
     writer.finish();
     EXPECT_FALSE(open()->info().meshes[0].double_positions);
-    EXPECT_THAT(open()->points(0, 1).positions.floats(), testing::Each(0.5F));
+    EXPECT_THAT(open()->mesh_arrays().points(0, 1).positions.floats(), testing::Each(0.5F));
 }
 
 TEST_F(DoublePositions, ThatAreNotFiniteAreRefused) {
@@ -114,8 +115,8 @@ TEST_F(DoublePositions, AreWrittenAgainAsTheyAre) {
     const std::filesystem::path again = scratch / "again.ciel";
     EXPECT_TRUE(rewrite(directory, again, false, [](double) {}).empty());
     const auto dataset = Dataset::open(again);
-    EXPECT_THAT(dataset->points(0, 0).positions, ElementsAreArray(points));
-    EXPECT_THAT(dataset->points(0, 1).positions, ElementsAreArray(moved(0.3)));
+    EXPECT_THAT(dataset->mesh_arrays().points(0, 0).positions, ElementsAreArray(points));
+    EXPECT_THAT(dataset->mesh_arrays().points(0, 1).positions, ElementsAreArray(moved(0.3)));
 }
 
 TEST_F(DoublePositions, OfAnotherDatasetAreAppended) {
@@ -125,7 +126,8 @@ TEST_F(DoublePositions, OfAnotherDatasetAreAppended) {
     EXPECT_EQ(append_dataset(Dataset::open(first), *open()), 2U);
     const auto dataset = Dataset::open(first);
     ASSERT_EQ(dataset->steps().size(), 3U);
-    EXPECT_THAT(dataset->points(0, dataset->steps()[2].coordinates).positions, ElementsAreArray(moved(0.3)));
+    EXPECT_THAT(dataset->mesh_arrays().points(0, dataset->steps()[2].coordinates).positions,
+                ElementsAreArray(moved(0.3)));
     EXPECT_EQ(dataset->steps()[1].coordinates, 0U);
 }
 

@@ -90,7 +90,7 @@ protected:
 };
 
 std::vector<double> numbers(const ScalarField& scalar) {
-    std::vector<double> all(scalar.points.vertex_count());
+    std::vector<double> all(scalar.topology->counts().vertices);
     for (Index v = 0; v < all.size(); ++v) all[v] = scalar.field->value(v);
     return all;
 }
@@ -131,7 +131,7 @@ TEST_F(LoadedTest, AFieldOutlivesItsDataset) {
     }
     fs::remove_all(directory);
     EXPECT_EQ(kept.field->value(1), 1003);
-    EXPECT_EQ(kept.points.vertex_count(), 27U);
+    EXPECT_EQ(kept.topology->counts().vertices, 27U);
 }
 
 TEST_F(LoadedTest, PlanesAreDistances) {
@@ -177,7 +177,7 @@ TEST(LoadedFields, OfAMovingMeshHaveTheNormalsOfEachStep) {
         const Field fresh(*scalar.topology, loaded.scalar_values("p", step), nullptr);
         Surface expected, found;
         for (const auto& [field, out] : {std::pair{&fresh, &expected}, std::pair{scalar.field.get(), &found}}) {
-            Query query(*scalar.topology, scalar.points);
+            Query query = scalar.query();
             query.set_field(*field);
             (void)query.extract(1, true, *out);
         }

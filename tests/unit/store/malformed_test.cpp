@@ -4,6 +4,7 @@
 
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
+#include "store/mesh_arrays.hpp"
 
 #include <cstring>
 #include <functional>
@@ -388,7 +389,7 @@ TEST(Damaged, AReplacedDatasetIsNotMistakenForAGrownOne) {
     const test::Folder scratch;
     test::write_box(scratch / "box.ciel", test::box(2, 2, 2));
     const auto dataset = Dataset::open(scratch / "box.ciel");
-    const auto owner = dataset->numbered_faces(0, 0).owner;
+    const auto owner = dataset->mesh_arrays().numbered_faces(0, 0).owner;
     const std::vector<Index> before(owner.begin(), owner.end());
     fs::remove_all(scratch / "box.ciel");
     test::write_box(scratch / "box.ciel", test::box(3, 3, 3));

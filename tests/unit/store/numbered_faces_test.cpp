@@ -1,6 +1,8 @@
 // The numbered faces of a stored mesh are the same in both formats and are read without the other faces.
 #include "ciel/mesh_faces.hpp"
+#include "ciel/numbered_faces.hpp"
 #include "store/dataset.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/store_box/box.hpp"
 #include "support/store_box/format_1.hpp"
 
@@ -21,7 +23,8 @@ protected:
     // Expects the boundary faces, followed by face 1, the only face of a group that is inside the mesh.
     void expect_faces(const Dataset& dataset) const {
         const FaceLists expected = numbered_faces(mesh.view(), std::vector<Index>{1});
-        const FaceMeshView found = dataset.numbered_faces(0, 0), boundary = dataset.boundary(0, 0);
+        const FaceMeshView found = dataset.mesh_arrays().numbered_faces(0, 0),
+                           boundary = dataset.mesh_arrays().boundary(0, 0);
         EXPECT_THAT(found.face_offset.unchecked(), ElementsAreArray(expected.face_offset));
         EXPECT_THAT(found.face_vertex.unchecked(), ElementsAreArray(expected.face_vertex));
         EXPECT_THAT(found.owner.unchecked(), ElementsAreArray(expected.owner));
@@ -62,11 +65,12 @@ TEST_F(NumberedFacesTest, AreMadeFromAllFacesInFormat1) {
 
 TEST_F(NumberedFacesTest, AllFacesComeFromTheBlocks) {
     const auto dataset = Dataset::open(directory);
-    const FaceMeshView all = dataset->mesh(0, 0);
+    const FaceMeshView all = dataset->mesh_arrays().all_faces(0, 0);
     EXPECT_EQ(all.face_count(), mesh.owner.size());
     EXPECT_THAT(all.owner.unchecked(), ElementsAreArray(mesh.owner));
     EXPECT_TRUE(same_cells(Topology(all), Topology(mesh.view())));
-    EXPECT_EQ(dataset->mesh(0, 0).owner.unchecked().data(), all.owner.unchecked().data()) << "made twice";
+    EXPECT_EQ(dataset->mesh_arrays().all_faces(0, 0).owner.unchecked().data(), all.owner.unchecked().data())
+        << "made twice";
     EXPECT_THAT(all.positions, ElementsAreArray(mesh.positions));
 }
 
@@ -76,7 +80,7 @@ TEST_F(NumberedFacesTest, AreRefusedByNameOfFileWhenTheyAreDamaged) {
     content[4] ^= 1;
     test::overwrite_file(file, content);
     try {
-        (void)Dataset::open(directory)->boundary(0, 0);
+        (void)Dataset::open(directory)->mesh_arrays().boundary(0, 0);
         FAIL() << "passed";
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), AllOf(testing::HasSubstr(file.string()), testing::HasSubstr("checksum")));

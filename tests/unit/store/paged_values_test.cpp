@@ -4,6 +4,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
 #include "store/loaded.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/no_value.hpp"
 #include "support/store_box/box.hpp"
 
@@ -35,8 +36,7 @@ protected:
         test::overwrite_file(file, bytes);
     }
     static std::size_t polygons_at(const ScalarField& field, double nu) {
-        Query query(*field.topology, field.points);
-        query.set_field(*field.field);
+        Query query = field.query();
         Surface surface;
         EXPECT_TRUE(query.extract(nu, true, surface));
         return surface.polygon_cell.size();
@@ -101,7 +101,8 @@ TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
                     (void)polygons_at(loaded.plane(0, {0, 0, 20.5}, {0, 0, 1}), 0);
                 }),
                 AllOf(HasSubstr(positions.string()), HasSubstr("does not match its checksum")));
-    EXPECT_THAT(error_of([&] { (void)loaded.dataset()->points(0, 0); }), HasSubstr("does not match its checksum"));
+    EXPECT_THAT(error_of([&] { (void)loaded.dataset()->mesh_arrays().points(0, 0); }),
+                HasSubstr("does not match its checksum"));
 }
 
 // The open dataset still maps the damaged file, so only a dataset that is opened again can read the restored one.
@@ -138,8 +139,7 @@ TEST_P(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
     const auto dataset = loaded.dataset();
     Surface surface;
     const ScalarField field = loaded.scalar("p", 0);
-    Query query(*field.topology, field.points);
-    query.set_field(*field.field);
+    Query query = field.query();
     ASSERT_TRUE(query.extract(30000.5, false, surface));
     for (const char* name : {"p", "U:x", "U:z", "U:magnitude"}) {
         const ScalarName scalar = parse_scalar(*dataset, name);
@@ -190,7 +190,7 @@ TEST_P(PagedValuesTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
 TEST_P(PagedValuesTest, OnlyCopiedPagesCountAsMemory) {
     const auto dataset = open();
     const auto values = dataset->values("p", 0);
-    (void)dataset->points(0, 0);
+    (void)dataset->mesh_arrays().points(0, 0);
     const std::size_t bytes = dataset->memory_bytes();
     if (GetParam() == FileAccess::mapped) {
         EXPECT_EQ(bytes, 0U);
@@ -215,13 +215,12 @@ TEST_P(PagedValuesTest, AFileThatIsTruncatedMeanwhileIsNamed) {
     EXPECT_FALSE(loaded.dataset()->is_intact());
 }
 
-TEST_P(PagedValuesTest, FieldsOnTheSamePositionsShareTheirLoader) {
-    LoadedDataset loaded(open(), 1U << 30);
-    const ScalarField first = loaded.scalar("p", 0);
-    const VertexLoader* const loader = first.points.loader;
-    ASSERT_NE(loader, nullptr);
-    EXPECT_EQ(loaded.scalar("p", 2).points.loader, loader);
-    EXPECT_EQ(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}).points.loader, loader);
+TEST_P(PagedValuesTest, ViewsOfTheSamePositionsShareTheirLoader) {
+    const auto dataset = open();
+    const FaceMeshView points = dataset->mesh_arrays().points_to_load(0, 0);
+    ASSERT_NE(points.loader, nullptr);
+    EXPECT_EQ(dataset->mesh_arrays().points_to_load(0, 0).loader, points.loader);
+    EXPECT_EQ(dataset->mesh_arrays().numbered_faces(0, 0).loader, points.loader);
 }
 
 // In files without checksums of pages, as earlier versions wrote them, the u64 at offset 128 is zero. The whole array

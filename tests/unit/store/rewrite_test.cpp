@@ -2,6 +2,7 @@
 #include "store/rewrite.hpp"
 
 #include "ciel/mesh_faces.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 #include "support/meshes.hpp"
 #include "support/store_box/box.hpp"
@@ -24,8 +25,8 @@ protected:
     RewriteTest() {
         test::write_box(old, test::box(3, 2, 2));
         Writer writer = Writer::append(old);
-        std::vector<float> moved(writer.before()->points(0, 0).positions.begin(),
-                                 writer.before()->points(0, 0).positions.end());
+        std::vector<float> moved(writer.before()->mesh_arrays().points(0, 0).positions.begin(),
+                                 writer.before()->mesh_arrays().points(0, 0).positions.end());
         for (float& x : moved) x += 0.25F;
         const std::size_t set = writer.add_coordinates(0, moved);
         const std::vector<float> p(36, 4);
@@ -42,10 +43,10 @@ protected:
 };
 
 void expect_same(const Dataset& a, const Dataset& b) {
-    const FaceMeshView mesh = a.mesh(0, 0), other = b.mesh(0, 0);
+    const FaceMeshView mesh = a.mesh_arrays().all_faces(0, 0), other = b.mesh_arrays().all_faces(0, 0);
     EXPECT_TRUE(same_cells(Topology(mesh), Topology(other)));
     EXPECT_THAT(other.positions, ElementsAreArray(mesh.positions));
-    EXPECT_THAT(b.points(0, 1).positions, ElementsAreArray(a.points(0, 1).positions));
+    EXPECT_THAT(b.mesh_arrays().points(0, 1).positions, ElementsAreArray(a.mesh_arrays().points(0, 1).positions));
     EXPECT_THAT(b.original_cell(0), ElementsAreArray(a.original_cell(0)));
     EXPECT_EQ(b.info().source, a.info().source);
     EXPECT_EQ(b.info().meshes[0].bounds, a.info().meshes[0].bounds);
@@ -101,7 +102,7 @@ TEST_F(RewriteTest, KeepsTheNumbersOfFaces) {
         writer.finish();
         (void)rewrite(first, second, false, [](double) {});
         const auto a = Dataset::open(first), b = Dataset::open(second);
-        const FaceMeshView faces = a->numbered_faces(0, 0), again = b->numbered_faces(0, 0);
+        const FaceMeshView faces = a->mesh_arrays().numbered_faces(0, 0), again = b->mesh_arrays().numbered_faces(0, 0);
         EXPECT_THAT(again.owner, ElementsAreArray(faces.owner)) << named.name;
         EXPECT_THAT(again.neighbour, ElementsAreArray(faces.neighbour)) << named.name;
         for (Index face = 0; face < faces.face_count(); ++face) {
@@ -135,8 +136,8 @@ TEST_F(RewriteTest, AMeshThatIsAddedMakesItFormat2) {
     const auto dataset = Dataset::open(old);
     EXPECT_EQ(dataset->info().format_version, 2);
     EXPECT_NO_THROW(dataset->verify());
-    EXPECT_EQ(dataset->boundary(0, 0).face_count(), 32U);
-    EXPECT_EQ(dataset->boundary(1, 0).face_count(), 6U);
+    EXPECT_EQ(dataset->mesh_arrays().boundary(0, 0).face_count(), 32U);
+    EXPECT_EQ(dataset->mesh_arrays().boundary(1, 0).face_count(), 6U);
 }
 
 TEST_F(RewriteTest, MayReplaceWhatItReads) {

@@ -1,5 +1,6 @@
 // Data read equals data written: topology, groups, values, missing values, moved meshes, remeshing, appended steps.
 #include "ciel/mesh_faces.hpp"
+#include "store/mesh_arrays.hpp"
 #include "store/no_value.hpp"
 #include "support/store_box/box.hpp"
 
@@ -28,7 +29,7 @@ TEST(RoundTrip, TopologyIsTheSame) {
     const Folder scratch;
     const FaceMesh mesh = box(3, 2, 2);
     const auto dataset = written_box(scratch, mesh);
-    const FaceMeshView view = dataset->mesh(0, 0);
+    const FaceMeshView view = dataset->mesh_arrays().all_faces(0, 0);
     EXPECT_THAT(view.positions, ElementsAreArray(mesh.positions));
     EXPECT_THAT(view.cell_types, ElementsAreArray(mesh.cell_types));
     EXPECT_TRUE(same_cells(dataset->topology(0), Topology(mesh.view())));
@@ -268,13 +269,13 @@ TEST(RoundTrip, MovingMeshAndRemeshing) {
     ASSERT_EQ(dataset->info().meshes.size(), 2U);
     EXPECT_EQ(dataset->steps()[1].coordinates, 1U);
     EXPECT_EQ(dataset->steps()[2].mesh, 1U);
-    EXPECT_THAT(dataset->mesh(0, 1).positions, ElementsAreArray(moved));
-    EXPECT_EQ(dataset->mesh(1, 0).origin, fine.origin);
+    EXPECT_THAT(dataset->mesh_arrays().all_faces(0, 1).positions, ElementsAreArray(moved));
+    EXPECT_EQ(dataset->mesh_arrays().all_faces(1, 0).origin, fine.origin);
     EXPECT_THAT(dataset->info().meshes[0].bounds, ElementsAre(0, 2, 0, 2, 0, 2));
     EXPECT_DOUBLE_EQ(dataset->info().meshes[1].bounds[1], 500002.125);
     EXPECT_THAT(dataset->values("p", 2), ElementsAreArray(p2));
-    EXPECT_THROW((void)dataset->mesh(0, 2), Error);
-    EXPECT_THROW((void)dataset->mesh(2, 0), Error);
+    EXPECT_THROW((void)dataset->mesh_arrays().all_faces(0, 2), Error);
+    EXPECT_THROW((void)dataset->mesh_arrays().all_faces(2, 0), Error);
 }
 
 TEST(Append, AStepIsSeenByRefreshedOnly) {
@@ -316,7 +317,8 @@ TEST(Append, AMovedMeshAndANewMeshCome) {
     writer.add_step(2, 0, coordinates, std::vector<ArrayValues>{{info, p}});
     const auto moving = dataset->refreshed();
     ASSERT_NE(moving, nullptr);
-    EXPECT_THAT(moving->mesh(0, moving->steps().back().coordinates).positions, ElementsAreArray(moved));
+    EXPECT_THAT(moving->mesh_arrays().all_faces(0, moving->steps().back().coordinates).positions,
+                ElementsAreArray(moved));
     const auto mesh = writer.add_mesh(box(1, 1, 1), identity(8), identity(1), {});
     EXPECT_EQ(moving->refreshed(), nullptr) << "a mesh without a step is not there yet";
     writer.add_step(3, mesh, 0, std::vector<ArrayValues>{{info, q}});

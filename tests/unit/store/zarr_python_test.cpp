@@ -1,5 +1,6 @@
 // zarr-python reads a dataset of the store, and appends a step that an open dataset finds.
 #include "store/format/zarr_array.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/store_box/box.hpp"
 
 #include <cstdlib>
@@ -28,14 +29,14 @@ TEST(Zarr, PythonReadsAndAppends) {
     EXPECT_THAT(now->values("p", 3), testing::ElementsAreArray(expected));
     EXPECT_THAT(now->steps()[3].arrays.at("p").range, testing::ElementsAre(100, 126)) << "found by the reader";
     EXPECT_TRUE(now->values("U", 3).empty());
-    EXPECT_EQ(now->points(0, now->steps()[3].coordinates).positions[0], 1) << "moved";
+    EXPECT_EQ(now->mesh_arrays().points(0, now->steps()[3].coordinates).positions[0], 1) << "moved";
 
     Writer writer = Writer::append(directory); // appends after a step that zarr-python wrote
     const ArrayInfo info{"p", Association::point, 1, "Pa", ""};
     writer.add_step(2.0, 0, 0, std::vector<ArrayValues>{{info, expected}});
     const auto later = now->refreshed();
     EXPECT_THAT(later->values("p", 4), testing::ElementsAreArray(expected));
-    EXPECT_EQ(later->points(0, 1).positions[0], 1) << "what came by plain Zarr is kept";
+    EXPECT_EQ(later->mesh_arrays().points(0, 1).positions[0], 1) << "what came by plain Zarr is kept";
 }
 
 TEST(Zarr, ABareNaNOfZarrPython3IsRead) {

@@ -10,7 +10,9 @@
 
 namespace ciel {
 
-class Propagation; // propagation.hpp
+namespace detail {
+class Propagation; // src/extraction/propagation.hpp
+}
 
 // The cut of one block at one value. A point on an edge that two blocks share is in the cuts of both blocks. Some
 // points may belong to no polygon, if cells were skipped or have collapsed.
@@ -37,9 +39,9 @@ using OnCut = std::function<void(std::size_t value, Index block, const BlockPoly
 // Buffers of a sweep. If a sweep is repeated with the same object, it allocates no memory. The buffers never shrink.
 // Only one sweep at a time may use an object.
 struct SweepScratch {
-    std::shared_ptr<Propagation> propagation; // used with Algorithm::propagation only
-    std::vector<std::size_t> order;           // indices of the values, in ascending order of the values
-    std::vector<Index> reached;               // blocks that may have active cells at the current value of propagation
+    std::shared_ptr<detail::Propagation> propagation; // used with Algorithm::propagation only
+    std::vector<std::size_t> order;                   // indices of the values, in ascending order of the values
+    std::vector<Index> reached; // blocks that may have active cells at the current value of propagation
 };
 
 // Cuts the mesh at all values and calls `on_cut` with each cut. The values may be in any order, and may be outside the

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // A vertex is high if its value is >= the iso-value nu. The cut is valid while the same vertices are high, unless
 // `decided` is set. The next cut reuses the buffers.
@@ -37,4 +37,4 @@ struct ActiveBlock {
     }
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -11,6 +11,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 void add_face(std::span<const Index> loop, Index owner, Index neighbour, FaceLists& lists) {

@@ -31,7 +31,7 @@
 #include <variant>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Number of different 16-bit local ids.
 inline constexpr std::size_t local_ids = std::size_t{1} << 16;
@@ -255,4 +255,4 @@ template <template <class> class Array>
     });
 }
 
-} // namespace ciel
+} // namespace ciel::detail

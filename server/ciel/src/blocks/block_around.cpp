@@ -1,6 +1,6 @@
 #include "blocks/block_around.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin) {
     return around.with([&](const auto& all) {
@@ -13,4 +13,4 @@ Index first_entry_from(const Block& block, const BlockAround& around, Index loca
     });
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace ciel {
+namespace ciel::detail {
 
 template <class Local, template <class> class Array = Viewed>
 struct AroundArrays {
@@ -62,4 +62,4 @@ template <class Local>
 // Returns the first entry of the vertex from `begin` on, or end_of_list, which is greater than all entries.
 [[nodiscard]] Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 BuiltBlock BlockBuilder::build(Index cell_begin, Index cell_end) {
     loops_.gather(cell_begin, cell_end);
@@ -185,4 +185,4 @@ void BlockBuilder::list_entries(const BlockOf<Owned>& block, BlockAroundOf<Owned
         link(block.standard[i].vertex, around.next_entry[i], block.standard[i].entry_begin);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

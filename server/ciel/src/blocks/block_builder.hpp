@@ -6,7 +6,7 @@
 #include "blocks/block_mates.hpp"
 #include "blocks/recognise.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // A block that is not yet linked to other blocks, with tables that only link_blocks needs.
 struct BuiltBlock {
@@ -64,4 +64,4 @@ template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor);
 
-} // namespace ciel
+} // namespace ciel::detail

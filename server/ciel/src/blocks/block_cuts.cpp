@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace ciel {
+namespace ciel::detail {
 
 void BlockCuts::keep(std::span<const Index> blocks) {
     const auto is_used = [&](Index b) { return std::ranges::binary_search(blocks, b); };
@@ -45,4 +45,4 @@ std::size_t BlockCuts::memory_bytes() const {
     return sum;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

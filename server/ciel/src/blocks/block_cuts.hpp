@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Keeps the cuts of the N blocks that the current surface crosses, and at most max(N, always_kept) cuts of other blocks
 // that earlier surfaces crossed. Not thread-safe, but several threads may use different blocks at the same time.
@@ -34,4 +34,4 @@ private:
     std::vector<Index> left_; // other blocks with a cut, in the order in which the surface left them
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -368,4 +368,4 @@ void link_blocks(const FaceMeshView& mesh, std::vector<BuiltBlock>& built, Topol
     Linker(mesh, built, out).run();
 }
 
-} // namespace ciel
+} // namespace ciel::detail

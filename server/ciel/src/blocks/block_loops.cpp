@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace ciel {
+namespace ciel::detail {
 
 BlockLoops::BlockLoops(const FaceMeshView& whole, const CellFaces& faces) : mesh(whole), faces_(faces) {}
 
@@ -151,4 +151,4 @@ Index BlockLoops::edge_between(Index low, Index high) {
     return created;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

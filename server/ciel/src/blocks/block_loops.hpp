@@ -6,7 +6,7 @@
 
 #include <unordered_map>
 
-namespace ciel {
+namespace ciel::detail {
 
 // One side of a face, stored as 2 * loop + side. Side 0 runs along the stored loop, side 1 against the stored loop.
 using LoopRef = Index;
@@ -73,4 +73,4 @@ private:
     std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, after the first 64
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -1,6 +1,6 @@
 #include "blocks/block_mates.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 template <class Local, template <class> class Array>
 Index MateArrays<Local, Array>::mate(const PolyhedralSection<Local, Array>& polyhedra, Index h) const {
@@ -45,4 +45,4 @@ HalfEdge BlockMates::twin(Index i) const {
         arrays);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace ciel {
+namespace ciel::detail {
 
 // The upper 32 bits of a HalfEdge are the number of its block. The lower 32 bits are its local number in the block.
 [[nodiscard]] inline HalfEdge half_edge_in(Index block, Index local) {
@@ -66,4 +66,4 @@ decltype(auto) with_mates(const Block& block, const BlockMates& mates, F&& f) {
     });
 }
 
-} // namespace ciel
+} // namespace ciel::detail

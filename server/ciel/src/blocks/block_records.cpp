@@ -3,7 +3,7 @@
 #include <iterator>
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -308,4 +308,4 @@ BlockMates view_mates(std::span<const std::byte> bytes, Index number, const Bloc
     return mates;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

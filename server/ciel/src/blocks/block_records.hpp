@@ -7,7 +7,7 @@
 #include "blocks/block_mates.hpp"
 #include "blocks/record.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // The first four lists have one entry per block, and at the end the first unused id.
 struct BlockNumbers {
@@ -31,4 +31,4 @@ struct BlockNumbers {
 [[nodiscard]] BlockMates view_mates(std::span<const std::byte> record, Index number, const BlockNumbers& numbers,
                                     const Block& block);
 
-} // namespace ciel
+} // namespace ciel::detail

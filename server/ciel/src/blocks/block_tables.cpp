@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -74,4 +74,4 @@ void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, Topolo
             refuse("a block owns more vertices than it has");
 }
 
-} // namespace ciel
+} // namespace ciel::detail

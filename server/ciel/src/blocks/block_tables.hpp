@@ -3,7 +3,7 @@
 
 #include "blocks/block_records.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Returns a record of the kind "tabl". Section 1 has the members of TopologyCounts (u64). Sections 2 to 5 have one
 // number per block and one more at the end (u64). 2: first cell; 3: first owned vertex; 4: first owned edge; 5: sum of
@@ -13,4 +13,4 @@ namespace ciel {
 // Throws Error when the tables contradict each other or a number needs more than 32 bits.
 void read_tables(std::span<const std::byte> bytes, BlockNumbers& numbers, TopologyCounts& counts);
 
-} // namespace ciel
+} // namespace ciel::detail

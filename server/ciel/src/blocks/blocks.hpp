@@ -5,7 +5,7 @@
 #include "blocks/block_records.hpp"
 #include "blocks/touched.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 struct BlockVertex {
     Index block, vertex;
@@ -13,89 +13,6 @@ struct BlockVertex {
 
 struct BorderVertex {
     Index block, place; // place: index in border_vertex of the block
-};
-
-struct Topology::Blocks {
-    BlockNumbers numbers;
-    TopologyCounts counts;
-    std::unique_ptr<RecordSource> source;
-
-    // Call once, after `numbers` and `source` are set.
-    void begin();
-    [[nodiscard]] Index count() const { return static_cast<Index>(numbers.block_count()); }
-    [[nodiscard]] Index slot_count() const { return numbers.slot.empty() ? 0 : numbers.slot.back(); }
-    // Return the views of a block's records. The first call for a block reads the record and, if the source is not
-    // trusted, checks it. Throw the exceptions of the source, and Error if a record is damaged.
-    [[nodiscard]] const Block& cells(Index b) const {
-        return cells_.of(b, [&] { return read_cells(b); });
-    }
-    [[nodiscard]] const BlockAround& around(Index b) const {
-        return around_.of(b, [&] { return read_around(b); });
-    }
-    [[nodiscard]] const BlockMates& mates(Index b) const {
-        return mates_.of(b, [&] { return read_mates(b); });
-    }
-    [[nodiscard]] std::size_t memory_bytes() const;
-
-    [[nodiscard]] Index block_of_cell(Index cell) const;
-    // Returns the block that owns the vertex, and the local id there; {none, none} if no cell has the vertex.
-    [[nodiscard]] BlockVertex first_with(Index vertex) const;
-    // `start`: block in which the walk around the ring began. Throws Error if a damaged ring does not lead to `start`.
-    [[nodiscard]] BorderVertex next_in_ring(BorderVertex at, Index start) const {
-        const BlockAround& here = around(at.block);
-        const auto next = here.with([&](const auto& all) {
-            const Index block =
-                at.place < all.border_block.size() ? Index{read_once(all.border_block[at.place])} : none;
-            if (block >= here.neighbour.size())
-                refuse_changed("a border vertex leads to a block that is not a neighbor");
-            return BorderVertex{here.neighbour[block], read_once(all.border_place[at.place])};
-        });
-        if (!is_trusted_) check_ring(at, next, start);
-        return next;
-    }
-    // Returns the local id of a border vertex. Throws Error if a changed record leads beyond the vertices of the block.
-    [[nodiscard]] Index vertex_at(BorderVertex at) const {
-        const Index vertex = around(at.block).with([&](const auto& all) {
-            return at.place < all.border_vertex.size() ? Index{read_once(all.border_vertex[at.place])} : none;
-        });
-        if (vertex >= cells(at.block).vertex_count)
-            refuse_changed("a border vertex leads to a vertex that does not exist");
-        return vertex;
-    }
-    // Returns the first half-edge that leaves the vertex; no_half_edge if only collapsed faces have the vertex.
-    [[nodiscard]] HalfEdge first_at(BlockVertex at) const;
-    // Returns the first half-edge at `entry` that leaves the vertex; for end_of_list, calls first_after_block.
-    [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // Searches the ring from the block after at.block to at.block itself. May return no_half_edge.
-    [[nodiscard]] HalfEdge first_after_block(BlockVertex at) const;
-    // Throws Error if the half-edge does not exist: the record has changed, or the caller passed an invalid one.
-    struct Place {
-        const Block& block;
-        Index number, local;
-    };
-    [[nodiscard]] Place place_of(HalfEdge h) const {
-        const Index b = block_of(h), local = local_of(h);
-        if (b >= cells_.size()) [[unlikely]]
-            refuse_half_edge();
-        const Block& block = cells(b);
-        if (local >= block.half_edge_count) [[unlikely]]
-            refuse_half_edge();
-        return {block, b, local};
-    }
-    // Returns the half-edge that is `steps` before h in its face. `face_size`: number of half-edges of the face.
-    [[nodiscard]] HalfEdge turn_back(HalfEdge h, Index steps, Index face_size) const;
-
-private:
-    [[nodiscard]] Block read_cells(Index b) const;
-    [[nodiscard]] BlockAround read_around(Index b) const;
-    [[nodiscard]] BlockMates read_mates(Index b) const;
-    void check_ring(BorderVertex at, BorderVertex next, Index start) const;
-    [[noreturn]] static void refuse_half_edge();
-
-    Touched<Block> cells_;
-    Touched<BlockAround> around_;
-    Touched<BlockMates> mates_;
-    bool is_trusted_ = true;
 };
 
 // Ensures that a walk from half-edge to half-edge ends, even if the records change.
@@ -116,6 +33,93 @@ public:
 private:
     std::uint64_t most_, steps_ = 0, next_ = 8;
     HalfEdge seen_ = no_half_edge;
+};
+
+} // namespace ciel::detail
+
+namespace ciel {
+
+struct Topology::Blocks {
+    detail::BlockNumbers numbers;
+    TopologyCounts counts;
+    std::unique_ptr<RecordSource> source;
+
+    // Call once, after `numbers` and `source` are set.
+    void begin();
+    [[nodiscard]] Index count() const { return static_cast<Index>(numbers.block_count()); }
+    [[nodiscard]] Index slot_count() const { return numbers.slot.empty() ? 0 : numbers.slot.back(); }
+    // Return the views of a block's records. The first call for a block reads the record and, if the source is not
+    // trusted, checks it. Throw the exceptions of the source, and Error if a record is damaged.
+    [[nodiscard]] const detail::Block& cells(Index b) const {
+        return cells_.of(b, [&] { return read_cells(b); });
+    }
+    [[nodiscard]] const detail::BlockAround& around(Index b) const {
+        return around_.of(b, [&] { return read_around(b); });
+    }
+    [[nodiscard]] const detail::BlockMates& mates(Index b) const {
+        return mates_.of(b, [&] { return read_mates(b); });
+    }
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    [[nodiscard]] Index block_of_cell(Index cell) const;
+    // Returns the block that owns the vertex, and the local id there; {none, none} if no cell has the vertex.
+    [[nodiscard]] detail::BlockVertex first_with(Index vertex) const;
+    // `start`: block in which the walk around the ring began. Throws Error if a damaged ring does not lead to `start`.
+    [[nodiscard]] detail::BorderVertex next_in_ring(detail::BorderVertex at, Index start) const {
+        const detail::BlockAround& here = around(at.block);
+        const auto next = here.with([&](const auto& all) {
+            const Index block =
+                at.place < all.border_block.size() ? Index{detail::read_once(all.border_block[at.place])} : none;
+            if (block >= here.neighbour.size())
+                detail::refuse_changed("a border vertex leads to a block that is not a neighbor");
+            return detail::BorderVertex{here.neighbour[block], detail::read_once(all.border_place[at.place])};
+        });
+        if (!is_trusted_) check_ring(at, next, start);
+        return next;
+    }
+    // Returns the local id of a border vertex. Throws Error if a changed record leads beyond the vertices of the block.
+    [[nodiscard]] Index vertex_at(detail::BorderVertex at) const {
+        const Index vertex = around(at.block).with([&](const auto& all) {
+            return at.place < all.border_vertex.size() ? Index{detail::read_once(all.border_vertex[at.place])} : none;
+        });
+        if (vertex >= cells(at.block).vertex_count)
+            detail::refuse_changed("a border vertex leads to a vertex that does not exist");
+        return vertex;
+    }
+    // Returns the first half-edge that leaves the vertex; no_half_edge if only collapsed faces have the vertex.
+    [[nodiscard]] HalfEdge first_at(detail::BlockVertex at) const;
+    // Returns the first half-edge at `entry` that leaves the vertex; for end_of_list, calls first_after_block.
+    [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
+    // Searches the ring from the block after at.block to at.block itself. May return no_half_edge.
+    [[nodiscard]] HalfEdge first_after_block(detail::BlockVertex at) const;
+    // Throws Error if the half-edge does not exist: the record has changed, or the caller passed an invalid one.
+    struct Place {
+        const detail::Block& block;
+        Index number, local;
+    };
+    [[nodiscard]] Place place_of(HalfEdge h) const {
+        const Index b = detail::block_of(h), local = detail::local_of(h);
+        if (b >= cells_.size()) [[unlikely]]
+            refuse_half_edge();
+        const detail::Block& block = cells(b);
+        if (local >= block.half_edge_count) [[unlikely]]
+            refuse_half_edge();
+        return {block, b, local};
+    }
+    // Returns the half-edge that is `steps` before h in its face. `face_size`: number of half-edges of the face.
+    [[nodiscard]] HalfEdge turn_back(HalfEdge h, Index steps, Index face_size) const;
+
+private:
+    [[nodiscard]] detail::Block read_cells(Index b) const;
+    [[nodiscard]] detail::BlockAround read_around(Index b) const;
+    [[nodiscard]] detail::BlockMates read_mates(Index b) const;
+    void check_ring(detail::BorderVertex at, detail::BorderVertex next, Index start) const;
+    [[noreturn]] static void refuse_half_edge();
+
+    detail::Touched<detail::Block> cells_;
+    detail::Touched<detail::BlockAround> around_;
+    detail::Touched<detail::BlockMates> mates_;
+    bool is_trusted_ = true;
 };
 
 } // namespace ciel

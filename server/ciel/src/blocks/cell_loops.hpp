@@ -3,7 +3,7 @@
 
 #include "blocks/block.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // The faces of one or more cells as loops. Each loop is wound outwards from its cell and has mesh-wide vertex ids.
 struct CellLoops {
@@ -95,4 +95,4 @@ inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
     block.with(find_in);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -307,4 +307,4 @@ void check_mates(const Block& block, const BlockMates& mates, Index number, cons
     });
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ciel {
+namespace ciel::detail {
 
 InnerFaces::InnerFaces(const Topology& topology, const BlockBoxes& boxes, std::span<const std::uint8_t> kept)
     : topology_(topology), blocks_(topology.blocks()), boxes_(boxes), kept_(kept), has_(blocks_.count()) {
@@ -112,4 +112,4 @@ bool InnerFaces::ends_at(HalfEdge h) const {
     return of_block == Has::no_cell || (of_block == Has::some && kept_[topology_.cell(mate)] == 0);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

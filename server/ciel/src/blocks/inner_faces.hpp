@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace ciel {
+namespace ciel::detail {
 
 // The faces between a kept cell and a cell that is not kept. `kept`: one flag per cell. boxes: the result of
 // block_boxes for the positions. The arguments must outlive the object.
@@ -41,4 +41,4 @@ private:
     std::vector<Has> has_; // by block
 };
 
-} // namespace ciel
+} // namespace ciel::detail

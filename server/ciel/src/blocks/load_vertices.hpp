@@ -4,7 +4,7 @@
 #include "blocks/block.hpp"
 #include "ciel/value_source.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Call it before the positions are read. `loader`: FaceMeshView::loader; null if all positions are ready.
 inline void load_vertices(const VertexLoader* loader, Index b, const Block& block) {
@@ -15,4 +15,4 @@ inline void load_vertices(const VertexLoader* loader, Index b, const Block& bloc
     loader->set_has_block(b);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

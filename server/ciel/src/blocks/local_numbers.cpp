@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -54,4 +54,4 @@ void LocalNumbers::grow() {
         if (slot.id != none) hashed_[slot_of(slot.id)] = slot;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

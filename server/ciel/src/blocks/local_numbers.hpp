@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Not thread-safe. Reused for many blocks.
 class LocalNumbers {
@@ -41,4 +41,4 @@ private:
     std::vector<Index> added_;  // ids in hashed_
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -3,7 +3,7 @@
 
 #include "blocks/block.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Handles the cells of many sections with the same buffers. Each thread needs its own object.
 class HalfEdgePairs {
@@ -87,4 +87,4 @@ private:
     std::vector<Index> touched_; // local edges of the cell
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -176,4 +176,4 @@ template void fill_polyhedra<std::uint16_t>(const BlockLoops&, std::span<const I
 template void fill_polyhedra<std::uint32_t>(const BlockLoops&, std::span<const Index>, BuiltBlock&,
                                             std::span<std::array<Index, 2>>);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -104,4 +104,4 @@ template bool recognise<hexahedron_shape>(const BlockLoops&, Index, StandardCell
 template bool recognise<wedge_shape>(const BlockLoops&, Index, StandardCell&);
 template bool recognise<pyramid_shape>(const BlockLoops&, Index, StandardCell&);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -5,7 +5,7 @@
 #include "blocks/block_loops.hpp"
 #include "mesh/standard_shapes.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 struct StandardCell {
     std::array<Index, 8> corner{}; // local vertex of each corner of the shape
@@ -17,4 +17,4 @@ struct StandardCell {
 template <const StandardShape& shape>
 [[nodiscard]] bool recognise(const BlockLoops& loops, Index local_cell, StandardCell& out);
 
-} // namespace ciel
+} // namespace ciel::detail

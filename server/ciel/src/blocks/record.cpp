@@ -6,7 +6,7 @@
 
 static_assert(std::endian::native == std::endian::little, "records are little-endian");
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::span<const std::byte> RecordView::find(std::uint16_t id, std::size_t elemen
     return bytes_.subspan(std::size_t{found->offset} * word, std::size_t{found->element} * found->count);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

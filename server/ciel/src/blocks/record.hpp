@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 using RecordBytes = std::vector<std::uint64_t>; // 64-bit words, so that the bytes are aligned
 
@@ -85,4 +85,4 @@ template <class T>
 // Throws Error with the message that a record changed while it was used. `what`: the contradiction in the record.
 [[noreturn]] void refuse_changed(const char* what);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -12,6 +12,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 // A block gets fewer than `cells_per_block` cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits).

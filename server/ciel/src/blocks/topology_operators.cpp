@@ -6,6 +6,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 // A half-edge of a standard section: index of its cell in the section, and its number in the shape.

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <memory>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Thread-safe.
 template <class View>
@@ -54,4 +54,4 @@ private:
     mutable std::array<Mutex, 16> making_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 // For surfaces whose points are shared between blocks. Polygons store local edge ids.
 class SharedEdges {
@@ -57,4 +57,4 @@ private:
     Index next_; // before_ + the number of points so far
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::size_t AdoptedEdges::memory_bytes() const {
     return count * sizeof(Edge) + found_.capacity() * sizeof(std::vector<Edge>);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -5,7 +5,7 @@
 
 #include "extraction/cutter.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // The object is reused for each surface. Not thread-safe.
 class AdoptedEdges {
@@ -32,4 +32,4 @@ private:
     std::vector<std::vector<Edge>> found_; // by index in Cutter::active(): the edges found in that block
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -10,6 +10,10 @@
 
 namespace ciel {
 
+using detail::append_without_repeats;
+using detail::CellLoops;
+using detail::for_cells;
+
 namespace {
 
 bool is_ambiguous(std::span<const Index> loop, ValuesView values) {

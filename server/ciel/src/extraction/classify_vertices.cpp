@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Vectorized, because this loop visits every vertex of a block.
 CIEL_FOR_ALL_VECTOR_UNITS void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high) {
@@ -42,4 +42,4 @@ bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBl
     return same;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

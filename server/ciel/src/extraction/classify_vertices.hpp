@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Sets high[i] to 1 if values[i] >= threshold, else to 0. `high` must not overlap `values`.
 void mark_high(const float* values, std::size_t count, float threshold, std::uint8_t* high);
@@ -24,4 +24,4 @@ inline std::uint64_t bits_of(const std::uint8_t* bytes) {
     return word * 0x0102040810204080U >> 56;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

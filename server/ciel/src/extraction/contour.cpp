@@ -11,6 +11,10 @@
 #include <string>
 
 namespace ciel {
+
+using detail::PerItem;
+using detail::StoredValues;
+
 namespace {
 
 void name_as_given(const Mesh& mesh, std::span<EdgePoint> points, std::span<Index> cells) {

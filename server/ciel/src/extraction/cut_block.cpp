@@ -7,7 +7,7 @@
 #include <cstring>
 #include <numeric>
 
-namespace ciel {
+namespace ciel::detail {
 
 CutScratch& scratch_of_this_thread() {
     static thread_local CutScratch scratch;
@@ -318,4 +318,4 @@ void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const 
     check_cut(block, scratch.met_count, cut);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include "ciel/decider.hpp"
 #include "fields/cell_ranges.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // One object for each thread. The buffers have room for all 16-bit ids, because a record may change (block.hpp).
 struct CutScratch {
@@ -86,4 +86,4 @@ template <class Edges, class Local>
 void cut_polyhedra(const PolyhedralSection<Local>& section, const BlockValues& in, CutScratch& scratch,
                    ActiveBlock& cut);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -363,4 +363,4 @@ template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint16_t>&, c
 template void cut_polyhedra<MetEdges>(const PolyhedralSection<std::uint32_t>&, const BlockValues&, CutScratch&,
                                       ActiveBlock&);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -130,4 +130,4 @@ void cut_standard(const StandardSection& section, const BlockValues& in, CutScra
 template void cut_standard<SharedEdges>(const StandardSection&, const BlockValues&, CutScratch&, ActiveBlock&);
 template void cut_standard<MetEdges>(const StandardSection&, const BlockValues&, CutScratch&, ActiveBlock&);
 
-} // namespace ciel
+} // namespace ciel::detail

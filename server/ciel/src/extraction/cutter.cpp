@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 void Cutter::set_blocks(std::optional<std::span<const Index>> blocks) {
     std::vector<std::uint8_t> has(blocks ? cut_.size() : 0);
@@ -19,4 +19,4 @@ std::size_t Cutter::memory_bytes() const {
     return cut_.memory_bytes() + active_.capacity() * sizeof(Index) + has_.capacity();
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Not thread-safe. The topology and the current field must outlive the Cutter.
 class Cutter {
@@ -48,4 +48,4 @@ private:
 // The paper's baseline: visits every cell for each nu. Blocks run in parallel.
 [[nodiscard]] std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Returns the position of nu between two values: 0 at `from`, 1 at `to`, clamped to [0, 1]. All points are made with
 // this function, so that the point of an edge has the same bits wherever it is made. Returns 0 where the division gives
@@ -33,4 +33,4 @@ template <class Number>
     return {along(0), along(1), along(2)};
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-namespace ciel {
+namespace ciel::detail {
 
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
@@ -36,4 +36,4 @@ void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& 
     }
 }
 
-} // namespace ciel
+} // namespace ciel::detail

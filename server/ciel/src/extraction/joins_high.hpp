@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace ciel {
+namespace ciel::detail {
 
 // `n`: number of corners of the face. value(i): the value of corner i. REQUIRES: around the face, high and low change
 // at least four times. In a quadrangle, the result does not depend on the first corner and the direction, so both cells
@@ -21,4 +21,4 @@ template <class Value>
     return sum >= nu * static_cast<double>(n);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

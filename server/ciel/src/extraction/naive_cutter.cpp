@@ -4,7 +4,7 @@
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -41,4 +41,4 @@ private:
 
 std::unique_ptr<Cutter> make_naive_cutter(const Topology& topology) { return std::make_unique<NaiveCutter>(topology); }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -4,7 +4,7 @@
 #include "ciel/extract.hpp"
 #include "ciel/vectors.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 [[nodiscard]] inline std::span<const Index> polygon(const Surface& surface, std::size_t i) {
     const Index begin = surface.polygon_offset[i];
@@ -25,4 +25,4 @@ namespace ciel {
     return sum;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

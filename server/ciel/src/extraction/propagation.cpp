@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::size_t Propagation::memory_bytes() const {
     return bytes;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include "ciel/field.hpp"
 #include "ciel/threads.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Not thread-safe, except `settle`.
 class Propagation {
@@ -58,4 +58,4 @@ private:
     std::vector<std::uint8_t> is_stale_;    // by block: 1 if nu has passed a vertex since the last settle
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::unique_ptr<Cutter> make_propagation_cutter(const Topology& topology) {
     return std::make_unique<PropagationCutter>(topology);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -3,6 +3,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 std::unique_ptr<Cutter> make_cutter(Algorithm algorithm, const Topology& topology) {

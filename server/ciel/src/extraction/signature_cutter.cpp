@@ -4,7 +4,7 @@
 #include "fields/field_data.hpp"
 #include "parallel/grain.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::unique_ptr<Cutter> make_signature_cutter(const Topology& topology) {
     return std::make_unique<SignatureCutter>(topology);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

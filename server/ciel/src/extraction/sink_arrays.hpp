@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Throws Error unless `found` equals `wanted`. `what`: describes the entries of the array in the message.
 inline void require_size(std::size_t found, std::size_t wanted, const char* what) {
@@ -14,4 +14,4 @@ inline void require_size(std::size_t found, std::size_t wanted, const char* what
              std::to_string(found));
 }
 
-} // namespace ciel
+} // namespace ciel::detail

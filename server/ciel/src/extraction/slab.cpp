@@ -16,6 +16,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 // The points of the polygons must be vertices of the SlabMesh already.

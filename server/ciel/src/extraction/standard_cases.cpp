@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -73,4 +73,4 @@ template const std::vector<StandardCase>& standard_cases<hexahedron_shape>();
 template const std::vector<StandardCase>& standard_cases<wedge_shape>();
 template const std::vector<StandardCase>& standard_cases<pyramid_shape>();
 
-} // namespace ciel
+} // namespace ciel::detail

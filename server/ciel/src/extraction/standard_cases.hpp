@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // A corner of a polygon is given as the edge of the shape on which it lies.
 struct StandardCase {
@@ -24,4 +24,4 @@ template <const StandardShape& shape>
 // polygon leaves at the active edge before its entry edge, not after it.
 [[nodiscard]] StandardCase joined_case(const StandardShape& shape, Index high, Index joined);
 
-} // namespace ciel
+} // namespace ciel::detail

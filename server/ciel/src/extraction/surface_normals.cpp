@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -87,4 +87,4 @@ void mend_normals(SurfaceScratch& scratch, Surface& surface) {
             surface.normals[p] = unit(sum[p]);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

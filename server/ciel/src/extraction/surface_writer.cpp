@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -233,4 +233,4 @@ void write_surface(const Topology& topology, const FaceMeshView& mesh, const Fie
     Writer(topology, mesh, field, cutter, nu, normals, scratch, out).run();
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace ciel {
+namespace ciel::detail {
 
 // The polygons and the points of one block in a surface. The polygons are consecutive, and the points are consecutive.
 struct PointRange {
@@ -41,4 +41,4 @@ void write_polygon_normals(SurfaceScratch& scratch, Surface& surface);
 // weighted by area. It replaces a gradient normal that is zero or points against it.
 void mend_normals(SurfaceScratch& scratch, Surface& surface);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -13,6 +13,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 // Reused for many blocks; one object for each thread.

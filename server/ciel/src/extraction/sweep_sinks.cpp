@@ -7,6 +7,11 @@
 #include <algorithm>
 
 namespace ciel {
+
+using detail::join_arrays;
+using detail::join_triangles;
+using detail::require_size;
+
 namespace {
 
 std::size_t triangle_count(const BlockPolygons& cut) { return cut.polygon_point.size() - 2 * cut.polygon_count(); }

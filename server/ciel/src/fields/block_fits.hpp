@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 template <class Local>
 class BlockFits {
@@ -46,4 +46,4 @@ private:
     std::vector<Local> vertex_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

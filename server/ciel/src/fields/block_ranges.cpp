@@ -13,6 +13,8 @@
 
 namespace ciel {
 
+using detail::Block;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

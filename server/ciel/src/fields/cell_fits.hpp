@@ -13,7 +13,7 @@ struct CellFits::Data {
     struct OfBlock {
         Mutex mutex;
         bool has_begun = false;
-        BlockFits<std::uint16_t> fits;
+        detail::BlockFits<std::uint16_t> fits;
         std::size_t counted = 0; // bytes of `fits` that are included in `bytes`
     };
 
@@ -36,6 +36,10 @@ struct CellFits::Data {
         of.counted = of.fits.memory_bytes();
     }
 };
+
+} // namespace ciel
+
+namespace ciel::detail {
 
 // Calls f(fitted). fitted(cell of the section) returns a FittedPolyhedron, which is valid until the next call of
 // `fitted`. `shared` keeps the fits, and is locked for this block while f runs; if null, no fits are kept.
@@ -64,4 +68,4 @@ void with_fits(CellFits::Data* shared, Index b, const Block& block, const Polyhe
     f(fit);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

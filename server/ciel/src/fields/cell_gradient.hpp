@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ciel/vectors.hpp"
+#include "fields/four.hpp"
 #include "mesh/standard_shapes.hpp"
 
 #include <array>
@@ -12,7 +13,7 @@
 #include <cstring>
 #include <span>
 
-namespace ciel {
+namespace ciel::detail {
 
 struct CellGradient {
     Vec3f gradient{}; // units of the value per unit of length
@@ -21,12 +22,12 @@ struct CellGradient {
     double volume = 0;
 };
 
-struct Sample {
-    double x, y, z, value; // position and value; a value of NaN means no value
+// Number, here and below: double, or Four for four cells at once. Shared templates give both the same bits.
+template <class Number>
+struct SampleOf {
+    Number x, y, z, value; // position and value; a value of NaN means no value
 };
-
-// Four doubles in one vector type. An operation takes at most two instructions on any x86-64 or arm64.
-using Four = double __attribute__((vector_size(32)));
+using Sample = SampleOf<double>;
 
 [[nodiscard]] inline Four load(const Sample& sample) {
     Four four;
@@ -34,7 +35,9 @@ using Four = double __attribute__((vector_size(32)));
     return four;
 }
 
-[[nodiscard]] inline Vec3d arm(const Sample& from, const Sample& to) {
+using ciel::arm; // else the overload for samples would hide it
+template <class Number>
+[[nodiscard]] inline std::array<Number, 3> arm(const SampleOf<Number>& from, const SampleOf<Number>& to) {
     return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
@@ -63,13 +66,13 @@ template <class Samples>
         const Four d = load(s) - out.mean;
         std::memcpy(&s, &d, sizeof d);
         out.squares += d * d;
-        out.products += d * __builtin_shufflevector(d, d, 1, 2, 0, 3);
-        out.slopes += d * __builtin_shufflevector(d, d, 3, 3, 3, 3);
+        out.products += d * first_three_rotated(d);
+        out.slopes += d * last_repeated(d);
     }
     return out;
 }
 
-// The inverse of the matrix. It depends on positions only. Number: double, or Four for four cells at once.
+// The inverse of the matrix. It depends on positions only.
 template <class Number>
 struct NormalEquationsOf {
     Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // cofactors of the matrix
@@ -82,7 +85,7 @@ struct NormalEquationsOf {
           zz(a * b - ab * ab) {
         const Number determinant = a * xx + ab * xy + ac * xz;
         const Number size = (a + b + c) / 3.0;
-        inverse_determinant = determinant > 1e-9 * size * size * size ? 1.0 / determinant : Number{};
+        inverse_determinant = inverse_if_above(determinant, 1e-9 * size * size * size);
     }
     // x, y, z: sums of x * value, y * value, z * value over the same samples.
     [[nodiscard]] std::array<Number, 3> gradient(Number x, Number y, Number z) const {
@@ -125,35 +128,57 @@ template <class Samples>
 
 // `samples` are relative to their mean. Returns the volume of the cell: the sum of the volumes of the pyramids from the
 // mean to each face. The area vector of a quadrangle is half the cross product of its diagonals.
-template <const StandardShape& shape>
-[[nodiscard]] inline double standard_volume(const std::array<Sample, shape.corners>& samples) {
-    double six_volumes = 0;
+template <const StandardShape& shape, class Number>
+[[nodiscard]] inline Number standard_volume(const std::array<SampleOf<Number>, shape.corners>& samples) {
+    Number six_volumes{};
     for (std::size_t face = 0; face < shape.faces; ++face) {
         const std::size_t h = shape.face_begin[face];
-        const Sample &a = samples[shape.origin[h]], &b = samples[shape.origin[h + 1]],
-                     &c = samples[shape.origin[h + 2]];
-        const Vec3d area = shape.face_size(face) == 3 ? cross(arm(a, b), arm(a, c))
-                                                      : cross(arm(a, c), arm(b, samples[shape.origin[h + 3]]));
-        six_volumes += dot(Vec3d{a.x, a.y, a.z}, area);
+        const auto &a = samples[shape.origin[h]], &b = samples[shape.origin[h + 1]], &c = samples[shape.origin[h + 2]];
+        const std::array<Number, 3> area = shape.face_size(face) == 3
+                                               ? cross(arm(a, b), arm(a, c))
+                                               : cross(arm(a, c), arm(b, samples[shape.origin[h + 3]]));
+        six_volumes += dot(std::array<Number, 3>{a.x, a.y, a.z}, area);
     }
-    return std::abs(six_volumes) / 6;
+    return absolute(six_volumes) / 6.0;
 }
 
+// Always inlined, for the reason at the top of this file.
+template <class Number>
+struct TetrahedronOf {
+    std::array<Number, 3> bc, ca, ab; // cross products of the arms a, b, c from the first corner
+    Number six_volumes, size;         // signed; sum of the squares of the arms
+    Number u, v, w;                   // values at the ends of the arms, relative to the first corner
+
+    [[gnu::always_inline]] explicit TetrahedronOf(const std::array<SampleOf<Number>, 4>& samples) {
+        const std::array<Number, 3> a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]),
+                                    c = arm(samples[0], samples[3]);
+        bc = cross(b, c);
+        ca = cross(c, a);
+        ab = cross(a, b);
+        six_volumes = dot(a, bc);
+        size = a[0] * a[0] + b[0] * b[0] + c[0] * c[0];
+        size += a[1] * a[1] + b[1] * b[1] + c[1] * c[1];
+        size += a[2] * a[2] + b[2] * b[2] + c[2] * c[2];
+        u = samples[1].value - samples[0].value;
+        v = samples[2].value - samples[0].value;
+        w = samples[3].value - samples[0].value;
+    }
+    [[nodiscard, gnu::always_inline]] auto is_solid() const {
+        return six_volumes * six_volumes > 1e-12 * size * size * size;
+    }
+    [[nodiscard, gnu::always_inline]] std::array<Number, 3> gradient() const {
+        const Number share = 1.0 / six_volumes;
+        return {(u * bc[0] + v * ca[0] + w * ab[0]) * share, (u * bc[1] + v * ca[1] + w * ab[1]) * share,
+                (u * bc[2] + v * ca[2] + w * ab[2]) * share};
+    }
+};
+
 [[nodiscard]] inline CellGradient tetrahedron_gradient(const std::array<Sample, 4>& samples) {
-    const Vec3d a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]), c = arm(samples[0], samples[3]);
-    const Vec3d bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const double six_volumes = dot(a, bc);
-    double size = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) size += a[axis] * a[axis] + b[axis] * b[axis] + c[axis] * c[axis];
-    const double u = samples[1].value - samples[0].value, v = samples[2].value - samples[0].value,
-                 w = samples[3].value - samples[0].value;
-    if (!std::isfinite(u + v + w)) return {};
-    if (!(six_volumes * six_volumes > 1e-12 * size * size * size)) return stretched_tetrahedron_gradient(samples);
-    const double share = 1 / six_volumes;
-    return {{static_cast<float>((u * bc[0] + v * ca[0] + w * ab[0]) * share),
-             static_cast<float>((u * bc[1] + v * ca[1] + w * ab[1]) * share),
-             static_cast<float>((u * bc[2] + v * ca[2] + w * ab[2]) * share)},
-            std::abs(six_volumes) / 6};
+    const TetrahedronOf<double> cell(samples);
+    if (!std::isfinite(cell.u + cell.v + cell.w)) return {};
+    if (!cell.is_solid()) return stretched_tetrahedron_gradient(samples);
+    const auto [x, y, z] = cell.gradient();
+    return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, absolute(cell.six_volumes) / 6};
 }
 
 // `samples`: one sample per corner, in the order of the shape. They are overwritten.
@@ -168,4 +193,4 @@ template <const StandardShape& shape>
     }
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -13,6 +13,9 @@
 #include <numbers>
 
 namespace ciel {
+
+using namespace detail;
+
 namespace {
 
 constexpr double rounding = 1e-6; // tolerance for a result of `winding`

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::span<const CellRanges::Range> CellRanges::of(const Block& block, Index b, V
     return ranges_[b];
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <memory>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Thread-safe. The ranges of a block are built at its second cut: a field that is shown once does not need them.
 class CellRanges {
@@ -28,4 +28,4 @@ private:
     std::vector<std::vector<Range>> ranges_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -11,6 +11,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 void mark(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }

@@ -14,6 +14,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 Field::Field(const Topology& topology, ValuesView values, std::shared_ptr<const void> keep_alive)
     : Field(topology, values, block_ranges(topology, values), std::move(keep_alive)) {}
 

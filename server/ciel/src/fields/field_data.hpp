@@ -13,19 +13,19 @@
 namespace ciel {
 
 struct Field::Data {
-    std::optional<Mesh> mesh;                  // nullopt if the field was made from a topology
-    std::optional<Topology> topology;          // set by begin()
-    mutable ValuesView values;                 // of all vertices; if `source` is set, empty until read_all
-    std::shared_ptr<const ValueSource> source; // null if the values are in memory or computed
-    std::optional<PlaneDistance> plane;        // if set, values are computed from it, and `values` is empty
+    std::optional<Mesh> mesh;                   // nullopt if the field was made from a topology
+    std::optional<Topology> topology;           // set by begin()
+    mutable ValuesView values;                  // of all vertices; if `source` is set, empty until read_all
+    std::shared_ptr<const ValueSource> source;  // null if the values are in memory or computed
+    std::optional<detail::PlaneDistance> plane; // if set, values are computed from it, and `values` is empty
     std::shared_ptr<const void> keep_alive;
     BlockRanges of_blocks;
     std::array<double, 2> range{};
 
     // Entry Block::vertex_begin + local vertex; NaN means no value. A block's values are copied at its first use. After
     // all values, at least local_ids more entries can be read. Only one of local_floats and local_doubles is used.
-    SparseArray<float> local_floats;
-    SparseArray<double> local_doubles;
+    detail::SparseArray<float> local_floats;
+    detail::SparseArray<double> local_doubles;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values have been copied
     mutable std::array<Mutex, 16> take_in_mutex;
     std::shared_ptr<const GeometricVertices> where_extrema; // the vertices that may be extrema; null means all vertices
@@ -34,9 +34,9 @@ struct Field::Data {
     mutable Mutex extrema_mutex;
     mutable bool extrema_made = false;
     mutable std::vector<Index> minima, maxima; // sorted by (value, id); maxima descending
-    mutable CellRanges ranges;
+    mutable detail::CellRanges ranges;
     std::shared_ptr<CellFits> fits; // shared with other fields; null if there are none
-    mutable GradientCache gradients;
+    mutable detail::GradientCache gradients;
 
     // Makes the values of all vertices ready for value(). If `source` is set, reads all values and keeps them.
     void read_all() const;

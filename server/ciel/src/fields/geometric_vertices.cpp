@@ -11,6 +11,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 Vec3d cross_of(const Vec3d& a, const Vec3d& b) {

@@ -10,7 +10,7 @@
 #include <atomic>
 #include <cstring>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -364,4 +364,4 @@ std::size_t GradientCache::memory_bytes() const {
     return made * mean_slots * (sizeof(std::uint8_t) + sizeof(Vec3f));
 }
 
-} // namespace ciel
+} // namespace ciel::detail

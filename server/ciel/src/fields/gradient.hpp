@@ -9,7 +9,7 @@
 #include "fields/cell_gradient.hpp"
 #include "fields/sparse_array.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Thread-safe. Until forget, all calls must pass the same topology, field and positions.
 class GradientCache {
@@ -34,4 +34,4 @@ private:
 
 [[nodiscard]] std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::Data& field);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 struct GradientSum {
     Four weighted{}; // elements 0 to 2: sum of gradient * volume; element 3: sum of volumes
@@ -209,4 +209,4 @@ private:
     Stored stored_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

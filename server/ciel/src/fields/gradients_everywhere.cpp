@@ -5,7 +5,7 @@
 #include "fields/gradient_sums.hpp"
 #include "fields/polyhedron_gradient.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -93,13 +93,17 @@ std::vector<Vec3f> gradients_everywhere(const FaceMeshView& mesh, const Field::D
     return Everywhere(mesh, field).run();
 }
 
+} // namespace ciel::detail
+
+namespace ciel {
+
 std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, ValuesView values) {
     return vertex_gradients(Topology(mesh), mesh, values);
 }
 
 std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, ValuesView values) {
     const Field field(topology, values, nullptr);
-    return gradients_everywhere(mesh, field.data());
+    return detail::gradients_everywhere(mesh, field.data());
 }
 
 } // namespace ciel

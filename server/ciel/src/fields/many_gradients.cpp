@@ -1,38 +1,23 @@
-// Does the operations of cell_gradient.hpp in the same order for four cells at once. A vector has one number per cell.
+// Gradients of four cells at once. A Four has one number per cell. least_squares repeats the operations of
+// cell_gradient.hpp in the same order. The two share no template, because the function for one cell has the components
+// of a sample in a Four.
 #include "fields/many_gradients.hpp"
 
 #include "parallel/vector_units.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
-using FourFloats = float __attribute__((vector_size(16)));
-using FourFlags = decltype(Four{} > Four{});
+using FourSamples = SampleOf<Four>;
 
-struct FourSamples {
-    Four x, y, z, value;
-};
-struct FourVectors {
-    Four x, y, z;
-};
-
-FourVectors arm(const FourSamples& from, const FourSamples& to) {
-    return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
-FourVectors cross(const FourVectors& a, const FourVectors& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Four dot(const FourVectors& a, const FourVectors& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Four absolute(const Four& a) { return a < 0.0 ? -a : a; }
 FourFlags finite(const Four& a) { return a - a == 0.0; }
-bool all(const FourFlags& flags) { return (flags[0] & flags[1] & flags[2] & flags[3]) != 0; }
 
 FourSamples transposed(const Four& a, const Four& b, const Four& c, const Four& d) {
-    const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5), __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
-            __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7), __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
+    const Four ab_even = even_interleaved(a, b), ab_odd = odd_interleaved(a, b);
+    const Four cd_even = even_interleaved(c, d), cd_odd = odd_interleaved(c, d);
+    return {first_halves(ab_even, cd_even), first_halves(ab_odd, cd_odd), last_halves(ab_even, cd_even),
+            last_halves(ab_odd, cd_odd)};
 }
 
 struct FourGradients {
@@ -41,32 +26,9 @@ struct FourGradients {
 };
 
 FourGradients gradients(const std::array<FourSamples, 4>& samples) {
-    const FourVectors a = arm(samples[0], samples[1]), b = arm(samples[0], samples[2]), c = arm(samples[0], samples[3]);
-    const FourVectors bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const Four six_volumes = dot(a, bc);
-    Four size = a.x * a.x + b.x * b.x + c.x * c.x;
-    size += a.y * a.y + b.y * b.y + c.y * c.y;
-    size += a.z * a.z + b.z * b.z + c.z * c.z;
-    const Four u = samples[1].value - samples[0].value, v = samples[2].value - samples[0].value,
-               w = samples[3].value - samples[0].value;
-    const Four share = 1.0 / six_volumes;
-    return {(u * bc.x + v * ca.x + w * ab.x) * share, (u * bc.y + v * ca.y + w * ab.y) * share,
-            (u * bc.z + v * ca.z + w * ab.z) * share, absolute(six_volumes) / 6.0,
-            finite(u + v + w) & (six_volumes * six_volumes > 1e-12 * size * size * size)};
-}
-
-template <const StandardShape& shape>
-Four volumes(const std::array<FourSamples, shape.corners>& samples) {
-    Four six_volumes{};
-    for (std::size_t face = 0; face < shape.faces; ++face) {
-        const std::size_t h = shape.face_begin[face];
-        const FourSamples &a = samples[shape.origin[h]], &b = samples[shape.origin[h + 1]],
-                          &c = samples[shape.origin[h + 2]];
-        const FourVectors area = shape.face_size(face) == 3 ? cross(arm(a, b), arm(a, c))
-                                                            : cross(arm(a, c), arm(b, samples[shape.origin[h + 3]]));
-        six_volumes += dot({a.x, a.y, a.z}, area);
-    }
-    return absolute(six_volumes) / 6.0;
+    const TetrahedronOf<Four> cells(samples);
+    const auto [x, y, z] = cells.gradient();
+    return {x, y, z, absolute(cells.six_volumes) / 6.0, finite(cells.u + cells.v + cells.w) & cells.is_solid()};
 }
 
 template <const StandardShape& shape>
@@ -83,19 +45,19 @@ FourGradients least_squares(std::array<FourSamples, shape.corners>& samples) {
     FourVectors squares{}, products{}, slopes{};
     for (FourSamples& s : samples) {
         s = {s.x - mean.x, s.y - mean.y, s.z - mean.z, s.value - mean.value};
-        squares.x += s.x * s.x;
-        squares.y += s.y * s.y;
-        squares.z += s.z * s.z;
-        products.x += s.x * s.y;
-        products.y += s.y * s.z;
-        products.z += s.z * s.x;
-        slopes.x += s.x * s.value;
-        slopes.y += s.y * s.value;
-        slopes.z += s.z * s.value;
+        squares[0] += s.x * s.x;
+        squares[1] += s.y * s.y;
+        squares[2] += s.z * s.z;
+        products[0] += s.x * s.y;
+        products[1] += s.y * s.z;
+        products[2] += s.z * s.x;
+        slopes[0] += s.x * s.value;
+        slopes[1] += s.y * s.value;
+        slopes[2] += s.z * s.value;
     }
-    const NormalEquationsOf<Four> equations(squares.x, squares.y, squares.z, products.x, products.y, products.z);
-    const auto [x, y, z] = equations.gradient(slopes.x, slopes.y, slopes.z);
-    return {x, y, z, volumes<shape>(samples), finite(mean.value) & (equations.inverse_determinant > 0.0)};
+    const NormalEquationsOf<Four> equations(squares[0], squares[1], squares[2], products[0], products[1], products[2]);
+    const auto [x, y, z] = equations.gradient(slopes[0], slopes[1], slopes[2]);
+    return {x, y, z, standard_volume<shape>(samples), finite(mean.value) & (equations.inverse_determinant > 0.0)};
 }
 
 template <const StandardShape& shape>
@@ -125,8 +87,7 @@ void solve(const std::uint16_t* vertex, const Sample* sample, CellGradient* out)
         for (std::size_t i = 0; i < 4; ++i) out[i] = one_gradient<shape>(vertex + i * n, sample);
         return;
     }
-    const auto x = __builtin_convertvector(solved.x, FourFloats), y = __builtin_convertvector(solved.y, FourFloats),
-               z = __builtin_convertvector(solved.z, FourFloats);
+    const FourFloats x = to_floats(solved.x), y = to_floats(solved.y), z = to_floats(solved.z);
     for (std::size_t i = 0; i < 4; ++i) out[i] = {{x[i], y[i], z[i]}, solved.volume[i]};
 }
 
@@ -166,4 +127,4 @@ void many_gradients(CellType type, std::span<const std::uint16_t> vertex, std::s
     solve(vertex.data(), sample.data(), out.data(), out.size());
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-namespace ciel {
+namespace ciel::detail {
 
 // `type`: the standard type of all cells. `vertex`: for each cell, the indices of its corners in `sample`.
 void many_gradients(CellType type, std::span<const std::uint16_t> vertex, std::span<const Sample> sample,
                     std::span<CellGradient> out);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -83,8 +83,12 @@ std::vector<Number> plane_distances(const FaceMeshView& mesh, const Vec3d& origi
 template std::vector<float> plane_distances(const FaceMeshView&, const Vec3d&, const Vec3d&);
 template std::vector<double> plane_distances(const FaceMeshView&, const Vec3d&, const Vec3d&);
 
+} // namespace ciel::detail
+
+namespace ciel {
+
 std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal) {
-    return plane_distances<float>(mesh, origin, normal);
+    return detail::plane_distances<float>(mesh, origin, normal);
 }
 
 } // namespace ciel

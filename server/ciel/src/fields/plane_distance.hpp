@@ -4,7 +4,7 @@
 #include "ciel/block_ranges.hpp"
 #include "ciel/face_mesh.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Does not own the positions, which must outlive the object. A distance has the type of the positions, float or double.
 class PlaneDistance {
@@ -57,4 +57,4 @@ private:
 template <class Number>
 [[nodiscard]] std::vector<Number> plane_distances(const FaceMeshView& mesh, const Vec3d& origin, const Vec3d& normal);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -4,7 +4,7 @@
 #include "blocks/blocks.hpp"
 #include "fields/gradient_sums.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // The least-squares data for the distinct vertices of a polyhedron. The size is one cache line (64 bytes).
 struct PolyhedronFit {
@@ -37,7 +37,7 @@ template <class Local, class Sampler>
     for (const auto v : vertices) {
         const Four d = load(sample(v)) - first;
         sum += d;
-        slopes += d * __builtin_shufflevector(d, d, 3, 3, 3, 3);
+        slopes += d * last_repeated(d);
     }
     if (!std::isfinite(sum[3])) return {};
     slopes -= sum * (sum[3] / static_cast<double>(vertices.size()));
@@ -159,4 +159,4 @@ private:
     std::uint64_t left_ = 0; // corners that may still be visited
 };
 
-} // namespace ciel
+} // namespace ciel::detail

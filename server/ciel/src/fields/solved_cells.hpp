@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // `place`: the index of a cell in the concatenated sections of the block.
 class SolvedCells {
@@ -30,4 +30,4 @@ private:
     std::vector<CellGradient> gradient_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace ciel {
+namespace ciel::detail {
 
 #ifdef __wasm__ // WebAssembly has no mmap and no exceptions
 
@@ -44,4 +44,4 @@ void release_pages(void* begin, std::size_t bytes) {
 
 #endif
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Zeroed memory. Large requests get new pages, which take memory only when touched. Throws std::bad_alloc.
 [[nodiscard]] void* reserve_pages(std::size_t bytes);
@@ -44,4 +44,4 @@ private:
     std::size_t size_ = 0;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -30,4 +30,4 @@ StoredValues::StoredValues(const Mesh& mesh, const ArrayView& values, PerItem it
         values_ = in_stored_order<double>(values, original, count);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

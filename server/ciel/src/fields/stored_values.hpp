@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 enum class PerItem { point, cell };
 
@@ -31,4 +31,4 @@ private:
     std::variant<std::vector<float>, std::vector<double>> values_;
 };
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -3,7 +3,7 @@
 // Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt orthogonalization, BIT 7 (1967).
 #include "fields/cell_gradient.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -64,4 +64,4 @@ CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples) {
     return out;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -10,6 +10,11 @@
 
 namespace ciel {
 
+using detail::CellWinding;
+using detail::hilbert_key;
+using detail::match_faces;
+using detail::MatchedFaces;
+
 namespace {
 
 constexpr std::size_t cells_per_task = 4096;

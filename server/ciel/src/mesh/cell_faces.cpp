@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 CellFaces cell_faces(const FaceMeshView& mesh) {
     CellFaces out;
@@ -46,4 +46,4 @@ void check_face_mesh(const FaceMeshView& mesh) {
                 "a neighbour is not greater than its owner, or is a cell that does not exist");
 }
 
-} // namespace ciel
+} // namespace ciel::detail

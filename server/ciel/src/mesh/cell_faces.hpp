@@ -3,7 +3,7 @@
 
 #include "ciel/face_mesh.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 struct CellFaces {
     std::vector<std::uint64_t> begin; // C + 1, for C cells: index in `face` of the cell's first face
@@ -20,4 +20,4 @@ struct CellFaces {
 // Throws Error when the arrays break the contract of FaceMeshView. Does not check that cells are closed.
 void check_face_mesh(const FaceMeshView& mesh);
 
-} // namespace ciel
+} // namespace ciel::detail

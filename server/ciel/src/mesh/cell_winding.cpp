@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace ciel {
+namespace ciel::detail {
 
 using Reason = BadCells::Reason;
 
@@ -247,4 +247,4 @@ CellWinding::Verdict CellWinding::judge(Index cell, std::span<std::uint8_t> turn
     return verdict;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Each thread needs its own object. The input must outlive the object, and the sizes of its arrays must have been
 // checked. For a bad cell, `judge` does not throw; the Verdict has the reason.
@@ -72,4 +72,4 @@ private:
     std::vector<std::vector<Neighbour>> neighbours_; // face -> adjacent faces across edges of exactly two faces
 };
 
-} // namespace ciel
+} // namespace ciel::detail

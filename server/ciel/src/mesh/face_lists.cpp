@@ -6,6 +6,10 @@
 
 namespace ciel {
 
+using detail::StandardShape;
+using detail::type_of_faces;
+using detail::with_shape;
+
 void append_prism_faces(std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
                         std::vector<Index>& face_vertex) {
     const std::size_t n = corners.size() / 2;

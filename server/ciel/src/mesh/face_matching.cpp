@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -315,4 +315,4 @@ MatchedFaces Matcher::run() {
 
 MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces) { return Matcher(input, faces).run(); }
 
-} // namespace ciel
+} // namespace ciel::detail

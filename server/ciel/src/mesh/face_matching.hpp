@@ -3,7 +3,7 @@
 
 #include "ciel/assemble.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 struct CellOfFace {
     std::span<Index> cell;          // input face -> input cell; none if the cell is left out. match_faces also sets
@@ -23,4 +23,4 @@ struct MatchedFaces {
 // loops of two matched faces have opposite directions after the marked faces are reversed.
 [[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::uint64_t hilbert_key(Vec3d unit) {
     return key;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

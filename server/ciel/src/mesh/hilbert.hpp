@@ -5,9 +5,9 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // The key has 21 bits per axis. `unit` is clamped to [0, 1]^3; NaN is treated as 0.
 [[nodiscard]] std::uint64_t hilbert_key(Vec3d unit);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Leaves out repeats, also between the last and the first vertex. Appends nothing if the loop has collapsed to a point.
 // Returns the number of ids appended. Reads each id once, because `loop` may be in a mapped file that changes.
@@ -26,4 +26,4 @@ std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     return out.size() - before;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

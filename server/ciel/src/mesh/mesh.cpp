@@ -7,6 +7,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 // `faces` views arrays that `assembled`, `moved_points` or `keep_alive` owns.
 struct Mesh::State {
     std::shared_ptr<const void> keep_alive;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -43,4 +43,4 @@ Vec3d middle_of(const ArrayView& points) {
     return middle;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

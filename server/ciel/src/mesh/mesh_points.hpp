@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 struct MeshPoints {
     std::vector<float> floats; // V x 3; `floats` or `doubles` is empty
@@ -22,4 +22,4 @@ struct MeshPoints {
 // Returns the middle of the bounding box of the finite points, or zero if there are none.
 [[nodiscard]] Vec3d middle_of(const ArrayView& points);
 
-} // namespace ciel
+} // namespace ciel::detail

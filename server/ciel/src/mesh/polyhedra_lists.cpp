@@ -1,13 +1,14 @@
 #include "mesh/polyhedra_lists.hpp"
 
 #include "ciel/face_lists.hpp"
+#include "ciel/vtk_shapes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
-namespace ciel {
+namespace ciel::detail {
 namespace {
 
 // assemble() reports `none` as out of range.
@@ -39,24 +40,7 @@ void close_cell(PolyhedraLists& lists, std::size_t source) {
         static_cast<std::uint8_t>(type_of_cell(std::span(lists.face_offset).last(faces + 1), lists.face_vertex)));
 }
 
-// Only the first `corners` points are used: VTK lists corners before other points (VTK User's Guide, "Cell types").
-struct VtkShape {
-    int vtk_type;
-    CellType type; // polyhedron means a prism over a polygon of corners / 2 points
-    std::uint8_t corners;
-    bool is_reduced;
-};
-constexpr VtkShape vtk_shapes[] = {
-    {10, CellType::tetrahedron, 4, false}, {11, CellType::hexahedron, 8, false}, {12, CellType::hexahedron, 8, false},
-    {13, CellType::wedge, 6, false},       {14, CellType::pyramid, 5, false},    {15, CellType::polyhedron, 10, false},
-    {16, CellType::polyhedron, 12, false}, {24, CellType::tetrahedron, 4, true}, {25, CellType::hexahedron, 8, true},
-    {26, CellType::wedge, 6, true},        {27, CellType::pyramid, 5, true},     {29, CellType::hexahedron, 8, true},
-    {31, CellType::wedge, 6, true},        {32, CellType::wedge, 6, true},       {33, CellType::hexahedron, 8, true},
-    {37, CellType::pyramid, 5, true},      {71, CellType::tetrahedron, 4, true}, {72, CellType::hexahedron, 8, true},
-    {73, CellType::wedge, 6, true},        {74, CellType::pyramid, 5, true},     {78, CellType::tetrahedron, 4, true},
-    {79, CellType::hexahedron, 8, true},   {80, CellType::wedge, 6, true},       {81, CellType::pyramid, 5, true},
-};
-constexpr int voxel = 11, polyhedron = 42;
+// VTK's types without volume, and convex point sets (41), for which VTK lists no faces.
 constexpr std::array<int, 27> without_volume{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  21, 22, 23, 28,
                                              30, 34, 35, 36, 41, 68, 69, 70, 75, 76, 77, 60, 61};
 
@@ -67,18 +51,10 @@ void add_shape(const VtkShape& shape, const VtkCells& cells, std::size_t cell, P
     if (count < shape.corners)
         fail("cell " + std::to_string(cell) + " has " + std::to_string(count) + " points; its type needs " +
              std::to_string(shape.corners));
-    std::array<Index, 12> corners{};
+    VtkCorners corners{};
     for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = id_of(cells.connectivity, begin + i);
-    if (shape.vtk_type == voxel) {
-        std::swap(corners[2], corners[3]);
-        std::swap(corners[6], corners[7]);
-    }
-    lists.reduced += shape.is_reduced ? 1 : 0;
-    const std::span<const Index> used(corners.data(), shape.corners);
-    if (shape.type == CellType::polyhedron)
-        append_prism_faces(used, lists.face_offset, lists.face_vertex);
-    else
-        append_standard_faces(shape.type, used, lists.face_offset, lists.face_vertex);
+    lists.reduced += shape.reduced_from != nullptr ? 1 : 0;
+    append_vtk_faces(shape, corners, lists.face_offset, lists.face_vertex);
     close_cell(lists, cell);
 }
 
@@ -210,10 +186,9 @@ void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists) {
     if (cells.offsets.rows() != cells.types.rows() + 1) fail("offsets must have one entry more than types");
     for (std::size_t cell = 0; cell < cells.types.rows(); ++cell) {
         const std::int64_t type = cells.types.integer(cell);
-        const auto* shape = std::ranges::find(vtk_shapes, type, &VtkShape::vtk_type);
-        if (type == polyhedron)
+        if (type == static_cast<int>(CellType::polyhedron))
             add_polyhedron(cells, cell, lists);
-        else if (shape != std::end(vtk_shapes))
+        else if (const VtkShape* shape = find_vtk_shape(type))
             add_shape(*shape, cells, cell, lists);
         else if (std::ranges::find(without_volume, type) != without_volume.end())
             ++lists.skipped;
@@ -222,4 +197,4 @@ void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists) {
     }
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 struct PolyhedraLists {
     MeshPoints points;
@@ -34,4 +34,4 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
                      const ArrayView& neighbour, PolyhedraLists& lists);
 void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const In
     return repeated;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

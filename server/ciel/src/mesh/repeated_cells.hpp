@@ -3,11 +3,11 @@
 
 #include "ciel/assemble.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Returns the cells of `suspects` that have the same faces as an earlier suspect, in any winding and with any first
 // corner. `suspects` and the result are ascending. Ignores collapsed faces. Never returns a cell that has a face twice;
 // such a cell has collapsed, as at the pole of a curvilinear grid. Takes O(n log n) in the number of corners.
 [[nodiscard]] std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const Index> suspects);
 
-} // namespace ciel
+} // namespace ciel::detail

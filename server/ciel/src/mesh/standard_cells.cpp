@@ -4,6 +4,9 @@
 
 namespace ciel {
 
+using detail::StandardShape;
+using detail::with_shape;
+
 void append_standard_faces(CellType type, std::span<const Index> corners, std::vector<std::uint64_t>& face_offset,
                            std::vector<Index>& face_vertex) {
     const bool known = with_shape(type, [&]<const StandardShape & shape>() {

@@ -3,7 +3,7 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel {
+namespace ciel::detail {
 
 // Corners are in VTK's order. Half-edges are numbered face by face, along loops that are wound outwards.
 struct StandardShape {
@@ -117,4 +117,4 @@ bool with_shape(CellType type, F&& f) {
     return false;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

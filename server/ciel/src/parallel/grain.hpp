@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Returns at most `most`; less for few blocks, so that each thread gets about 8 tasks and all finish together.
 [[nodiscard]] inline std::size_t fair_grain(std::size_t count, std::size_t most) {
@@ -13,4 +13,4 @@ namespace ciel {
     return std::clamp<std::size_t>(count / (tasks_per_thread * thread_count()), 1, most);
 }
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -14,6 +14,8 @@
 
 namespace ciel {
 
+using namespace detail;
+
 namespace {
 
 class KeepCells {

@@ -1,10 +1,13 @@
 #include "ciel/clip_surface.hpp"
 
+#include "ciel/clip_polygon.hpp"
 #include "extraction/polygon.hpp"
 
 #include <map>
 
 namespace ciel {
+
+using detail::polygon;
 
 namespace {
 
@@ -40,13 +43,11 @@ private:
     }
 
     void clip(std::size_t i) {
-        const std::span<const Index> loop = polygon(in_.surface, i);
         loop_.clear();
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const Index from = loop[k], to = loop[(k + 1) % loop.size()];
-            if (keeps(from)) loop_.push_back(place_[from]);
-            if (keeps(from) != keeps(to)) loop_.push_back(crossing(from, to));
-        }
+        walk_kept_part(
+            polygon(in_.surface, i), [this](Index v) { return keeps(v); },
+            [this](Index v) { loop_.push_back(place_[v]); },
+            [this](Index from, Index to) { loop_.push_back(crossing(from, to)); });
         if (loop_.size() < 3) return;
         out_.surface.polygon_vertex.insert(out_.surface.polygon_vertex.end(), loop_.begin(), loop_.end());
         out_.surface.polygon_offset.push_back(static_cast<Index>(out_.surface.polygon_vertex.size()));

@@ -9,6 +9,9 @@
 
 namespace ciel {
 
+using detail::polygon;
+using detail::share_at;
+
 namespace {
 
 template <class T>

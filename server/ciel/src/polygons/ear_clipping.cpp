@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -148,4 +148,4 @@ private:
 
 void clip_ears(std::span<const Point> corners, std::vector<Index>& out) { EarClipper(corners, out).run(); }
 
-} // namespace ciel
+} // namespace ciel::detail

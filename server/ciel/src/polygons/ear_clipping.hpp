@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel {
+namespace ciel::detail {
 
 // Triangulates a polygon. `corners`: at least three, counter-clockwise. Appends corners.size() - 2 triangles to `out`,
 // as indices in `corners`, with the winding of the polygon. If the polygon does not cross itself, the triangles cover
@@ -15,4 +15,4 @@ namespace ciel {
 // or of a corner. After 512 * corners.size() steps, the remaining corners are cut off without a test.
 void clip_ears(std::span<const std::array<double, 2>> corners, std::vector<Index>& out);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <span>
 
-namespace ciel {
+namespace ciel::detail {
 
 class FacePolygons {
 public:
@@ -54,4 +54,4 @@ private:
 // Divides the polygons of a surface into chunks. For a surface that was made polygon by polygon.
 void add_chunks(Surface& surface);
 
-} // namespace ciel
+} // namespace ciel::detail

@@ -6,6 +6,10 @@
 
 namespace ciel {
 
+using detail::area_vector;
+using detail::polygon;
+using detail::polygon_sides;
+
 namespace {
 
 // A side of a polygon, in the list of its lower point.

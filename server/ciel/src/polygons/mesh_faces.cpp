@@ -14,6 +14,12 @@
 
 namespace ciel {
 
+using detail::Block;
+using detail::CellLoops;
+using detail::for_cells;
+using detail::read_loops;
+using detail::SparseArray;
+
 namespace {
 
 // Returns the faces of a cell in ascending order. Each loop begins at the lowest vertex of the face.

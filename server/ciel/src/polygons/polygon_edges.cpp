@@ -4,6 +4,8 @@
 
 namespace ciel {
 
+using detail::polygon_sides;
+
 std::vector<Index> polygon_edges(const Surface& surface) {
     auto sides = polygon_sides(surface, [](Index upper, Index) { return upper; });
     std::vector<Index> edges;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 template <class Side>
 struct PolygonSides {
@@ -50,4 +50,4 @@ template <class Make>
     return out;
 }
 
-} // namespace ciel
+} // namespace ciel::detail

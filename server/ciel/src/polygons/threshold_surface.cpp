@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel {
+namespace ciel::detail {
 
 namespace {
 
@@ -24,6 +24,10 @@ Surface FacePolygons::take() && {
     add_chunks(surface_);
     return std::move(surface_);
 }
+
+} // namespace ciel::detail
+
+namespace ciel {
 
 std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values, std::array<double, 2> range,
                                          InRange vertices) {
@@ -67,7 +71,7 @@ std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const 
 }
 
 Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces) {
-    FacePolygons polygons(mesh);
+    detail::FacePolygons polygons(mesh);
     std::vector<Index> loop;
     for (const auto& [face, cell] : faces) {
         const Ids stored = mesh.loop(face);
@@ -91,7 +95,7 @@ Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> 
     std::vector<Index> place(surface.positions.size(), none);
     for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i) {
         if (kept[surface.polygon_cell[i]] == 0) continue;
-        for (const Index point : polygon(surface, i)) {
+        for (const Index point : detail::polygon(surface, i)) {
             if (place[point] == none) {
                 place[point] = static_cast<Index>(out.positions.size());
                 out.positions.push_back(surface.positions[point]);
@@ -104,7 +108,7 @@ Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> 
         out.polygon_cell.push_back(surface.polygon_cell[i]);
         if (!surface.polygon_face.empty()) out.polygon_face.push_back(surface.polygon_face[i]);
     }
-    add_chunks(out);
+    detail::add_chunks(out);
     return out;
 }
 

@@ -10,6 +10,10 @@
 
 namespace ciel {
 
+using detail::area_vector;
+using detail::clip_ears;
+using detail::polygon;
+
 namespace {
 
 // The buffer has room for corners - 2 triangles of each polygon; `fill` marks the unused rest.

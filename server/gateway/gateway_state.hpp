@@ -21,8 +21,8 @@ struct Counters { // values that GET /metrics shows
     std::atomic<std::uint64_t> texts_received{0}, texts_sent{0}, frames_sent{0}, frames_dropped{0}, bytes_sent{0};
 };
 
-struct Context {
-    Context(Service& service_, const GatewayOptions& options, AccessRules access_);
+struct GatewayState {
+    GatewayState(Service& service_, const GatewayOptions& options, AccessRules access_);
 
     Service& service;
     std::string prefix, version, own_user; // own_user: name of the process's user

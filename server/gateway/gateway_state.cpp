@@ -1,4 +1,4 @@
-#include "gateway/context.hpp"
+#include "gateway/gateway_state.hpp"
 
 #include "gateway/target.hpp"
 
@@ -37,7 +37,7 @@ std::size_t raised_file_limit() {
 
 } // namespace
 
-Context::Context(Service& service_, const GatewayOptions& options, AccessRules access_)
+GatewayState::GatewayState(Service& service_, const GatewayOptions& options, AccessRules access_)
     : service(service_), prefix(normal_prefix(options.prefix)), version(options.version), own_user(own_user_name()),
       access(std::move(access_)), files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
       connections(rules_of(service_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}

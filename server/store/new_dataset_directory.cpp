@@ -1,4 +1,4 @@
-#include "store/place.hpp"
+#include "store/new_dataset_directory.hpp"
 
 #include "store/format/layout.hpp"
 
@@ -29,7 +29,7 @@ void remove_left_behind(const fs::path& given) {
     }
 }
 
-Place::Place(const fs::path& target, bool overwrite)
+NewDatasetDirectory::NewDatasetDirectory(const fs::path& target, bool overwrite)
     : target_(fs::absolute(target).lexically_normal()), overwrite_(overwrite) {
     if (!target_.has_filename()) target_ = target_.parent_path();
     check_target();
@@ -39,9 +39,11 @@ Place::Place(const fs::path& target, bool overwrite)
         refuse(temporary_, "is in use by another process; wait until the process ends");
 }
 
-void check_place(const fs::path& target, bool overwrite) { const Place place(target, overwrite); }
+void check_new_dataset_directory(const fs::path& target, bool overwrite) {
+    const NewDatasetDirectory directory(target, overwrite);
+}
 
-void Place::make_temporary() {
+void NewDatasetDirectory::make_temporary() {
     const fs::path folder = target_.parent_path();
     std::error_code error;
     if (!fs::is_directory(folder, error))
@@ -57,12 +59,12 @@ void Place::make_temporary() {
     }
 }
 
-Place::~Place() {
+NewDatasetDirectory::~NewDatasetDirectory() {
     std::error_code error;
     if (!temporary_.empty()) fs::remove_all(temporary_, error);
 }
 
-void Place::check_target() const {
+void NewDatasetDirectory::check_target() const {
     std::error_code error;
     if (!fs::exists(target_, error)) return;
     if (!overwrite_) refuse(target_, "exists already; --force replaces it, or choose another name");
@@ -71,7 +73,7 @@ void Place::check_target() const {
         refuse(target_, "exists and is not a CIEL dataset, so it is not overwritten; choose another name");
 }
 
-void Place::commit() {
+void NewDatasetDirectory::commit() {
     sync_filesystem(temporary_);
     check_target(); // checked again, because the target may have been created meanwhile
     const auto rename = [&](unsigned flags) {

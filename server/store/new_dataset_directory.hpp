@@ -1,5 +1,5 @@
-// Place: the path of a new dataset. The dataset is first written to a temporary directory beside the path. When the
-// dataset is complete, the temporary directory is renamed to the path.
+// The directory of a new dataset. The dataset is first written to a temporary directory beside the final path. When the
+// dataset is complete, the temporary directory is renamed to the final path.
 #pragma once
 
 #include "store/files/files.hpp"
@@ -9,17 +9,17 @@ namespace ciel::store {
 // Removes the temporary directories of killed writers. Those of running writers are locked and are not removed.
 void remove_left_behind(const std::filesystem::path& target);
 
-// Throws Error if the constructor of Place would throw. Allows a check before a long computation.
-void check_place(const std::filesystem::path& target, bool overwrite);
+// Throws Error if the constructor of NewDatasetDirectory would throw. Allows a check before a long computation.
+void check_new_dataset_directory(const std::filesystem::path& target, bool overwrite);
 
-class Place {
+class NewDatasetDirectory {
 public:
     // Also removes the temporary directories of killed writers. Throws Error when the target exists and `overwrite` is
     // false, when it is neither a dataset nor an empty directory, or when its parent directory cannot be written.
-    Place(const std::filesystem::path& target, bool overwrite);
-    ~Place(); // without commit(): removes the temporary directory
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
+    NewDatasetDirectory(const std::filesystem::path& target, bool overwrite);
+    ~NewDatasetDirectory(); // without commit(): removes the temporary directory
+    NewDatasetDirectory(const NewDatasetDirectory&) = delete;
+    NewDatasetDirectory& operator=(const NewDatasetDirectory&) = delete;
 
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
     [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }

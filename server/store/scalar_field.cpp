@@ -1,0 +1,50 @@
+#include "store/scalar_field.hpp"
+
+#include "ciel/mesh_faces.hpp"
+#include "ciel/slab.hpp"
+#include "store/mesh_arrays.hpp"
+
+namespace ciel::store {
+
+ScalarField::ScalarField(std::shared_ptr<const Topology> of_mesh, std::shared_ptr<const Field> of_values,
+                         FaceMeshView of_points, std::shared_ptr<const Dataset> of_dataset, std::size_t at_step)
+    : topology(std::move(of_mesh)), field(std::move(of_values)), dataset(std::move(of_dataset)), step(at_step),
+      points_(std::move(of_points)) {}
+
+Query ScalarField::query(Extraction extraction) const {
+    Query made(*topology, points_, extraction);
+    made.set_field(*field);
+    return made;
+}
+
+void ScalarField::set_in(Query& query) const {
+    query.set_mesh(points_);
+    query.set_field(*field);
+}
+
+bool ScalarField::cut_slabs(std::span<const double> values, const SlabSink& sink, std::vector<SlabMesh>& slices,
+                            const StopToken& stop, Extraction extraction) const {
+    return sweep(*topology, points_, *field, values, sink, slices, stop, extraction);
+}
+
+std::vector<Vec3f> ScalarField::gradients(ValuesView values) const {
+    return vertex_gradients(*topology, points_, values);
+}
+
+SlabMesh ScalarField::slab_boundary(const BlockBoxes& boxes, const SlabProperty& property) const {
+    return ciel::slab_boundary(*topology, boundary(), boxes, property);
+}
+
+Surface ScalarField::boundary_at(double level, double tolerance) const {
+    const FaceMeshView faces = boundary();
+    return face_surface(faces, boundary_faces_at(faces, *field, level, tolerance));
+}
+
+FaceMeshView ScalarField::boundary() const {
+    const Step& at = dataset->steps()[step];
+    FaceMeshView boundary = dataset->mesh_arrays().boundary(at.mesh, at.coordinates);
+    boundary.surface_origin = points_.surface_origin;
+    return boundary;
+}
+
+} // namespace ciel::store
