@@ -1,7 +1,7 @@
 // Lays out color bars in columns, from the upper right corner to the left.
 #include "annotations/color_ticks.hpp"
 #include "annotations/layout.hpp"
-#include "annotations/ticks.hpp"
+#include "annotations/legend_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +48,6 @@ std::vector<Mark> inner_marks(const color::ColorScale& scale, int most, int most
     return marks;
 }
 
-std::string title_of(const Legend& legend) {
-    const std::string units = pretty_units(legend.units);
-    return legend.name + (units.empty() ? "" : " [" + units + "]") + times_power_of_ten(exponent_of(legend.scale));
-}
-
 std::vector<std::string> lines_of(const Legend& legend) {
     std::vector<std::string> lines = legend.lines;
     if (!legend.layers.empty()) lines.insert(lines.begin(), legend.layers);
@@ -65,7 +60,7 @@ Entry entry_of(Layout& layout, const Annotations& annotations, std::size_t index
     const double widest = widest_title * layout.width();
     Entry entry{legend,
                 "legend " + std::to_string(index),
-                layout.shortened(title_of(legend), size, widest),
+                layout.shortened(legend_title(legend.name, legend.units, legend.scale), size, widest),
                 {},
                 end_marks(legend)};
     for (const std::string& line : lines_of(legend)) entry.lines.push_back(layout.shortened(line, size, widest));

@@ -1,4 +1,4 @@
-// Named color maps. The server and the browser are both built from protocol/colormaps.json.
+// Named color maps of protocol/colormaps.json.
 #pragma once
 
 #include <array>

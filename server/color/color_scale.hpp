@@ -1,4 +1,5 @@
-// ColorScale: maps scalars to colors by the rule of protocol/colors.md, which the shaders and the browser also use.
+// ColorScale: maps scalars to colors by the rule of protocol/colors.md. The web page runs the same code (server/page).
+// The shaders use the same rule (scale_rules.hpp).
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
 #include "geometry/scene_annotations.hpp"
 
+#include "annotations/legend_names.hpp"
 #include "annotations/ticks.hpp"
-#include "geometry/legend_names.hpp"
+#include "scene/rules.hpp"
 
 namespace ciel::geometry {
 namespace {
@@ -9,6 +10,19 @@ namespace {
 template <class Shown>
 annotations::Legend legend_of(const Shown& drawable, bool missing) {
     return {drawable.array, drawable.units, drawable.scale, {}, missing, drawable.legend_lines};
+}
+
+annotations::NamedLayer named_layer(const scene::Layer& layer, bool contours) {
+    annotations::NamedLayer named{std::visit([](const auto& kind) { return std::string(kind.type); }, layer.kind),
+                                  contours};
+    if (const auto* iso = std::get_if<scene::IsoLayer>(&layer.kind)) named.array = iso->array;
+    if (const auto* surface = std::get_if<scene::SurfaceLayer>(&layer.kind)) named.groups = surface->groups;
+    if (const auto* slice = std::get_if<scene::SliceLayer>(&layer.kind)) {
+        const scene::Plane plane = plane_of(*slice);
+        named.origin = plane.origin;
+        named.normal = plane.normal;
+    }
+    return named;
 }
 
 class Legends {
@@ -21,16 +35,16 @@ public:
             legends.push_back(legend);
         }
         legends[i].missing = legends[i].missing || legend.missing;
-        named_[i].names.push_back(legend_name_of(layer, contours));
+        named_[i].names.push_back(annotations::legend_name_of(named_layer(layer, contours)));
     }
     void tell_apart() {
-        const std::vector<std::string> names = legend_names(named_);
+        const std::vector<std::string> names = annotations::legend_names(named_);
         for (std::size_t i = 0; i < legends.size(); ++i) legends[i].layers = names[i];
     }
     std::vector<annotations::Legend> legends;
 
 private:
-    std::vector<NamedLegend> named_; // one per legend
+    std::vector<annotations::NamedLegend> named_; // one per legend
 };
 
 std::vector<annotations::Legend> legends_of(const Geometry& geometry, const std::vector<scene::Layer>& layers,

@@ -2,7 +2,9 @@
 
 #include "annotations/color_ticks.hpp"
 #include "annotations/layout.hpp"
+#include "annotations/legend_names.hpp"
 #include "annotations/ticks.hpp"
+#include "color/scale_rules.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -95,6 +97,12 @@ void write(Writer& to, const annotations::Handle& handle) {
     write(to, handle.box);
 }
 
+void write(Writer& to, const color::Rgb8& color) {
+    for (const std::uint8_t channel : color) to.number(channel);
+}
+
+void write(Writer& to, const std::string& text) { to.text(text); }
+
 template <class Item>
 void write_list(Writer& to, const std::vector<Item>& items) {
     to.number(static_cast<double>(items.size()));
@@ -111,7 +119,7 @@ void write(Writer& to, const annotations::Overlay& overlay) {
     write(to, overlay.halo);
 }
 
-color::ColorScale color_scale(Reader& from) {
+color::ColorScale scale_of_values(Reader& from) {
     color::ColorScale scale;
     scale.range = from.numbers<2>();
     scale.log = from.flag();
@@ -138,20 +146,25 @@ auto list(Reader& from, const Read& read) {
 
 std::string text(Reader& from) { return from.text(); }
 
+color::ColorScale color_scale(Reader& from) {
+    color::ColorScale scale = scale_of_values(from);
+    scale.map = from.text();
+    scale.points = list(from, [](Reader& each) {
+        const double at = each.number();
+        return color::ColorPoint{at, bytes(each)};
+    });
+    scale.reverse = from.flag();
+    scale.nan = bytes(from);
+    scale.below = bytes_if_any(from);
+    scale.above = bytes_if_any(from);
+    return scale;
+}
+
 annotations::Legend legend(Reader& from) {
     annotations::Legend legend;
     legend.name = from.text();
     legend.units = from.text();
     legend.scale = color_scale(from);
-    legend.scale.map = from.text();
-    legend.scale.points = list(from, [](Reader& each) {
-        const double at = each.number();
-        return color::ColorPoint{at, bytes(each)};
-    });
-    legend.scale.reverse = from.flag();
-    legend.scale.nan = bytes(from);
-    legend.scale.below = bytes_if_any(from);
-    legend.scale.above = bytes_if_any(from);
     legend.layers = from.text();
     legend.missing = from.flag();
     legend.both_ends = from.flag();
@@ -202,7 +215,7 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
 }
 
 void label_on(Reader& arguments, Writer& results) {
-    const color::ColorScale scale = color_scale(arguments);
+    const color::ColorScale scale = scale_of_values(arguments);
     results.text(annotations::label_on(scale, arguments.number()));
 }
 
@@ -211,14 +224,69 @@ void number_alone(Reader& arguments, Writer& results) {
     results.text(annotations::number_label(value, arguments.integer()));
 }
 
-void exponent_of(Reader& arguments, Writer& results) {
-    results.number(annotations::exponent_of(color_scale(arguments)));
-}
-
-void times_power_of_ten(Reader& arguments, Writer& results) {
-    results.text(annotations::times_power_of_ten(arguments.integer()));
-}
-
 void pretty_units(Reader& arguments, Writer& results) { results.text(annotations::pretty_units(arguments.text())); }
+
+void has_width(Reader& arguments, Writer& results) {
+    results.number(color::has_width(scale_of_values(arguments)) ? 1 : 0);
+}
+
+void place_of(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = scale_of_values(arguments);
+    results.number(color::place_of(scale, arguments.number()));
+}
+
+void value_at(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = scale_of_values(arguments);
+    results.number(color::value_at(scale, arguments.number()));
+}
+
+void color_of(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = color_scale(arguments);
+    write(results, color::color_of(scale, arguments.number()));
+}
+
+void colors_along(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = color_scale(arguments);
+    write_list(results, color::colors_along(scale, arguments.integer()));
+}
+
+void color_row(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = color_scale(arguments);
+    write_list(results, color::color_row(scale, arguments.integer()));
+}
+
+void scale_rules(Reader& arguments, Writer& results) {
+    const color::ScaleRules rules = color::scale_rules(color_scale(arguments));
+    results.number(rules.origin);
+    for (const auto& texel : rules.texels)
+        for (const float channel : texel) results.number(channel);
+}
+
+void legend_title(Reader& arguments, Writer& results) {
+    const color::ColorScale scale = scale_of_values(arguments);
+    const std::string array = arguments.text();
+    results.text(annotations::legend_title(array, arguments.text(), scale));
+}
+
+void legend_name_of(Reader& arguments, Writer& results) {
+    annotations::NamedLayer layer;
+    layer.type = arguments.text();
+    layer.contours = arguments.flag();
+    layer.array = arguments.text();
+    layer.origin = vector(arguments);
+    layer.normal = vector(arguments);
+    layer.groups = list(arguments, text);
+    results.text(annotations::legend_name_of(layer));
+}
+
+void legend_names(Reader& arguments, Writer& results) {
+    const auto legends = list(arguments, [](Reader& each) {
+        annotations::NamedLegend legend;
+        legend.array = each.text();
+        legend.names = list(each, text);
+        return legend;
+    });
+    write_list(results, annotations::legend_names(legends));
+}
 
 } // namespace ciel::page

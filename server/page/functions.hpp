@@ -1,5 +1,6 @@
-// Functions of the server that the page calls: the layout of annotations, and numbers as text. Each function reads its
-// arguments from one message and appends its results to another message, in the order that its comment gives.
+// Functions of the server that the page calls: the layout of annotations, numbers as text, colors along a scale, and
+// names of legends. Each function reads its arguments from one message and appends its results to another message, in
+// the order that its comment gives.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -22,18 +23,34 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
 // Lays out the title, the captions and the legends.
 // Arguments: width, height (CSS pixels); text size (CSS pixels); background as in lay_out(); title (text); captions:
 // number, then each text; legends: number, then each legend. A legend has: name, units (texts); a color scale (see
-// below); map (text); color points (number, then position and color of each point); reverse (0 or 1); color of missing
-// values; colors below and above the range (for each: 1 and the color, or only 0); name of its layers (text); missing,
-// both ends (0 or 1); more lines (number, then each text); width and height of the room for controls. A color is red,
-// green and blue, 0 to 255.
+// below); name of its layers (text); missing, both ends (0 or 1); more lines (number, then each text); width and height
+// of the room for controls.
 // Results: the overlay of title, captions and legends, then the taken boxes (number, then each box).
 void lay_texts(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
 
-// A color scale consists of: lower end, upper end, log (0 or 1), steps. The comments below: arguments -> results.
-void exponent_of(Reader& arguments, Writer& results);        // color scale -> exponent
-void label_on(Reader& arguments, Writer& results);           // color scale, value -> text
-void number_alone(Reader& arguments, Writer& results);       // value, digits -> text
-void times_power_of_ten(Reader& arguments, Writer& results); // exponent -> text
-void pretty_units(Reader& arguments, Writer& results);       // text -> text
+// A scale of values consists of: lower end, upper end, log (0 or 1), steps.
+// A color scale consists of: a scale of values; map (text); color points (number, then position and color of each
+// point); reverse (0 or 1); color of missing values; colors below and above the range (for each: 1 and the color, or
+// only 0). A color is red, green and blue, 0 to 255.
+// The comments below: arguments -> results.
+void label_on(Reader& arguments, Writer& results);     // scale of values, value -> text
+void number_alone(Reader& arguments, Writer& results); // value, digits -> text
+void pretty_units(Reader& arguments, Writer& results); // text -> text
+
+void has_width(Reader& arguments, Writer& results);    // scale of values -> 0 or 1
+void place_of(Reader& arguments, Writer& results);     // scale of values, value -> place
+void value_at(Reader& arguments, Writer& results);     // scale of values, place -> value
+void color_of(Reader& arguments, Writer& results);     // color scale, value -> color
+void colors_along(Reader& arguments, Writer& results); // color scale, number of colors -> number of colors, each color
+void color_row(Reader& arguments, Writer& results);    // color scale, number if smooth -> number of colors, each color
+void scale_rules(Reader& arguments, Writer& results);  // color scale -> origin, texels (see color::ScaleRules)
+
+// Scale of values, array, units -> text
+void legend_title(Reader& arguments, Writer& results);
+// Type of the layer (text), contours (0 or 1), array (text), origin (3), normal (3), number of patches, each patch (see
+// annotations::NamedLayer) -> text
+void legend_name_of(Reader& arguments, Writer& results);
+// Number of legends; for each: array (text), number of names, each name -> number of legends, name of each legend
+void legend_names(Reader& arguments, Writer& results);
 
 } // namespace ciel::page

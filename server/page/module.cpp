@@ -52,8 +52,14 @@ std::size_t call(Function function) {
 }
 [[clang::export_name("label_on")]] std::size_t label_on() { return call(ciel::page::label_on); }
 [[clang::export_name("number_alone")]] std::size_t number_alone() { return call(ciel::page::number_alone); }
-[[clang::export_name("exponent_of")]] std::size_t exponent_of() { return call(ciel::page::exponent_of); }
-[[clang::export_name("times_power_of_ten")]] std::size_t times_power_of_ten() {
-    return call(ciel::page::times_power_of_ten);
-}
 [[clang::export_name("pretty_units")]] std::size_t pretty_units() { return call(ciel::page::pretty_units); }
+[[clang::export_name("has_width")]] std::size_t has_width() { return call(ciel::page::has_width); }
+[[clang::export_name("place_of")]] std::size_t place_of() { return call(ciel::page::place_of); }
+[[clang::export_name("value_at")]] std::size_t value_at() { return call(ciel::page::value_at); }
+[[clang::export_name("color_of")]] std::size_t color_of() { return call(ciel::page::color_of); }
+[[clang::export_name("colors_along")]] std::size_t colors_along() { return call(ciel::page::colors_along); }
+[[clang::export_name("color_row")]] std::size_t color_row() { return call(ciel::page::color_row); }
+[[clang::export_name("scale_rules")]] std::size_t scale_rules() { return call(ciel::page::scale_rules); }
+[[clang::export_name("legend_title")]] std::size_t legend_title() { return call(ciel::page::legend_title); }
+[[clang::export_name("legend_name_of")]] std::size_t legend_name_of() { return call(ciel::page::legend_name_of); }
+[[clang::export_name("legend_names")]] std::size_t legend_names() { return call(ciel::page::legend_names); }

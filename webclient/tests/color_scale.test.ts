@@ -1,8 +1,7 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/color_cases.json";
-import { colorOf, colorRow, hexOf } from "../src/model/color_scale";
+import { colorOf, colorRow, colorsAlong, hexOf, placeOf, scaleRules, valueAtPlace } from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
-import { scaleRules } from "../src/view/scale_textures";
 import { isShownBy, scaleOf } from "../src/model/color_range";
 import { labelOn } from "../src/wasm/color_labels";
 
@@ -30,18 +29,19 @@ describe("the color scale", () => {
       expect(labelOn(scale, end)).not.toBe("n/a");
       expect(labelOn(scale, end).length).toBeLessThan(15);
     }
-    expect(scaleRules(scale).rule.map(Math.fround).every(Number.isFinite)).toBe(true);
+    expect(scaleRules(scale).texels.every(Number.isFinite)).toBe(true);
   });
 
   test("a range that is small beside its values keeps its digits in the shader", () => {
     const [low, high] = [101325 - 0.1, 101325 + 0.1];
-    const { origin, rule, inside } = scaleRules(scaleOf({ array: "p", range: [low, high] }, [0, 1]));
+    const { origin, texels } = scaleRules(scaleOf({ array: "p", range: [low, high] }, [0, 1]));
+    const [start = NaN, factor = NaN, , , least = NaN, most = NaN] = texels;
     expect(Math.fround(origin)).toBe(origin);
-    expect(origin + rule[0]).toBeCloseTo(low, 9);
-    expect(rule[0] + 1 / rule[1] + origin).toBeCloseTo(high, 9);
-    expect(Math.abs(rule[0])).toBeLessThan(0.01);
-    expect(inside[0]).toBeLessThanOrEqual(rule[0]);
-    expect(inside[1]).toBeLessThan(1);
+    expect(origin + start).toBeCloseTo(low, 9);
+    expect(origin + start + 1 / factor).toBeCloseTo(high, 7);
+    expect(Math.abs(start)).toBeLessThan(0.01);
+    expect(least).toBeLessThanOrEqual(start);
+    expect(most).toBeLessThan(1);
     expect(scaleRules(scaleOf({ array: "p", range: [1, 10], log: true }, [0, 1])).origin).toBe(0);
   });
 
@@ -59,6 +59,22 @@ describe("the color scale", () => {
   test("a row has a color for each step, or as many as are asked for", () => {
     expect(colorRow(scaleOf({ steps: 7 }, [0, 1]), 256)).toHaveLength(7);
     expect(colorRow(scaleOf({}, [0, 1]), 256)).toHaveLength(256);
+  });
+
+  test("places and values are inverse, and colors along a scale are the colors of its values", () => {
+    for (const coloring of [{}, { log: true }, { log: true, symmetric: true }] as Coloring[]) {
+      const scale = scaleOf({ ...coloring, array: "p", range: coloring.symmetric === true ? [-8, 8] : [2, 8] }, [0, 1]);
+      const colors = colorsAlong(scale, 5);
+      [0, 0.25, 0.5, 0.75, 1].forEach((place, i) => {
+        expect(placeOf(scale, valueAtPlace(scale, place))).toBeCloseTo(place, 12);
+        expect(colorOf(scale, valueAtPlace(scale, place))).toEqual(colors[i]);
+      });
+    }
+  });
+
+  test("a map that the page does not have is replaced by the first", () => {
+    const [own, unknown] = ["viridis", "a map of tomorrow"].map((map) => colorRow(scaleOf({ map }, [0, 1]), 8));
+    expect(unknown).toEqual(own);
   });
 
   test("data without a logarithm are said not to be shown", () => {

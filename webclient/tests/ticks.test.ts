@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/tick_cases.json";
-import { exponentOf, labelOn } from "../src/wasm/color_labels";
+import { labelOn } from "../src/wasm/color_labels";
 import { scaleOf } from "../src/model/color_range";
+import { legendTitle } from "../src/wasm/legend_names";
 import { numberAlone } from "../src/wasm/numbers_as_text";
 
 describe("numbers, as the server writes them", () => {
@@ -13,10 +14,10 @@ describe("numbers, as the server writes them", () => {
   );
   test("a scale takes a common power of ten out of them unless it is logarithmic", () => {
     const scale = scaleOf({ range: [1.2e-5, 3.4e-5] }, [0, 1]);
-    expect([exponentOf(scale), labelOn(scale, 2.5e-5)]).toEqual([-5, "2.5"]);
+    expect([legendTitle("p", "Pa", scale), labelOn(scale, 2.5e-5)]).toEqual(["p [Pa] \u00d710\u207b\u2075", "2.5"]);
     const logarithmic = { ...scale, log: true };
-    expect([exponentOf(logarithmic), labelOn(logarithmic, 2.5e-5), labelOn(logarithmic, 1e-5)]).toEqual([
-      0,
+    expect([legendTitle("p", "", logarithmic), labelOn(logarithmic, 2.5e-5), labelOn(logarithmic, 1e-5)]).toEqual([
+      "p",
       "2.5 \u00d710\u207b\u2075",
       "10\u207b\u2075",
     ]);

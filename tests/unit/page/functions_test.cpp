@@ -2,6 +2,7 @@
 
 #include "annotations/overlay.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace ciel::page {
@@ -209,11 +210,90 @@ Reader results_of(Function function, Writer& results, const std::vector<double>&
 
 TEST(PageFunctions, MakeTexts) {
     Writer results;
-    EXPECT_EQ(results_of(exponent_of, results, {0, 1e9, 0, 0}).integer(), 9);
-    EXPECT_EQ(results_of(exponent_of, results, {1, 1e9, 1, 0}).integer(), 0);
     EXPECT_EQ(results_of(label_on, results, {0, 10, 0, 0, -2.5}).text(), "−2.5");
     EXPECT_EQ(results_of(number_alone, results, {1e9, 6}).text(), "10⁹");
-    EXPECT_EQ(results_of(times_power_of_ten, results, {5}).text(), " ×10⁵");
+}
+
+TEST(PageFunctions, GiveValuesTheirPlaces) {
+    Writer results;
+    EXPECT_EQ(results_of(has_width, results, {0, 10, 0, 0}).number(), 1);
+    EXPECT_EQ(results_of(has_width, results, {5, 5, 0, 0}).number(), 0);
+    EXPECT_EQ(results_of(place_of, results, {0, 10, 0, 0, 2.5}).number(), 0.25);
+    EXPECT_DOUBLE_EQ(results_of(value_at, results, {1, 100, 1, 0, 0.5}).number(), 10);
+}
+
+// Arguments: a color scale from 0 to 10 with two color points, reversed if asked for, then `last`.
+std::vector<double> scale_with_points(bool reverse, int steps, double last) {
+    Writer arguments;
+    arguments.numbers(std::array<double, 4>{0, 10, 0, static_cast<double>(steps)});
+    arguments.text("viridis");
+    arguments.numbers(std::array<double, 9>{2, 0, 0, 0, 0, 1, 200, 100, 50});
+    arguments.numbers(std::array<double, 4>{reverse ? 1.0 : 0.0, 1, 2, 3});
+    arguments.numbers(std::array<double, 6>{1, 7, 8, 9, 0, last});
+    return {arguments.message().begin(), arguments.message().end()};
+}
+
+using Color3 = std::array<double, 3>;
+
+std::vector<Color3> colors_of(Reader results) {
+    std::vector<Color3> colors;
+    for (int count = results.integer(); count > 0; --count) colors.push_back(results.numbers<3>());
+    return colors;
+}
+
+TEST(PageFunctions, GiveValuesTheirColors) {
+    Writer results;
+    const Color3 black{0, 0, 0}, middle{100, 50, 25}, last{200, 100, 50};
+    EXPECT_EQ(results_of(color_of, results, scale_with_points(false, 0, 5)).numbers<3>(), middle);
+    EXPECT_EQ(results_of(color_of, results, scale_with_points(true, 0, 10)).numbers<3>(), black);
+    EXPECT_EQ(results_of(color_of, results, scale_with_points(false, 0, -1)).numbers<3>(), (Color3{7, 8, 9}));
+    EXPECT_EQ(results_of(color_of, results, scale_with_points(false, 0, NAN)).numbers<3>(), (Color3{1, 2, 3}));
+    EXPECT_THAT(colors_of(results_of(colors_along, results, scale_with_points(false, 0, 3))),
+                ElementsAre(black, middle, last));
+    EXPECT_THAT(colors_of(results_of(colors_along, results, scale_with_points(false, 2, 3))),
+                ElementsAre(black, last, last));
+    EXPECT_THAT(colors_of(results_of(color_row, results, scale_with_points(true, 2, 9))), ElementsAre(last, black));
+}
+
+TEST(PageFunctions, MakeTexelsForShaders) {
+    Writer results;
+    Reader found = results_of(scale_rules, results, scale_with_points(false, 4, 0));
+    EXPECT_EQ(found.number(), 0);
+    EXPECT_THAT(found.numbers<4>(), ElementsAre(0, 0.1F, 4, 0));
+    EXPECT_EQ(results.message().size(), 1U + 5 * 4);
+}
+
+TEST(PageFunctions, NameLegends) {
+    Writer arguments, results;
+    arguments.numbers(std::array<double, 4>{0, 1e9, 0, 0});
+    arguments.text("p");
+    arguments.text("Pa");
+    const auto message = [&] { return std::vector<double>(arguments.message().begin(), arguments.message().end()); };
+    EXPECT_EQ(results_of(legend_title, results, message()).text(), "p [Pa] ×10⁹");
+    arguments.clear();
+    arguments.text("slice");
+    arguments.number(1);
+    arguments.text("");
+    arguments.numbers(std::array<double, 7>{1, 2, 3, 0, 1, 0, 0});
+    EXPECT_EQ(results_of(legend_name_of, results, message()).text(), "Lines on slice at y = 2");
+    arguments.clear();
+    arguments.text("surface");
+    arguments.number(0);
+    arguments.text("");
+    arguments.numbers(std::array<double, 7>{0, 0, 0, 0, 0, 0, 1});
+    arguments.text("inlet");
+    EXPECT_EQ(results_of(legend_name_of, results, message()).text(), "Boundary: inlet");
+    arguments.clear();
+    arguments.number(2);
+    for (const char* name : {"Edges", "Points"}) {
+        arguments.text("p");
+        arguments.number(1);
+        arguments.text(name);
+    }
+    Reader found = results_of(legend_names, results, message());
+    EXPECT_EQ(found.integer(), 2);
+    EXPECT_EQ(found.text(), "Edges");
+    EXPECT_EQ(found.text(), "Points");
 }
 
 TEST(PageMessage, ATextBeyondTheEndIsEmpty) {

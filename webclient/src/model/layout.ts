@@ -1,4 +1,5 @@
 // The server's layout of annotations and numbers, for panels. Panels may import only model and commands.
-export { exponentOf, labelOn } from "../wasm/color_labels";
+export { labelOn } from "../wasm/color_labels";
+export { legendTitle } from "../wasm/legend_names";
 export { numberAlone, prettyUnits } from "../wasm/numbers_as_text";
 export { layOut, layTexts, type Box, type Fill, type LegendText, type Overlay } from "../wasm/overlay";

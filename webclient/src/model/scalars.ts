@@ -1,8 +1,8 @@
 // Scalars of a dataset's arrays, and the color scales and legends of a scene.
 import { scaleOf } from "./color_range";
 import { layersInOrder, type Layered } from "./layer_order";
-import { legendNameOf, legendNames } from "./legend_names";
 import { formatMeasured } from "./numbers";
+import { legendNameOf, legendNames } from "../wasm/legend_names";
 import { prettyUnits } from "../wasm/numbers_as_text";
 import type { ArrayInfo, Coloring, DatasetDescription, EmptyLayer, Layer, Range, Scene } from "../generated/protocol";
 

@@ -1,10 +1,12 @@
-// Loads the WebAssembly module of server/page, so that the page and saved pictures have the same annotations.
+// Loads the WebAssembly module of server/page, so that the page and saved pictures have the same annotations and colors.
 import { messageOf, ResultReader, type Item } from "./message";
 import { textMeasure, type TextMeasure } from "./text_measure";
 
 type Call = () => number;
 type FunctionName =
-  "lay_out" | "lay_texts" | "label_on" | "number_alone" | "exponent_of" | "times_power_of_ten" | "pretty_units";
+  | ("lay_out" | "lay_texts" | "label_on" | "number_alone" | "pretty_units")
+  | ("has_width" | "place_of" | "value_at" | "color_of" | "colors_along" | "color_row" | "scale_rules")
+  | ("legend_title" | "legend_name_of" | "legend_names");
 type Exports = Record<FunctionName, Call> & {
   memory: WebAssembly.Memory;
   _initialize: () => void;

@@ -4,8 +4,5 @@ import { call } from "./layout_module";
 /** Formats a single number with at most `digits` digits and its own power of ten. */
 export const numberAlone = (value: number, digits = 6): string => call("number_alone", value, digits).text();
 
-/** Returns the factor to append to a number, as in " ×10⁵"; empty for exponent 0. */
-export const timesPowerOfTen = (exponent: number): string => call("times_power_of_ten", exponent).text();
-
 /** Returns the units with superscripts: m^2/s^2 becomes m²/s². */
 export const prettyUnits = (units: string): string => call("pretty_units", units).text();

@@ -1,8 +1,9 @@
 // Layout of annotations by the code of server/annotations/layout.hpp, in CSS pixels from the stage's upper left.
+import { scaleItem, type ScaleInBytes } from "./color_scale";
 import { call } from "./layout_module";
 import type { Item, ResultReader } from "./message";
 
-export interface Place {
+export interface PicturePoint {
   x: number;
   y: number;
 }
@@ -28,13 +29,13 @@ export interface Fill {
   bottom: Ink;
 }
 export interface Stroke {
-  from: Place;
-  to: Place;
+  from: PicturePoint;
+  to: PicturePoint;
   width: number;
   ink: Ink;
 }
 export interface Triangle {
-  corners: [Place, Place, Place];
+  corners: [PicturePoint, PicturePoint, PicturePoint];
   ink: Ink;
 }
 export interface Label {
@@ -42,7 +43,7 @@ export interface Label {
   /** Font size. */
   pixels: number;
   /** Start of the base line. */
-  at: Place;
+  at: PicturePoint;
   ink: Ink;
   box: Box;
 }
@@ -102,7 +103,7 @@ function ink(results: ResultReader): Ink {
   return `rgb(${channel()} ${channel()} ${channel()} / ${results.number()})`;
 }
 
-const place = (results: ResultReader): Place => ({ x: results.number(), y: results.number() });
+const picturePoint = (results: ResultReader): PicturePoint => ({ x: results.number(), y: results.number() });
 
 const box = (results: ResultReader): Box => ({
   left: results.number(),
@@ -116,16 +117,19 @@ function overlay(results: ResultReader): Overlay {
     plates: results.list(() => ({ box: box(results), edge: results.number(), ink: ink(results) })),
     fills: results.list(() => ({ box: box(results), top: ink(results), bottom: ink(results) })),
     strokes: results.list(() => ({
-      from: place(results),
-      to: place(results),
+      from: picturePoint(results),
+      to: picturePoint(results),
       width: results.number(),
       ink: ink(results),
     })),
-    triangles: results.list(() => ({ corners: [place(results), place(results), place(results)], ink: ink(results) })),
+    triangles: results.list(() => ({
+      corners: [picturePoint(results), picturePoint(results), picturePoint(results)],
+      ink: ink(results),
+    })),
     labels: results.list(() => ({
       text: results.text(),
       pixels: results.number(),
-      at: place(results),
+      at: picturePoint(results),
       ink: ink(results),
       box: box(results),
     })),
@@ -146,19 +150,6 @@ export function layOut(view: AnnotatedView): Annotations {
     [taken.length, taken.map(({ left, top, right, bottom }) => [left, top, right, bottom])],
   );
   return { triad: overlay(results), axes: overlay(results) };
-}
-
-/** A color scale whose colors are red, green and blue from 0 to 255. */
-export interface ScaleInBytes {
-  map: string;
-  points: readonly { at: number; color: Numbers }[];
-  range: readonly [number, number];
-  reverse: boolean;
-  log: boolean;
-  steps: number;
-  nan: Numbers;
-  below: Numbers | null;
-  above: Numbers | null;
 }
 
 export interface LegendText {
@@ -189,16 +180,11 @@ export interface Texts {
 }
 
 const listed = <T>(items: readonly T[], itemOf: (item: T) => Item): Item => [items.length, items.map(itemOf)];
-const colorIfAny = (color: Numbers | null): Item => (color === null ? 0 : [1, color]);
 
-function legendItem({ array, units, scale, layers, missing, bothEnds, lines, controls }: LegendText): Item {
-  const { range, log, steps, map, points, reverse, nan, below, above } = scale;
-  const colors = [listed(points, ({ at, color }) => [at, color]), reverse, nan];
-  return [
-    [array, units, range, log, steps, map, colors, colorIfAny(below), colorIfAny(above)],
-    [layers, missing, bothEnds, listed(lines, (line) => line), controls.width, controls.height],
-  ];
-}
+const legendItem = ({ array, units, scale, layers, missing, bothEnds, lines, controls }: LegendText): Item => [
+  [array, units, scaleItem(scale)],
+  [layers, missing, bothEnds, listed(lines, (line) => line), controls.width, controls.height],
+];
 
 /** Lays out title, captions and legends. A legend that does not fit is left out and has no handles. */
 export function layTexts({ size, text, background, title, captions, legends }: AnnotatedTexts): Texts {

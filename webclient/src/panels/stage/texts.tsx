@@ -11,9 +11,9 @@ import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/co
 import { rangeOf, scaleOf } from "../../model/color_range";
 import { equal } from "../../model/merge_patch";
 import {
-  exponentOf,
   labelOn,
   layTexts,
+  legendTitle,
   numberAlone,
   type Box,
   type LegendText,
@@ -21,7 +21,6 @@ import {
 } from "../../model/layout";
 import { cellsText, extremesText } from "../../model/cell_extremes";
 import { arrayOf, legendsOf, rangeOfAllSteps, unitsOf, type LegendOf } from "../../model/scalars";
-import { legendTitle } from "../../model/legend_names";
 import { IconButton, NumberField } from "../controls/controls";
 import { useCommands, useLayers, useModel, useShownTime } from "../context";
 import { Drawing } from "./drawing";
@@ -70,7 +69,7 @@ function useEntries(): Entries {
     if (known === null) return [];
     const range = rangeOf(coloring, known);
     const scale = scaleOf(coloring, known);
-    const title = legendTitle(coloring.array, unitsOf(description, coloring.array), exponentOf(scale));
+    const title = legendTitle(coloring.array, unitsOf(description, coloring.array), scale);
     const cells = arrayOf(description, coloring.array)?.association === "point" ? data?.cells : undefined;
     const constant = !hasWidth(scale) && !coloring.range;
     const about = [title];

@@ -1,0 +1,18 @@
+// The texels of a color scale in the texture scale_rules of protocol/shading/color_scale.glsl. The web page runs the
+// same code (server/page).
+#pragma once
+
+#include "color/color_scale.hpp"
+
+namespace ciel::color {
+
+struct ScaleRules {
+    // To be subtracted from the values. Values of a small range far from 0 then keep their digits as floats.
+    float origin = 0;
+    std::array<std::array<float, 4>, 5> texels{}; // RGBA; all are finite, because shaders need not support infinity
+};
+
+[[nodiscard]] float origin_of(const ColorScale& scale);
+[[nodiscard]] ScaleRules scale_rules(const ColorScale& scale);
+
+} // namespace ciel::color
