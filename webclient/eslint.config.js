@@ -1,5 +1,6 @@
 import js from "@eslint/js";
 import tseslint from "typescript-eslint";
+import { folderOrder } from "./folder_order.js";
 
 export default tseslint.config(
   { ignores: ["**/dist/", "**/src/generated/"] },
@@ -14,32 +15,21 @@ export default tseslint.config(
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
     },
   },
-  ...["wasm", "model", "server", "view", "commands", "panels"].map((folder, level, folders) => ({
-    // One direction: a folder imports those before it. Panels get the model and the commands, and nothing else.
-    files: [`webclient/src/${folder}/**`],
+  {
+    files: ["webclient/src/**"],
+    plugins: { page: { rules: { "folder-order": folderOrder } } },
     rules: {
-      "no-restricted-imports": [
-        "error",
-        {
-          patterns: [
-            {
-              regex: `^(\\.\\./)+(${[...folders.slice(level + 1), ...(folder === "panels" ? ["wasm", "server", "view"] : []), "main"].join("|")})(/|$)`,
-              message:
-                "The folders of src/ import those before them only: wasm, model, server, view, commands, panels.",
-            },
-          ],
-        },
-      ],
-      // no-restricted-imports does not see these forms of an import.
+      "page/folder-order": "error",
+      // The rule on folders does not see these forms of an import.
       "no-restricted-syntax": [
         "error",
-        ...["ImportExpression", "TSImportType"].map((selector) => ({
+        ...["ImportExpression", "TSImportType", "TSExternalModuleReference"].map((selector) => ({
           selector,
           message: "Import at the top of the file, so that the rule on folders applies.",
         })),
       ],
     },
-  })),
+  },
   {
     files: ["**/*.test.ts"],
     rules: {

@@ -1,4 +1,4 @@
-/** Copies the text to the clipboard. Returns false if the browser does not allow it. */
+/** Returns false if the browser does not allow the copy. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);

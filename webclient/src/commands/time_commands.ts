@@ -52,7 +52,7 @@ export class TimeCommands {
     this.deps.model.loop.value = loop;
   }
 
-  /** In time steps per second. */
+  /** `rate`: time steps per second. */
   setRate(rate: number): void {
     this.deps.model.playRate.value = rate;
   }

@@ -10,12 +10,12 @@ export const [SMALLEST, LARGEST] = LIMITS["view.open"].width;
 /** Estimated size of a legend in CSS pixels, including margins. */
 const LEGEND: Size = { width: 110, height: 260 };
 
-/** In CSS pixels. Text may be smaller than in saved pictures, because users read a page from a short distance. */
+/** Text size in CSS pixels, smaller than in saved pictures, because users read a page from a short distance. */
 const USUAL_TEXT = 12;
 export const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
-/** On a small canvas, text is smaller, because text of the usual size would fill the canvas. */
+/** Returns the text size. It is smaller on a small canvas, because text of the usual size would fill the canvas. */
 export function textPixels({ width, height }: Size): number {
   return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
 }

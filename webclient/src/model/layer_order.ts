@@ -1,4 +1,4 @@
-// Order of layers in the list, the legends and the drawing. Where surfaces coincide, the last layer is visible.
+// Order of layers in the list, the legends and the drawing. Of coincident opaque surfaces, the last layer is visible.
 import type { Layer, Scene } from "../generated/protocol";
 import type { JsonObject } from "./merge_patch";
 

@@ -60,7 +60,7 @@ export function capColoring(scene: Layered | null, description: Described): Pick
   return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
-/** True if the camera is on the side opposite to the normal, because the other half would hide the cut. */
+/** Returns whether the normal points away from the camera. The half on the camera's side would hide the cut. */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);

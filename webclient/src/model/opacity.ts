@@ -1,5 +1,5 @@
 // Opacity curve of a volume: points with positions from 0 to 1 over the range of the color scale, in ascending order.
-// An opacity is the opacity of a ray after one unit length.
+// An opacity applies to a ray after one unit length (VolumeLayer.unit_length).
 import { DEFAULTS, LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 
@@ -10,7 +10,7 @@ export const [, MOST_POINTS] = LIMITS.VolumeLayer.opacity_points;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 
-/** Opacity of common values. After ten unit lengths (default: the diagonal), they absorb a seventh of the light. */
+/** Opacity of common values. They absorb a seventh of the light along the diagonal (ten default unit lengths). */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
 /** The lowest or highest tenth of the values gets its own opacity if it covers more than this part of the range. */

@@ -8,28 +8,28 @@ import type { Layered } from "../model/layer_order";
 import { cameraOf, type Model } from "../model/model";
 import { shownTime } from "../model/scalars";
 
-export interface Page {
+export interface ModelAndCommands {
   model: Model;
   commands: Commands;
 }
 
-export const PageContext = createContext<Page | null>(null);
+export const PageContext = createContext<ModelAndCommands | null>(null);
 
-function usePage(): Page {
+function usePageContext(): ModelAndCommands {
   const page = useContext(PageContext);
   if (page === null) throw new Error("A panel must be rendered inside PageContext.Provider");
   return page;
 }
 
-export const useCommands = (): Commands => usePage().commands;
+export const useCommands = (): Commands => usePageContext().commands;
 
 /** The panel is rendered again when the result of `select` changes. */
 export function useModel<V>(select: (model: Model) => V): V {
-  const { model } = usePage();
+  const { model } = usePageContext();
   return useComputed(() => select(model)).value;
 }
 
-/** A panel that reads no other member is not rendered again when the camera moves. */
+/** Selects only the layers, so that a move of the camera does not render the panel again. */
 export function useLayers(): Layered {
   return { layers: useModel((model) => model.scene.value?.layers) };
 }

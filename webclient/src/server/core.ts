@@ -17,7 +17,7 @@ export interface FrameReceiver {
 }
 
 /** Functions of the rest of the page that this folder calls. */
-export interface Page {
+export interface PageCallbacks {
   background(): "dark" | "light";
   link(): Scene | null;
   /** Receiver of frames; null until the canvases exist. */
@@ -30,7 +30,7 @@ export interface Core {
   readonly model: Model;
   readonly size: CanvasSize;
   readonly tab: { id: string; known: boolean };
-  readonly page: Page;
+  readonly page: PageCallbacks;
   readonly latency: Latency;
   readonly scenes: ShownScenes;
   readonly editor: SceneEditor;

@@ -29,7 +29,7 @@ export function openingScene(description: DatasetDescription, size: CanvasSize, 
   return { ...scene, camera, background };
 }
 
-/** Overlays of the canvas need a camera. */
+/** Adds a camera if the scene has none, because overlays of the canvas need one. */
 async function withCamera(call: Caller, scene: Scene, size: CanvasSize): Promise<Scene> {
   if (scene.camera) return scene;
   try {

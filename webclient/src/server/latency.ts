@@ -8,7 +8,7 @@ export class Latency {
   private times: number[] = [];
   last: number | null = null;
 
-  /** The picture of this revision may already have been shown, before the server's answer arrived. */
+  /** The picture of this revision may arrive before the server's answer, and be shown already. */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
     else this.waiting.push({ revision, since });

@@ -7,7 +7,7 @@ import { ShownScenes } from "../model/shown_scenes";
 import { showToast } from "../model/toasts";
 import type { Scene } from "../generated/protocol";
 import { openSocket, postTo, socketAddress } from "./browser_socket";
-import type { Core, Page } from "./core";
+import type { Core, PageCallbacks } from "./core";
 import { describeDataset } from "./datasets";
 import { SceneEditor } from "./editor";
 import { Entry } from "./entry";
@@ -47,7 +47,7 @@ export class Server implements Core {
     readonly model: Model,
     readonly size: CanvasSize,
     readonly tab: { id: string; known: boolean },
-    readonly page: Page,
+    readonly page: PageCallbacks,
   ) {
     this.editor = new SceneEditor(
       model,

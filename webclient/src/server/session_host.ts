@@ -99,7 +99,7 @@ function notificationHandlers(server: Core): Handlers {
       const more = times === undefined ? 0 : times.length - description.times.length;
       const appended = more > 0 && description.times.every((time, step) => time === times?.[step]);
       if (appended) showToast(server.model, `${more} more time ${more === 1 ? "step has" : "steps have"} arrived`);
-      else server.histograms.clear(); // the dataset was replaced: an append keeps the values of earlier steps
+      else server.histograms.clear(); // only an append keeps the values of earlier steps
       void describeDataset(server, true);
     },
     "scene.changed": ({ session, revision, scene }) => {

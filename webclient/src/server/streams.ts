@@ -23,7 +23,7 @@ export class Streams {
   private gesture: Gesture = "rest";
   private resting = 0;
   private said = "";
-  /** Of the newest interactive picture. The milliseconds exclude extraction, which depends on the iso-value. */
+  /** Facts of the newest interactive picture. `ms` excludes extraction, which depends on the iso-value. */
   private picture: { bytes: number; ms: number } | null = null;
   private still: { ms: number } | null = null;
   private readonly polygons = new PolygonBytes();

@@ -4,7 +4,7 @@ import type { Vec3 } from "../model/vector";
 
 export interface GestureTarget {
   camera(): FullCamera | null;
-  size(): Size; // of the canvas, in CSS pixels
+  size(): Size; // size of the canvas in CSS pixels
   /** Returns the camera zoomed about pixel (x, y), or the same camera at the limit of zooming. */
   zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
   /** Moves the camera. `gesture` is the same name from press to release. */

@@ -2,7 +2,7 @@
 import { boundsCentre, boundsRadius, frame, type Bounds, type FullCamera } from "../model/camera";
 import { dot, subtract, type Matrix, type Vec3 } from "../model/vector";
 
-/** From positions relative to `origin`, which are float32, so that large world coordinates lose no digits. */
+/** For positions relative to `origin`. As 32-bit floats, large world coordinates would lose digits. */
 export function viewMatrix(camera: FullCamera, origin: Vec3): Matrix {
   const { right: r, up: u, forward: f } = frame(camera);
   const eye = subtract(camera.position, origin);

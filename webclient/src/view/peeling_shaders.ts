@@ -13,12 +13,12 @@ export const LAYERS = `
 ${DEPTH_LAYERS}
 uniform highp sampler2D nearer;       // depths of the previous layer
 uniform highp sampler2D nearer_lines; // line record of the previous layer
-uniform float place_in_order;         // of the batch, among coincident ones (same_places.ts)
+uniform float place_in_order;         // order of the batch among coincident batches (same_places.ts)
 uniform float reach;                  // pixels by which lines and points extend beyond their position
 layout(location = 1) out vec2 record; // x: number of the last line; y: depth up to which fragments belong to it
 float depth_in_order() { return gl_FragCoord.z - place_in_order * least; }
-// Depth of a surface, moved back so that it does not cover half of the lines on it. The distance grows with the slope.
-// On steep surfaces, something close behind may therefore come before the surface.
+// Depth of a surface, moved back so that it does not cover half the width of each line on it. The distance grows with
+// the slope. Geometry close behind a steep surface may therefore come before the surface.
 float depth_under_lines() {
   return depth_in_order() + reach * max(abs(dFdx(gl_FragCoord.z)), abs(dFdy(gl_FragCoord.z)));
 }

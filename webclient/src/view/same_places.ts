@@ -1,4 +1,4 @@
-// Order of batches whose geometry coincides. The order does not depend on the camera.
+// Order of coincident batches among the layers of depth peeling. The order does not depend on the camera.
 import type { GeometryBatch } from "../server/geometry";
 
 export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !batch.points;
@@ -6,8 +6,8 @@ export const isSurface = (batch: GeometryBatch): boolean => !batch.lines && !bat
 type Described = Pick<GeometryBatch, "layer" | "lines" | "points" | "color" | "width">;
 
 /**
- * Where batches coincide, the batch with the highest number is in front: points before lines before surfaces, then by
- * layer id. The scene's layer order has no effect.
+ * Returns a number for each batch. Of coincident batches, the batch with the highest number is in front: points before
+ * lines before surfaces, then by layer id. The scene's layer order has no effect.
  */
 export function placesOf(batches: readonly Described[]): number[] {
   const keys = batches.map(({ layer, lines, points, color, width }) =>

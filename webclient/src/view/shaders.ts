@@ -13,7 +13,7 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float scale;
 uniform float point_size;
-uniform float value_origin; // subtracted from values: those of a small range far from 0 keep their digits
+uniform float value_origin; // subtracted from values, so that a small range far from 0 keeps its digits
 out vec3 place; // position in units of the bounds' radius: derivatives of small scenes must not underflow
 out vec3 eye_normal;
 out float value;

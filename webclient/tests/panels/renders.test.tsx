@@ -8,7 +8,7 @@ import { emptyReadout } from "../../src/model/state";
 import { PageContext } from "../../src/panels/context";
 import { CameraSection } from "../../src/panels/look/camera_section";
 import { Shell } from "../../src/panels/shell/shell";
-import { TokenForm } from "../../src/panels/shell/token_form";
+import { TokenForm } from "../../src/panels/stage/token_form";
 import { Ahead } from "../../src/panels/stage/ahead";
 import { Annotations } from "../../src/panels/stage/annotations";
 import { ProbeCard } from "../../src/panels/stage/probe_card";

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 
-/** The time starts again when `since` changes. */
+/** Returns whether `holds` has been true for `milliseconds`. The time starts again when `since` changes. */
 export function useLasting(holds: boolean, milliseconds: number, since: unknown = null): boolean {
   const [lasts, setLasts] = useState(false);
   useEffect(() => {

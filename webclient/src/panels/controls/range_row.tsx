@@ -13,7 +13,7 @@ interface RangeRowProps {
   /** Width of the range, for the number of digits; undefined for a logarithmic scale. */
   span: number | undefined;
   setEnd: (end: 0 | 1, to: number) => void;
-  /** Whether the range follows the data. The button with the tooltip `dataTitle` sets this by `setData`. */
+  /** Whether the range follows the data. The button, whose tooltip is `dataTitle`, calls `setData`. */
   ofData: boolean;
   dataTitle: string;
   setData: () => void;

@@ -7,7 +7,7 @@ import { cameraOf } from "../../model/model";
 import { useModel } from "../context";
 import { useLasting } from "../controls/lasting";
 
-/** Latency in milliseconds above which the changes are drawn. */
+/** Latency in ms above which the page draws changes ahead of the picture. */
 const BEHIND_MS = 120;
 
 /** A separate component, because it is rendered again at each move of the camera. */

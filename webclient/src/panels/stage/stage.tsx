@@ -8,7 +8,7 @@ import { Ahead } from "./ahead";
 import { Annotations } from "./annotations";
 import { useCommands, useModel } from "../context";
 import { Texts } from "./texts";
-import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "../shell/notice";
+import { Busy, ConnectionNotice, FatalNotice, LackingNotice, ToastList } from "./notice";
 import { ProbeCard } from "./probe_card";
 
 export function Stage(): JSX.Element {

@@ -11,7 +11,7 @@ import { useLasting } from "../controls/lasting";
 import { TokenForm } from "./token_form";
 import { useCommands, useModel } from "../context";
 
-/** `at` is in milliseconds as of Date.now(). The panel is rendered again while the seconds count down. */
+/** Returns the seconds until `at` (Date.now()), and renders the panel again while they count down. */
 function useCountdown(at: number | null): number {
   const [now, setNow] = useState(Date.now);
   useEffect(() => {
@@ -164,13 +164,22 @@ function useLate(): boolean {
   return useLasting(behind, LATE_MS);
 }
 
-export function Busy(): JSX.Element | null {
-  const commands = useCommands();
-  const call = useModel((model) => model.longCall.value);
+/** Returns the reason why the picture is not up to date; null if it is, and without a connection. */
+function useDelay(): string | null {
   const connected = useModel((model) => model.connection.value.kind === "open");
   const opening = useModel(openingIn);
   const first = useModel((model) => model.readout.value.stream === "none" && model.fatal.value === null);
   const late = useLate();
+  if (!connected) return null;
+  if (opening !== null) return `Opening ${opening}`;
+  if (first) return "Opening";
+  return late ? "Updating" : null;
+}
+
+export function Busy(): JSX.Element | null {
+  const commands = useCommands();
+  const call = useModel((model) => model.longCall.value);
+  const words = useDelay();
   if (call !== null)
     return (
       <div class="busy" role="status">
@@ -180,15 +189,6 @@ export function Busy(): JSX.Element | null {
         </button>
       </div>
     );
-  const words = !connected
-    ? null
-    : opening !== null
-      ? `Opening ${opening}`
-      : first
-        ? "Opening"
-        : late
-          ? "Updating"
-          : null;
   if (words === null) return null;
   return (
     <div class="busy" role="status">
