@@ -42,7 +42,7 @@ public:
     std::uint64_t draw(const Field& distance) {
         const auto [low, high] = distance.range();
         sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count),
-              SliceSink{values_.floats()}, parts_, slices_);
+              SliceSink{values_.floats()}, buffers_, slices_);
         std::uint64_t triangles = 0;
         for (const SliceSink::Out& slice : slices_) triangles += slice.triangles.size() / 3;
         return triangles;
@@ -51,7 +51,7 @@ public:
 private:
     const Case& data_;
     store::Values values_; // as floats
-    SweepBuffers<SliceSink> parts_;
+    SweepBuffers<SliceSink> buffers_;
     std::vector<SliceSink::Out> slices_;
 };
 

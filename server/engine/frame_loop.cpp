@@ -75,7 +75,7 @@ void show_frame(View& view, Worker& worker, bool still) {
         header.extract_ms = elapsed_ms(request->started);
         const auto drawing = Clock::now();
         std::vector<std::vector<std::uint8_t>> messages;
-        wire::ArrayIds parts;
+        wire::ArrayIds ids;
         std::optional<std::vector<std::string>> drawn;
         if (request->still || request->stream != Stream::image) drawn.emplace();
         if (request->stream == Stream::image) {
@@ -91,11 +91,11 @@ void show_frame(View& view, Worker& worker, bool still) {
             auto encoded =
                 frames::geometry_messages(header, *geometry, request->size.pixel_ratio, *grid, request->held);
             messages = std::move(encoded.payloads);
-            parts = std::move(encoded.ids);
+            ids = std::move(encoded.ids);
         }
         view.tell_lacking(*request, lacking_in(*geometry, request->version->scene().lighting, request->stream),
                           *geometry, drawn);
-        view.deliver(*request, std::move(messages), std::move(parts),
+        view.deliver(*request, std::move(messages), std::move(ids),
                      {header.wait_ms, header.extract_ms, header.draw_ms, header.encode_ms});
     } catch (const GivenUp&) {
         view.give_up();

@@ -40,7 +40,7 @@ void View::again() {
     mailbox_.put(newest_);
     still_wanted_ = nullptr;
     content_.clear();
-    parts_.clear(); // all arrays are sent again, because the client may have lost some
+    ids_of_frame_.clear(); // all arrays are sent again, because the client may have lost some
     if (working_) stop_.request_stop();
     schedule();
 }
@@ -63,7 +63,7 @@ void View::acknowledge(std::uint32_t frame) {
     const std::scoped_lock lock(mutex_);
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     held_ = frame;
-    parts_.erase(parts_.begin(), parts_.lower_bound(frame));
+    ids_of_frame_.erase(ids_of_frame_.begin(), ids_of_frame_.lower_bound(frame));
     quiet_until_ = Clock::now() + quiet; // restarts the pause, because the user may react to the frame
     schedule();
 }
@@ -117,7 +117,7 @@ std::optional<FrameRequest> View::take(bool still) {
         request.moving = &pictures_now();
         request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
     }
-    if (const auto held = parts_.find(held_); stream_ == Stream::geometry && held != parts_.end())
+    if (const auto held = ids_of_frame_.find(held_); stream_ == Stream::geometry && held != ids_of_frame_.end())
         request.held = {held_, held->second};
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
@@ -134,7 +134,7 @@ wire::PictureStream& View::pictures_now() {
     return *pictures_.stream;
 }
 
-void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
+void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds ids,
                    const FrameTimes& times) {
     std::unique_lock lock(mutex_);
     std::size_t bytes = 0;
@@ -144,7 +144,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
         frame_bytes_ = bytes;
         if (!connection_->may_send(bytes)) return make_again_later(request);
         ++sent_;
-        if (request.stream == Stream::geometry) parts_[sent_] = std::move(parts);
+        if (request.stream == Stream::geometry) ids_of_frame_[sent_] = std::move(ids);
         for (auto& message : messages) {
             frames::number_frame(message, sent_);
             connection_->send_binary(std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));

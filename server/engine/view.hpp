@@ -53,15 +53,15 @@ public:
     // The functions from here to fail() are for the frame loop. take() returns a request if a frame is due. Then
     // exactly one call of deliver, give_up, give_way or fail must follow.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Call this before deliver(). Notifies the client of the parts that the frame lacks, if they have changed. `drawn`:
+    // Call this before deliver(). Notifies the client of what the frame lacks, if that has changed. `drawn`:
     // remarks of the renderer, absent for an interactive picture. The remarks on the last still picture are then kept,
     // because the notice would flicker otherwise.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const geometry::Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // Sends `messages` with the frame number in each header; none if the client already has the content. `parts`: ids
+    // Sends `messages` with the frame number in each header; none if the client already has the content. `ids`: those
     // of the arrays that the client has when it acknowledges the frame. If the connection has no room, the frame is
     // dropped and made again later. Throws LimitReached if the frame is larger than the room in the server's memory.
-    void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds parts,
+    void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds ids,
                  const FrameTimes& times);
     void give_up();  // cancelled: the frame was superseded, or the view is closed
     void give_way(); // the still picture let other views go first; take() returns it again later
@@ -111,12 +111,12 @@ private:
     std::uint32_t sent_ = 0;
     std::size_t frame_bytes_ = 0; // of the last frame's messages
     frames::ContentKey content_;
-    double grid_ = 0;                                  // grid step of content_; 0 before the first geometry frame
-    std::uint32_t held_ = 0;                           // last acknowledged frame
-    std::map<std::uint32_t, wire::ArrayIds> parts_;    // ids of the arrays by frame, from frame held_ on
-    std::vector<std::string> lacking_, drawn_lacking_; // remarks on the last frame; on the last still picture
-    std::vector<geometry::EmptyLayer> empty_;          // of the last frame
-    std::vector<std::string> missing_;                 // layers of the last frame with values that are not finite
+    double grid_ = 0;                                      // grid step of content_; 0 before the first geometry frame
+    std::uint32_t held_ = 0;                               // last acknowledged frame
+    std::map<std::uint32_t, wire::ArrayIds> ids_of_frame_; // from frame held_ on
+    std::vector<std::string> lacking_, drawn_lacking_;     // remarks on the last frame; on the last still picture
+    std::vector<geometry::EmptyLayer> empty_;              // of the last frame
+    std::vector<std::string> missing_;                     // layers of the last frame with values that are not finite
 };
 
 } // namespace ciel::engine

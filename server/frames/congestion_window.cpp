@@ -13,7 +13,8 @@ constexpr double very_late = 0.2;  // seconds; no browser delays a frame this mu
 constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
-constexpr double longest_route = 1;  // seconds; a frame that takes longer is large, so the window does not grow
+// seconds. A frame that takes longer is slow because of its size; the window does not grow for it.
+constexpr double longest_route = 1;
 constexpr seconds soonest_lasts{10}; // then soonest_ is measured again, because the route may have become longer
 constexpr seconds rate_lasts{30};
 constexpr seconds best_lasts{2}; // period of Highest, so that a rate is used for 2 to 4 seconds

@@ -84,8 +84,6 @@ private:
     double tan_, tan_across_, nearest_ = 0, nearest_corner_ = 0;
 };
 
-std::size_t corners_of(const geometry::Drawable& drawable) { return drawable.points() ? 1 : drawable.lines() ? 2 : 3; }
-
 double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum) {
     std::vector<Vec3d> places;
     std::vector<std::uint8_t> outside;
@@ -96,7 +94,7 @@ double nearest_depth(const geometry::Drawable& drawable, const Frustum& frustum)
     double nearest = INFINITY;
     std::vector<Vec3d> corners, clipped;
     const auto indices = drawable.indices();
-    const std::size_t count = corners_of(drawable);
+    const std::size_t count = drawable.corners();
     for (std::size_t i = 0; i < indices.size(); i += count) {
         unsigned all = 0xFF, any = 0;
         double least = INFINITY;

@@ -29,8 +29,8 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, GatewayState& state, asio::thread_pool& workers)
         : state_(state), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
-          send_queue_changed_(socket_.get_executor()), part_ended_(socket_.get_executor()) {
-        for (auto* timer : {&inbox_changed_, &send_queue_changed_, &part_ended_})
+          send_queue_changed_(socket_.get_executor()), coroutine_ended_(socket_.get_executor()) {
+        for (auto* timer : {&inbox_changed_, &send_queue_changed_, &coroutine_ended_})
             timer->expires_at(std::chrono::steady_clock::time_point::max());
     }
 
@@ -42,8 +42,8 @@ private:
     asio::awaitable<void> read();
     asio::awaitable<void> handle_in_order();
     asio::awaitable<void> write();
-    template <typename Part>
-    void start(Part part);
+    template <typename Coroutine>
+    void start(Coroutine coroutine);
 
     // The timer never expires. It serves as a condition variable: cancelling it wakes all waiters.
     static asio::awaitable<void> changed(asio::steady_timer& timer) {
@@ -75,10 +75,10 @@ private:
     };
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
-    asio::steady_timer inbox_changed_, send_queue_changed_, part_ended_;
+    asio::steady_timer inbox_changed_, send_queue_changed_, coroutine_ended_;
     std::optional<websocket::close_reason> close_; // requested close; write() sends it after the waiting messages
     bool ended_ = false, closes_now_ = false, writing_ = false;
-    int parts_ = 0, unanswered_ = 0; // running coroutines; messages taken from the inbox but not answered
+    int coroutines_ = 0, unanswered_ = 0; // running; messages taken from the inbox but not answered
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
@@ -134,7 +134,7 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, 
     start([this] { return write(); });
     co_await read();
     end();
-    while (parts_ > 0) co_await changed(part_ended_);
+    while (coroutines_ > 0) co_await changed(coroutine_ended_);
     *on_drain = nullptr;
     send_queue_->close();
     state_.counters.frames_dropped += send_queue_->dropped_frames();
@@ -146,13 +146,13 @@ asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, 
     spdlog::debug("{}: WebSocket closed", remote_);
 }
 
-template <typename Part>
-void WebSocketSession::start(Part part) {
-    ++parts_;
-    asio::co_spawn(socket_.get_executor(), std::move(part), [this](const std::exception_ptr& failure) {
+template <typename Coroutine>
+void WebSocketSession::start(Coroutine coroutine) {
+    ++coroutines_;
+    asio::co_spawn(socket_.get_executor(), std::move(coroutine), [this](const std::exception_ptr& failure) {
         if (failure) cut();
-        --parts_;
-        part_ended_.cancel();
+        --coroutines_;
+        coroutine_ended_.cancel();
     });
 }
 

@@ -13,11 +13,6 @@ double distance(const HalfSpace& half, const Vec3d& point) {
 
 Vec3d wide(const Vec3f& point) { return {point[0], point[1], point[2]}; }
 
-std::size_t corners_of(const Drawable& drawable) {
-    if (drawable.polygons()) return 3;
-    return drawable.lines() ? 2 : 1;
-}
-
 ClipPlanes::ClipPlanes(const Geometry& geometry) : planes_(geometry.clip) {
     for (HalfSpace& plane : planes_) plane.offset += clip_slack(geometry);
 }

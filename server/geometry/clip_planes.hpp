@@ -21,6 +21,5 @@ private:
 
 [[nodiscard]] double distance(const HalfSpace& half, const Vec3d& point);
 [[nodiscard]] Vec3d wide(const Vec3f& point);
-[[nodiscard]] std::size_t corners_of(const Drawable& drawable); // three per triangle, two per line, one per point
 
 } // namespace ciel::geometry

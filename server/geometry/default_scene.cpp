@@ -74,7 +74,7 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-// Reads about 100,000 values in runs that are spread over the array, so that few pages are read.
+// Reads about 100,000 values in runs that are spread over the array, so that few stretches are read.
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);

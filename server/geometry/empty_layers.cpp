@@ -15,7 +15,7 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
     if (indices.empty() || !cutter.cuts()) return !indices.empty();
     const auto& positions = drawable.shape->surface.positions;
     if (std::any_of(indices.begin(), indices.end(), [&](Index i) { return cutter.keeps(positions[i]); })) return true;
-    const std::size_t corners = corners_of(drawable);
+    const std::size_t corners = drawable.corners();
     for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
         std::vector<Vec3d> piece;
         for (std::size_t k = 0; k < corners; ++k) piece.push_back(wide(positions[indices[i + k]]));

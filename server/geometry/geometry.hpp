@@ -44,6 +44,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     [[nodiscard]] bool points() const { return edges == nullptr && shape->points; }
     [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // on the layer's surface
     [[nodiscard]] bool polygons() const { return !lines() && !points(); }
+    [[nodiscard]] std::size_t corners() const { return lines() ? 2 : points() ? 1 : 3; } // of each primitive
     [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
 };
 

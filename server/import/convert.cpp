@@ -69,9 +69,9 @@ private:
     }
 
     // If the input has several steps, a later step could have the array.
-    void check_only_step(const DataSets& data_sets) {
+    void check_only_step(const InputGrids& input_grids) {
         if (source_.times().size() > 1) return;
-        for (const FieldName& field : field_names(data_sets)) selection_.saw(field);
+        for (const FieldName& field : field_names(input_grids)) selection_.saw(field);
         selection_.check();
     }
 
@@ -84,32 +84,33 @@ private:
             return;
         }
         last_time_ = time;
-        DataSets data_sets;
+        InputGrids input_grids;
         try {
-            data_sets = collect_data_sets(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
-            source_.add_known(data_sets, {});
-            require_volumes(data_sets);
+            input_grids =
+                collect_input_grids(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
+            source_.add_known(input_grids, {});
+            require_volumes(input_grids);
         } catch (const Error& error) {
             return lose_step(time, error.what());
         }
         for (const std::string& sentence : source_.lost()) lose(sentence);
-        check_only_step(data_sets);
-        const Fingerprint print = fingerprint(data_sets);
+        check_only_step(input_grids);
+        const Fingerprint print = fingerprint(input_grids);
         const bool is_same =
-            writer_ && print.cells == print_.cells && same_mesh(data_sets, print.positions != print_.positions, time);
-        if (!is_same && !new_mesh(data_sets, time)) return;
+            writer_ && print.cells == print_.cells && same_mesh(input_grids, print.positions != print_.positions, time);
+        if (!is_same && !new_mesh(input_grids, time)) return;
         print_ = print;
         tell(0.8, "making arrays");
-        const auto& arrays = arrays_.make(step_, mesh_, data_sets, point_maker_);
+        const auto& arrays = arrays_.make(step_, mesh_, input_grids, point_maker_);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
 
     // Returns false, and does not change mesh_, if the mesh cannot be built.
-    bool new_mesh(const DataSets& data_sets, double time) {
+    bool new_mesh(const InputGrids& input_grids, double time) {
         tell(0.5, "building the mesh");
         try {
-            mesh_ = build_step_mesh(data_sets, options_.weld, difference_across);
+            mesh_ = build_step_mesh(input_grids, options_.weld, difference_across);
         } catch (const Error& error) {
             lose_step(time, error.what());
             return false;
@@ -120,8 +121,8 @@ private:
         if (!writer_) make_writer();
         for (const std::string& sentence : mesh_.notes) note(sentence);
         tell(0.7, "writing the mesh");
-        const auto vertices = to_stored(gather_solver_ids(mesh_.parts, FieldOf::points), mesh_.point_of_vertex);
-        const auto cells = to_stored(gather_solver_ids(mesh_.parts, FieldOf::cells), mesh_.cell_of_cell);
+        const auto vertices = to_stored(gather_solver_ids(mesh_.members, FieldOf::points), mesh_.point_of_vertex);
+        const auto cells = to_stored(gather_solver_ids(mesh_.members, FieldOf::cells), mesh_.cell_of_cell);
         mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups,
                                         {vertices, cells});
         coordinates_index_ = 0;
@@ -129,9 +130,9 @@ private:
     }
 
     // Returns false if the step needs a new mesh.
-    bool same_mesh(const DataSets& data_sets, bool moved, double time) {
-        update_step_mesh(mesh_, data_sets, moved);
-        if (const std::string what = difference_across(mesh_.seams, mesh_.parts); !what.empty()) {
+    bool same_mesh(const InputGrids& input_grids, bool moved, double time) {
+        update_step_mesh(mesh_, input_grids, moved);
+        if (const std::string what = difference_across(mesh_.seams, mesh_.members); !what.empty()) {
             std::ostringstream sentence;
             sentence << "From time " << time << " on " << what
                      << " differs across a seam that was welded at earlier times; from that time on the dataset has "
@@ -140,7 +141,7 @@ private:
             print_ = {}; // mesh_ no longer has the positions that are in the dataset
             return false;
         }
-        if (!still_the_same(mesh_.joined_pieces, mesh_.parts)) {
+        if (!still_the_same(mesh_.joined_pieces, mesh_.members)) {
             std::ostringstream sentence;
             sentence << "From time " << time
                      << " on, points of two pieces differ that were welded at earlier times; from that time on the "

@@ -23,19 +23,20 @@ void print_steps(const std::vector<double>& times) {
 }
 
 // Pieces of one mesh with the same name share one line.
-void print_data_sets(const char* title, const std::vector<DataSet>& data_sets) {
-    for (std::size_t first = 0, end; first < data_sets.size(); first = end) {
-        const DataSet& data_set = data_sets[first];
+void print_input_grids(const char* title, const std::vector<InputGrid>& input_grids) {
+    for (std::size_t first = 0, end; first < input_grids.size(); first = end) {
+        const InputGrid& input_grid = input_grids[first];
         long long points = 0, cells = 0;
-        for (end = first; end < data_sets.size(); ++end) {
-            const bool is_piece =
-                data_set.whole >= 0 && data_sets[end].whole == data_set.whole && data_sets[end].name == data_set.name;
+        for (end = first; end < input_grids.size(); ++end) {
+            const bool is_piece = input_grid.whole >= 0 && input_grids[end].whole == input_grid.whole &&
+                                  input_grids[end].name == input_grid.name;
             if (end > first && !is_piece) break;
-            points += data_sets[end].data->GetNumberOfPoints();
-            cells += data_sets[end].data->GetNumberOfCells();
+            points += input_grids[end].data->GetNumberOfPoints();
+            cells += input_grids[end].data->GetNumberOfCells();
         }
         const std::string pieces = end - first > 1 ? " in " + std::to_string(end - first) + " pieces" : "";
-        std::printf("%s %s: %lld points, %lld cells%s\n", title, data_set.name.c_str(), points, cells, pieces.c_str());
+        std::printf("%s %s: %lld points, %lld cells%s\n", title, input_grid.name.c_str(), points, cells,
+                    pieces.c_str());
     }
 }
 
@@ -43,15 +44,15 @@ void print_data_sets(const char* title, const std::vector<DataSet>& data_sets) {
 
 void print_listing(Source& source) {
     const auto data = source.read(0, [](double share) { progress(share, "reading the first step"); });
-    const DataSets data_sets = collect_data_sets(data);
-    require_volumes(data_sets);
+    const InputGrids input_grids = collect_input_grids(data);
+    require_volumes(input_grids);
     std::printf("format  %s\n", source.format().c_str());
     print_steps(source.times());
-    print_data_sets("block  ", data_sets.volumes);
-    print_data_sets("surface", data_sets.surfaces);
-    print_data_sets("zone   ", data_sets.zones);
+    print_input_grids("block  ", input_grids.volumes);
+    print_input_grids("surface", input_grids.surfaces);
+    print_input_grids("zone   ", input_grids.zones);
     const auto units = source.units();
-    for (const FieldName& field : field_names(data_sets)) {
+    for (const FieldName& field : field_names(input_grids)) {
         const auto unit = units.find(field.name);
         const bool known = unit != units.end() && !unit->second.empty();
         std::printf("array   %s: %s, %d component%s%s%s\n", field.name.c_str(),

@@ -48,7 +48,7 @@ void for_limits(const GroupFiles& files, Visit&& visit) {
     }
 }
 
-// A control group counts inactive file pages as used although they are reclaimable.
+// A control group counts inactive memory pages of files as used although they are reclaimable.
 std::uint64_t file_pages(const fs::path& directory) {
     std::ifstream statistics(directory / "memory.stat");
     std::uint64_t number = 0;

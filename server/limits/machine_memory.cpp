@@ -37,7 +37,7 @@ std::uint64_t spare_address_space() {
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
-// Heap, stacks and allocations of drivers, but no pages of files.
+// Heap, stacks and allocations of drivers, but no memory pages of files.
 std::uint64_t private_resident_memory() {
     std::uint64_t size = 0, resident = 0, shared = 0;
     std::ifstream("/proc/self/statm") >> size >> resident >> shared;

@@ -22,7 +22,7 @@ void give_reserve_away() {
 void keep_memory_in_reserve() {
     std::set_new_handler(give_reserve_away);
     if (reserve.load() != nullptr) return;
-    void* kept = std::malloc(reserve_bytes); // never written, so that it takes address space but no pages
+    void* kept = std::malloc(reserve_bytes); // never written, so that it takes address space but no memory
     void* none = nullptr;
     if (kept != nullptr && !reserve.compare_exchange_strong(none, kept)) std::free(kept);
 }

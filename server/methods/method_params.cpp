@@ -1,8 +1,8 @@
 #include "methods/method_params.hpp"
 
 #include "methods/call_context.hpp"
-#include "scene/drop_unknown_members.hpp"
 #include "scene/schema.hpp"
+#include "scene/unknown_members.hpp"
 
 #include <map>
 

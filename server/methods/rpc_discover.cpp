@@ -1,5 +1,5 @@
 #include "methods/call_context.hpp"
-#include "scene/schema.hpp"
+#include "scene/contract.hpp"
 
 namespace ciel::methods {
 

@@ -15,7 +15,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
     const store::ArrayInfo& cells = *dataset.find(store::parse_scalar(dataset, of_cells).array);
-    const store::PagedValues values = dataset.values_to_load(cells.name, step);
+    const store::ValuesToLoad values = dataset.values_to_load(cells.name, step);
     return values.file != nullptr && std::ranges::any_of(store::scalars_of(cells), [&](const store::ScalarName& name) {
                return !name.magnitude &&
                       store::went_wrong(store::StoredScalar(cells, name, values).of(std::span(&cell, 1))[0]);
@@ -25,7 +25,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
 // The weights are over vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const VertexWeights& weights, bool is_wrong, Probed& out) {
-    const store::PagedValues values = dataset.values_to_load(array.name, step);
+    const store::ValuesToLoad values = dataset.values_to_load(array.name, step);
     std::vector<Index> items;
     for (const auto& [item, share] : weights) items.push_back(item);
     for (const std::string& scalar : store::scalar_names(array)) {

@@ -16,8 +16,8 @@ struct Probed {
     std::map<std::string, std::optional<double>> values; // by scalar; nullopt if not written at this step or not finite
 };
 
-// Point scalars are interpolated in the cell. Reads only the pages that have the values. `locator`: of the mesh with
-// the coordinates of the step. Throws Error when a file is damaged.
+// Point scalars are interpolated in the cell. Reads only the stretches (store/format/checksum.hpp) that have the
+// values. `locator`: of the mesh with the coordinates of the step. Throws Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position);
 
 } // namespace ciel::probe

@@ -37,7 +37,7 @@ private:
 void add_drawable(Box& box, const geometry::Drawable& drawable, const geometry::ClipPlanes& cutter) {
     const std::span<const Index> indices = drawable.indices();
     const auto& positions = drawable.shape->surface.positions;
-    const std::size_t corners = geometry::corners_of(drawable);
+    const std::size_t corners = drawable.corners();
     for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
         const auto piece = indices.subspan(i, corners);
         if (std::all_of(piece.begin(), piece.end(), [&](Index at) { return cutter.keeps(positions[at]); })) {

@@ -2,7 +2,7 @@
 
 #include "ciel/printable.hpp"
 #include "color/color_map.hpp"
-#include "scene/schema.hpp"
+#include "scene/contract.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "scene/rules.hpp"
 
 #include "ciel/printable.hpp"
-#include "scene/schema.hpp"
+#include "scene/contract.hpp"
 
 #include <algorithm>
 #include <cmath>

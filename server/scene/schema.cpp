@@ -1,6 +1,6 @@
 #include "scene/schema.hpp"
 
-#include "protocol/document.hpp"
+#include "scene/unknown_members.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,22 +129,12 @@ Result check_properties(const json& rule, const json& value, const json&, const 
     return {};
 }
 
-std::string known_members(const json& schema) {
-    std::string names;
-    if (const auto known = schema.find("properties"); known != schema.end())
-        for (const auto& [name, member] : known->items())
-            names += (names.empty() ? "; the known members are " : ", ") + name;
-    return names;
-}
-
 Result check_additional(const json& rule, const json& value, const json& schema, const std::string& path) {
-    if (!value.is_object()) return {};
+    if (rule == false) return refuse_unknown_members(schema, value, path);
+    if (!value.is_object() || !rule.is_object()) return {};
     for (const auto& [name, member] : value.items()) {
-        if (const auto known = schema.find("properties"); known != schema.end() && known->contains(name)) continue;
-        const std::string place = pointer_step(path, name);
-        if (rule == false) return Violation{place, "is not a known member" + known_members(schema)};
-        if (!rule.is_object()) continue;
-        if (auto violation = check_schema(rule, member, place)) return violation;
+        if (is_known_member(schema, name)) continue;
+        if (auto violation = check_schema(rule, member, pointer_step(path, name))) return violation;
     }
     return {};
 }
@@ -250,21 +240,6 @@ const std::vector<std::pair<std::string, Check>>& checks() {
 
 } // namespace
 
-const json& contract() {
-    static const json document = [] {
-        std::string text;
-        for (const std::string_view part : protocol::document_parts) text += part;
-        return json::parse(text);
-    }();
-    return document;
-}
-
-const json& resolved(const json& schema) {
-    const auto reference = schema.find("$ref");
-    if (reference == schema.end()) return schema;
-    return contract().at(json::json_pointer(reference->get_ref<const std::string&>().substr(1)));
-}
-
 std::optional<Violation> check_schema(const json& schema, const json& value, const std::string& path) {
     const json& rules = resolved(schema);
     for (const auto& [keyword, check] : checks()) {
@@ -279,12 +254,6 @@ std::vector<std::string> schema_keywords() {
     std::vector<std::string> names{"$ref"};
     for (const auto& [keyword, check] : checks()) names.push_back(keyword);
     return names;
-}
-
-std::string pointer_step(const std::string& path, const std::string& token) {
-    std::string step = path + "/";
-    for (const char c : token) c == '~' ? step += "~0" : c == '/' ? step += "~1" : step += c;
-    return step;
 }
 
 } // namespace ciel::scene

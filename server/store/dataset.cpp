@@ -2,7 +2,7 @@
 
 #include "store/cache/chunk_cache.hpp"
 #include "store/cache/mapped_mesh.hpp"
-#include "store/cache/paged_array.hpp"
+#include "store/cache/stored_array.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/documents.hpp"
@@ -94,9 +94,9 @@ public:
     }
     FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const override {
         if (!at(mesh)->has_blocks()) return points(mesh, coordinates);
-        const PagedValues paged = paged_positions(mesh, coordinates);
-        const auto loader = loader_of(paged, mesh, coordinates);
-        FaceMeshView view = of_dataset(at(mesh)->view_points(paged.values), mesh, loader);
+        const ValuesToLoad to_load = positions_to_load(mesh, coordinates);
+        const auto loader = loader_of(to_load, mesh, coordinates);
+        FaceMeshView view = of_dataset(at(mesh)->view_points(to_load.values), mesh, loader);
         view.loader = loader.get();
         return view;
     }
@@ -173,7 +173,7 @@ public:
     Values values(const std::string& array, std::size_t step) const override {
         return loaded(values_to_load(array, step));
     }
-    PagedValues values_to_load(const std::string& array, std::size_t step) const override {
+    ValuesToLoad values_to_load(const std::string& array, std::size_t step) const override {
         if (find(array) == nullptr) refuse(directory_, "has no array '" + array + "'");
         if (step >= steps_->size()) refuse(directory_, "has no step " + std::to_string(step));
         const MarkedStep at = marked(step);
@@ -183,7 +183,7 @@ public:
         if (entry->second.lazy && !is_written(at, array))
             refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
                                    std::to_string(at.time) + "; choose another step");
-        return paged_values(at.mesh, array, entry->second);
+        return array_to_load(at.mesh, array, entry->second);
     }
 
 private:
@@ -194,7 +194,7 @@ private:
     }
 
     // All fields on the same positions share one loader, because the loader records which blocks are loaded.
-    std::shared_ptr<const PositionsLoader> loader_of(const PagedValues& positions, std::size_t mesh,
+    std::shared_ptr<const PositionsLoader> loader_of(const ValuesToLoad& positions, std::size_t mesh,
                                                      std::size_t coordinates) const {
         const std::lock_guard lock(loaders_mutex_);
         std::weak_ptr<const PositionsLoader>& known = loaders_[{mesh, coordinates}];
@@ -203,13 +203,15 @@ private:
         return loader;
     }
 
-    PagedValues paged_values(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
+    ValuesToLoad array_to_load(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
         const ArrayLayout& shape = layouts_[mesh].at(array);
-        const auto checks = [&] { return page_checks(shape, entry.checksum, stored_ranges(mesh, array, entry)); };
+        const auto checks = [&] {
+            return checks_of_stretches(shape, entry.checksum, stored_ranges(mesh, array, entry));
+        };
         return view_of(chunks_->get(shape.chunk(entry.chunk), shape.chunk_bytes, checks), shape.doubles);
     }
 
-    PagedValues paged_positions(std::size_t mesh, std::size_t coordinates) const {
+    ValuesToLoad positions_to_load(std::size_t mesh, std::size_t coordinates) const {
         (void)at(mesh); // throws for an unknown mesh
         const ArrayLayout& shape = positions_[mesh];
         if (coordinates >= shape.chunks)
@@ -218,14 +220,14 @@ private:
         const auto checks = [&] {
             const auto& sums = coordinate_checksums_[mesh];
             const std::string sum = coordinates < sums.size() ? sums[coordinates] : std::string();
-            PageChecks made = page_checks(shape, sum, position_ranges(mesh, coordinates, sum));
-            made.numbers = [file, doubles = shape.doubles](auto page) { refuse_infinite(page, doubles, file); };
+            StretchChecks made = checks_of_stretches(shape, sum, position_ranges(mesh, coordinates, sum));
+            made.numbers = [file, doubles = shape.doubles](auto stretch) { refuse_infinite(stretch, doubles, file); };
             return made;
         };
         return view_of(chunks_->get(file, shape.chunk_bytes, checks), shape.doubles);
     }
     Values positions(std::size_t mesh, std::size_t coordinates) const {
-        return loaded(paged_positions(mesh, coordinates));
+        return loaded(positions_to_load(mesh, coordinates));
     }
 
     std::size_t place_of(const ScalarName& scalar) const {
@@ -369,7 +371,7 @@ private:
         } else if (lacking == LackingRanges::left_out || (entry.lazy && !is_written(step, name))) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
-            result = statistics(loaded(paged_values(step.mesh, name, entry)), array);
+            result = statistics(loaded(array_to_load(step.mesh, name, entry)), array);
             result.extremes.clear(); // left empty, because computing the positions of the cells would read blocks
         }
         result.lazy = entry.lazy;

@@ -18,8 +18,8 @@
 
 namespace ciel::store {
 
-class MeshArrays;   // mesh_arrays.hpp
-struct PagedValues; // cache/paged_file.hpp
+class MeshArrays;    // mesh_arrays.hpp
+struct ValuesToLoad; // cache/checked_file.hpp
 
 // What Dataset::open does if the commit marker has no ranges, as for steps that were appended with plain Zarr.
 enum class LackingRanges {
@@ -80,7 +80,7 @@ public:
     // as an index.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // Return nullopt if the solver gave no id. Each call reads one page. The vertex or cell must exist.
+    // Return nullopt if the solver gave no id. Each call reads one stretch. The vertex or cell must exist.
     [[nodiscard]] virtual Index original_vertex(std::size_t mesh, Index vertex) const = 0;
     [[nodiscard]] virtual Index original_cell(std::size_t mesh, Index cell) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const = 0;
@@ -88,8 +88,8 @@ public:
     // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
     // written at this step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
-    // Like values, but reads no page. Pages are read and checked when the caller loads them (PagedFile::load).
-    [[nodiscard]] virtual PagedValues values_to_load(const std::string& array, std::size_t step) const = 0;
+    // Like values, but reads no stretch. Stretches are read and checked when the caller loads them (CheckedFile::load).
+    [[nodiscard]] virtual ValuesToLoad values_to_load(const std::string& array, std::size_t step) const = 0;
 
     // Returns nullopt if no ranges are stored or the scalar is not on points. Throws Error when they are damaged.
     [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;

@@ -114,8 +114,8 @@ struct LoadedDataset::State {
         return found;
     }
 
-    [[nodiscard]] static PagedValues written(const Dataset& dataset, const std::string& array, std::size_t step,
-                                             Association wanted) {
+    [[nodiscard]] static ValuesToLoad written(const Dataset& dataset, const std::string& array, std::size_t step,
+                                              Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
             throw Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " + name_of(wanted));
         auto values = dataset.values_to_load(array, step);
@@ -237,7 +237,7 @@ std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::stri
     (void)State::step_of(*of, step);
     ScalarName scalar = parse_scalar(*of, name);
     const ArrayInfo& array = *of->find(scalar.array);
-    PagedValues values = State::written(*of, scalar.array, step, items);
+    ValuesToLoad values = State::written(*of, scalar.array, step, items);
     return std::make_shared<const StoredScalar>(array, std::move(scalar), std::move(values));
 }
 

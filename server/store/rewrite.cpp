@@ -68,24 +68,24 @@ class Rewriter {
 public:
     Rewriter(const Dataset& from, Writer& to, const std::function<void(double)>& progress)
         : from_(from), to_(to), progress_(progress),
-          parts_(static_cast<double>(from.info().meshes.size() + from.steps().size())) {}
+          total_(static_cast<double>(from.info().meshes.size() + from.steps().size())) {}
 
     std::vector<std::string> run() {
         for (std::size_t mesh = 0; mesh < from_.info().meshes.size(); ++mesh) {
-            tell_part();
+            tell_progress();
             const FaceMeshView all = from_.mesh_arrays().all_faces(mesh, 0);
             to_.add_mesh(copy_of(all), from_.original_vertex(mesh), from_.original_cell(mesh),
                          groups_of(from_, mesh, all), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
         }
         for (std::size_t step = 0; step < from_.steps().size(); ++step) {
-            tell_part();
+            tell_progress();
             add_step(step);
         }
         return std::move(left_out_);
     }
 
 private:
-    void tell_part() { progress_(done_++ / parts_); }
+    void tell_progress() { progress_(done_++ / total_); }
 
     void add_step(std::size_t index) {
         const Step& step = from_.steps()[index];
@@ -112,7 +112,7 @@ private:
     const Dataset& from_;
     Writer& to_;
     const std::function<void(double)>& progress_;
-    double done_ = 0, parts_;
+    double done_ = 0, total_;
     std::map<std::size_t, std::size_t> sets_;
     std::vector<std::string> left_out_;
 };

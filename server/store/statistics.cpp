@@ -84,7 +84,7 @@ ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topolo
         ranges.scalars.push_back(on_points ? block_ranges(topology, scalar) : BlockRanges{});
         ranges.histograms.push_back(histogram_of(scalar, stored_bins));
     }
-    ranges.page_checksums = page_checksums(values.bytes());
+    ranges.stretch_checksums = stretch_checksums(values.bytes());
     return ranges;
 }
 

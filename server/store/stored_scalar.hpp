@@ -3,7 +3,7 @@
 
 #include "ciel/extract.hpp"
 #include "ciel/value_source.hpp"
-#include "store/cache/paged_file.hpp"
+#include "store/cache/checked_file.hpp"
 #include "store/dataset.hpp"
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace ciel::store {
 class StoredScalar final : public ValueSource {
 public:
     // values: all components of `array`, for all items.
-    StoredScalar(ArrayInfo array, ScalarName scalar, PagedValues values)
+    StoredScalar(ArrayInfo array, ScalarName scalar, ValuesToLoad values)
         : array_(std::move(array)), scalar_(std::move(scalar)), values_(std::move(values)),
           width_(static_cast<std::size_t>(array_.components)) {}
 
@@ -48,7 +48,7 @@ private:
 
     ArrayInfo array_;
     ScalarName scalar_;
-    PagedValues values_;
+    ValuesToLoad values_;
     std::size_t width_; // number of components of an item
 };
 

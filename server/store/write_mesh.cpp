@@ -65,7 +65,7 @@ void write_boxes(const fs::path& directory, const Topology& topology, const std:
                  std::size_t coordinates, ValuesView positions) {
     BlockBoxes boxes = block_boxes(topology, positions);
     const ValueRanges ranges{
-        {std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])}, {}, page_checksums(positions.bytes())};
+        {std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])}, {}, stretch_checksums(positions.bytes())};
     write_ranges(directory / "positions", coordinates, ranges, dataset_id, positions.bytes());
 }
 
@@ -109,7 +109,7 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     write("cell_types", ElementType::u1, std::as_bytes(std::span(mesh.cell_types)));
     const auto write_ids = [&](const std::string& name, ElementType type, std::span<const std::byte> ids) {
         write(name, type, ids);
-        write_ranges(directory / name, 0, {{}, {}, page_checksums(ids)}, dataset_id, ids);
+        write_ranges(directory / name, 0, {{}, {}, stretch_checksums(ids)}, dataset_id, ids);
     };
     write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));

@@ -16,7 +16,7 @@ def has_volume(data):
 
 
 def leaves(data):
-    """The data sets of a tree in order, without parts that repeat cells of other parts under a name."""
+    """The leaves of a tree in order, without parts that repeat cells of other parts under a name."""
     if data is None:
         return
     if data.IsA("vtkDataSet"):

@@ -51,21 +51,21 @@ void add_dimensions(Grid* grid, Hasher& hash) {
     hash.add_numbers(dims, 3);
 }
 
-void add_cells(const DataSet& data_set, Hasher& hash) {
-    hash.add(data_set.name);
-    hash.add(std::to_string(data_set.data->GetNumberOfPoints()));
-    hash.add(data_set.data->GetCellGhostArray());
-    hash.add(data_set.data->GetPointData()->GetArray("IBlank"));
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data_set.data)) {
+void add_cells(const InputGrid& input_grid, Hasher& hash) {
+    hash.add(input_grid.name);
+    hash.add(std::to_string(input_grid.data->GetNumberOfPoints()));
+    hash.add(input_grid.data->GetCellGhostArray());
+    hash.add(input_grid.data->GetPointData()->GetArray("IBlank"));
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input_grid.data)) {
         hash.add(grid->GetCells());
         hash.add(grid->GetCellTypesArray());
         hash.add(grid->GetFaces());
         hash.add(grid->GetFaceLocations());
     }
-    if (auto* surface = vtkPolyData::SafeDownCast(data_set.data)) hash.add(surface->GetPolys());
-    if (auto* grid = vtkStructuredGrid::SafeDownCast(data_set.data)) add_dimensions(grid, hash);
-    if (auto* grid = vtkRectilinearGrid::SafeDownCast(data_set.data)) add_dimensions(grid, hash);
-    if (auto* grid = vtkImageData::SafeDownCast(data_set.data)) add_dimensions(grid, hash);
+    if (auto* surface = vtkPolyData::SafeDownCast(input_grid.data)) hash.add(surface->GetPolys());
+    if (auto* grid = vtkStructuredGrid::SafeDownCast(input_grid.data)) add_dimensions(grid, hash);
+    if (auto* grid = vtkRectilinearGrid::SafeDownCast(input_grid.data)) add_dimensions(grid, hash);
+    if (auto* grid = vtkImageData::SafeDownCast(input_grid.data)) add_dimensions(grid, hash);
 }
 
 void add_positions(vtkDataSet* data, Hasher& hash) {
@@ -85,15 +85,15 @@ void add_positions(vtkDataSet* data, Hasher& hash) {
 
 } // namespace
 
-Fingerprint fingerprint(const DataSets& data_sets) {
+Fingerprint fingerprint(const InputGrids& input_grids) {
     Hasher cells;
     Hasher positions;
-    for (const DataSet& data_set : data_sets.volumes) {
-        add_cells(data_set, cells);
-        add_positions(data_set.data, positions);
+    for (const InputGrid& input_grid : input_grids.volumes) {
+        add_cells(input_grid, cells);
+        add_positions(input_grid.data, positions);
     }
-    for (const DataSet& data_set : data_sets.surfaces) add_cells(data_set, cells);
-    for (const DataSet& data_set : data_sets.zones) add_cells(data_set, cells);
+    for (const InputGrid& input_grid : input_grids.surfaces) add_cells(input_grid, cells);
+    for (const InputGrid& input_grid : input_grids.zones) add_cells(input_grid, cells);
     return {cells.value(), positions.value()};
 }
 

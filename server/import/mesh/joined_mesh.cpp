@@ -29,23 +29,23 @@ namespace {
 constexpr std::uint64_t max_count = none - 1ULL;
 
 // Checks all point ids from the file, because later code does not check them.
-class BlockJoiner {
+class MemberJoiner {
 public:
-    BlockJoiner(JoinedMesh& mesh, std::size_t part)
-        : mesh_(mesh), part_(part), data_(mesh.parts[part].data), point_count_(data_->GetNumberOfPoints()) {}
+    MemberJoiner(JoinedMesh& mesh, std::size_t member)
+        : mesh_(mesh), member_(member), data_(mesh.members[member].data), point_count_(data_->GetNumberOfPoints()) {}
 
     void add_cells() {
-        mesh_.parts[part_].mesh_cell_begin = static_cast<Index>(mesh_.cell_types.size());
+        mesh_.members[member_].mesh_cell_begin = static_cast<Index>(mesh_.cell_types.size());
         if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data_))
             add_unstructured(grid);
         else
             add_structured();
-        mesh_.parts[part_].mesh_cell_end = static_cast<Index>(mesh_.cell_types.size());
+        mesh_.members[member_].mesh_cell_end = static_cast<Index>(mesh_.cell_types.size());
     }
 
 private:
     [[noreturn]] void fail(const std::string& what) const {
-        const std::string& name = mesh_.parts[part_].name;
+        const std::string& name = mesh_.members[member_].name;
         throw Error(name.empty() ? what : "block \"" + name + "\": " + what);
     }
 
@@ -53,13 +53,13 @@ private:
         if (id < 0 || id >= point_count_)
             fail("cell " + std::to_string(cell) + " uses point " + std::to_string(id) + ", but there are only " +
                  std::to_string(point_count_) + " points");
-        return mesh_.parts[part_].first_point + static_cast<Index>(id);
+        return mesh_.members[member_].first_point + static_cast<Index>(id);
     }
 
     void close_cell(CellType type, vtkIdType cell) {
         mesh_.cell_types.push_back(static_cast<std::uint8_t>(type));
         mesh_.cell_offset.push_back(mesh_.face_offset.size() - 1);
-        mesh_.source_cell.push_back(mesh_.parts[part_].first_cell + static_cast<Index>(cell));
+        mesh_.source_cell.push_back(mesh_.members[member_].first_cell + static_cast<Index>(cell));
     }
 
     void add_shape(const VtkShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
@@ -117,7 +117,7 @@ private:
 
     void add_unstructured(vtkUnstructuredGrid* grid) {
         check_tables(grid);
-        JoinedMesh::Surface surface{part_, {}};
+        JoinedMesh::FlatCells flat{member_, {}};
         for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
             const int type = grid->GetCellType(cell);
             const Dimension dimension = cell_dimension(type);
@@ -126,7 +126,7 @@ private:
             } else if (dimension == Dimension::none) {
                 ++mesh_.ignored_cells;
             } else if (dimension == Dimension::surface) {
-                surface.cells.push_back(cell);
+                flat.cells.push_back(cell);
             } else if (is_ghost(cell)) {
                 ++mesh_.blanked_cells;
             } else if (type == VTK_POLYHEDRON) {
@@ -138,7 +138,7 @@ private:
                 add_shape(*find_vtk_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
             }
         }
-        if (!surface.cells.empty()) mesh_.surfaces.push_back(std::move(surface));
+        if (!flat.cells.empty()) mesh_.flat_cells.push_back(std::move(flat));
     }
 
     std::span<const vtkIdType> face_stream(vtkUnstructuredGrid* grid, vtkIdType cell) const {
@@ -196,32 +196,33 @@ private:
     }
 
     JoinedMesh& mesh_;
-    std::size_t part_;
+    std::size_t member_;
     vtkDataSet* data_;
     vtkIdType point_count_;
     bool blank_points_known_ = false;
 };
 
-void number_parts(JoinedMesh& mesh, const std::vector<DataSet>& volumes) {
+void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
     std::map<vtkPoints*, Index> shared;
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
-    for (const DataSet& data_set : volumes) {
-        JoinedMesh::Member part{
-            data_set.name, data_set.data, static_cast<Index>(points), static_cast<Index>(cells), 0, 0, data_set.whole};
-        auto* set = vtkPointSet::SafeDownCast(data_set.data);
+    for (const InputGrid& input_grid : volumes) {
+        JoinedMesh::Member member{
+            input_grid.name, input_grid.data, static_cast<Index>(points), static_cast<Index>(cells), 0, 0,
+            input_grid.whole};
+        auto* set = vtkPointSet::SafeDownCast(input_grid.data);
         vtkPoints* own = set != nullptr ? set->GetPoints() : nullptr;
         const auto known = own != nullptr ? shared.find(own) : shared.end();
         if (known != shared.end()) {
-            part.first_point = known->second;
+            member.first_point = known->second;
         } else {
-            if (own != nullptr) shared[own] = part.first_point;
-            points += static_cast<std::uint64_t>(data_set.data->GetNumberOfPoints());
+            if (own != nullptr) shared[own] = member.first_point;
+            points += static_cast<std::uint64_t>(input_grid.data->GetNumberOfPoints());
         }
-        cells += static_cast<std::uint64_t>(data_set.data->GetNumberOfCells());
+        cells += static_cast<std::uint64_t>(input_grid.data->GetNumberOfCells());
         if (points > max_count || cells > max_count)
             throw Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
-        mesh.parts.push_back(std::move(part));
+        mesh.members.push_back(std::move(member));
     }
     mesh.point_count = static_cast<Index>(points);
 }
@@ -235,29 +236,29 @@ void check_finite(const JoinedMesh& mesh) {
 
 } // namespace
 
-RunningCounts count_running(const std::vector<DataSet>& volumes) {
+RunningCounts count_running(const std::vector<InputGrid>& volumes) {
     JoinedMesh mesh;
-    number_parts(mesh, volumes);
+    number_members(mesh, volumes);
     if (volumes.empty()) return {};
     const auto last = static_cast<Index>(volumes.back().data->GetNumberOfCells());
-    return {mesh.point_count, mesh.parts.back().first_cell + last};
+    return {mesh.point_count, mesh.members.back().first_cell + last};
 }
 
-store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count) {
+store::Values point_positions(const std::vector<JoinedMesh::Member>& members, Index point_count) {
     std::vector<double> positions(3 * std::size_t{point_count});
-    for (const JoinedMesh::Member& part : parts)
-        for (vtkIdType i = 0; i < part.data->GetNumberOfPoints(); ++i) {
-            const std::size_t at = std::size_t{part.first_point} + static_cast<std::size_t>(i);
-            part.data->GetPoint(i, &positions[3 * at]);
+    for (const JoinedMesh::Member& member : members)
+        for (vtkIdType i = 0; i < member.data->GetNumberOfPoints(); ++i) {
+            const std::size_t at = std::size_t{member.first_point} + static_cast<std::size_t>(i);
+            member.data->GetPoint(i, &positions[3 * at]);
         }
     return are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
 }
 
-JoinedMesh join_data_sets(const std::vector<DataSet>& volumes) {
+JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
     JoinedMesh mesh;
-    number_parts(mesh, volumes);
-    for (std::size_t part = 0; part < mesh.parts.size(); ++part) BlockJoiner(mesh, part).add_cells();
-    mesh.positions = point_positions(mesh.parts, mesh.point_count);
+    number_members(mesh, volumes);
+    for (std::size_t member = 0; member < mesh.members.size(); ++member) MemberJoiner(mesh, member).add_cells();
+    mesh.positions = point_positions(mesh.members, mesh.point_count);
     check_finite(mesh);
     return mesh;
 }

@@ -1,33 +1,33 @@
-// Joins all volume blocks of a step into one mesh, the input of ciel::assemble.
+// Joins all volumes of a step (InputGrids::volumes) into one mesh, the input of ciel::assemble.
 #pragma once
 
 #include "ciel/assemble.hpp"
-#include "import/source/data_sets.hpp"
+#include "import/source/input_grids.hpp"
 #include "store/format/values.hpp"
 
 #include <map>
 
 namespace ciel::importer {
 
-// Running ids number the points of all blocks consecutively, block after block. Likewise, they number the cells. Blocks
-// that share a vtkPoints object also share the running ids of its points. A vertex of the joined mesh has the id of its
-// running point. source_cell maps a cell of the joined mesh to its running cell.
+// Running ids number the points of all members consecutively, member after member. Likewise, they number the cells.
+// Members that share a vtkPoints object also share the running ids of its points. A vertex of the joined mesh has the
+// id of its running point. source_cell maps a cell of the joined mesh to its running cell.
 struct JoinedMesh {
-    struct Member {
+    struct Member { // an input grid in the joined mesh
         std::string name;
         vtkSmartPointer<vtkDataSet> data;
-        Index first_point = 0;                        // running id of the block's first point
-        Index first_cell = 0;                         // running id of the block's first cell
-        Index mesh_cell_begin = 0, mesh_cell_end = 0; // the block's cells in the joined mesh, end excluded
-        int whole = -1;                               // DataSet::whole of the block
+        Index first_point = 0;                        // running id of the member's first point
+        Index first_cell = 0;                         // running id of the member's first cell
+        Index mesh_cell_begin = 0, mesh_cell_end = 0; // the member's cells in the joined mesh, end excluded
+        int whole = -1;                               // InputGrid::whole of the member
     };
-    struct Surface { // cells of dimension 2 inside a volume block
-        std::size_t part = 0;
-        std::vector<vtkIdType> cells; // VTK cell ids in the part
+    struct FlatCells { // cells of dimension 2 inside a volume
+        std::size_t member = 0;
+        std::vector<vtkIdType> cells; // VTK cell ids in the member
     };
 
-    std::vector<Member> parts;
-    std::vector<Surface> surfaces;
+    std::vector<Member> members;
+    std::vector<FlatCells> flat_cells;
     Index point_count = 0; // number of running points
     std::uint64_t blanked_cells = 0;
     std::map<std::string, std::uint64_t> reduced_cells; // VtkShape::reduced_from -> number of cells
@@ -47,14 +47,14 @@ struct JoinedMesh {
 };
 
 // Throws Error if one of the numbers exceeds 2^32 - 2.
-[[nodiscard]] RunningCounts count_running(const std::vector<DataSet>& volumes);
+[[nodiscard]] RunningCounts count_running(const std::vector<InputGrid>& volumes);
 
 // Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a coordinate
 // that is not finite, or more than 2^32 - 2 points or cells.
-[[nodiscard]] JoinedMesh join_data_sets(const std::vector<DataSet>& volumes);
+[[nodiscard]] JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes);
 
 // Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
-[[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& parts, Index point_count);
+[[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, Index point_count);
 
 // Ignores edges from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);

@@ -92,11 +92,11 @@ public:
         : assembled_(assembled), joined_(joined), representative_(representative) {}
 
     void add(Patch patch, vtkDataSet* data, std::span<const vtkIdType> cells) {
-        const JoinedMesh::Member* part = part_with_points_of(data);
+        const JoinedMesh::Member* member = member_with_points_of(data);
         const auto surface = static_cast<Index>(patches_.size());
         for (const vtkIdType cell : cells) {
-            const Index face = part != nullptr ? by_id().claim(data, cell, part->first_point, surface)
-                                               : by_place().claim(data, cell, surface);
+            const Index face = member != nullptr ? by_id().claim(data, cell, member->first_point, surface)
+                                                 : by_place().claim(data, cell, surface);
             if (face == none) {
                 ++patch.unmatched;
                 continue;
@@ -110,15 +110,15 @@ public:
     std::vector<Patch> take() { return std::move(patches_); }
 
 private:
-    [[nodiscard]] const JoinedMesh::Member* part_with_points_of(vtkDataSet* data) const {
+    [[nodiscard]] const JoinedMesh::Member* member_with_points_of(vtkDataSet* data) const {
         auto* set = vtkPointSet::SafeDownCast(data);
         if (set == nullptr || set->GetPoints() == nullptr) return nullptr;
         const auto found =
-            std::find_if(joined_.parts.begin(), joined_.parts.end(), [&](const JoinedMesh::Member& part) {
-                auto* own = vtkPointSet::SafeDownCast(part.data);
+            std::find_if(joined_.members.begin(), joined_.members.end(), [&](const JoinedMesh::Member& member) {
+                auto* own = vtkPointSet::SafeDownCast(member.data);
                 return own != nullptr && own->GetPoints() == set->GetPoints();
             });
-        return found == joined_.parts.end() ? nullptr : &*found;
+        return found == joined_.members.end() ? nullptr : &*found;
     }
     ByPlace& by_place() {
         if (!by_place_) by_place_.emplace(assembled_.mesh.view());
@@ -140,7 +140,7 @@ private:
 } // namespace
 
 std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
-                                 const std::vector<Index>& representative, const std::vector<DataSet>& surfaces) {
+                                 const std::vector<Index>& representative, const std::vector<InputGrid>& surfaces) {
     Matcher matcher(assembled, joined, representative);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         std::vector<vtkIdType> cells(static_cast<std::size_t>(surfaces[i].data->GetNumberOfCells()));
@@ -148,9 +148,9 @@ std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& j
         const std::size_t source = surfaces[i].own_values ? i : Patch::none_of_them;
         matcher.add({surfaces[i].name, source, {}, {}, 0}, surfaces[i].data, cells);
     }
-    for (const JoinedMesh::Surface& surface : joined.surfaces) {
-        const JoinedMesh::Member& part = joined.parts[surface.part];
-        matcher.add({part.name + " surface", Patch::none_of_them, {}, {}, 0}, part.data, surface.cells);
+    for (const JoinedMesh::FlatCells& flat : joined.flat_cells) {
+        const JoinedMesh::Member& member = joined.members[flat.member];
+        matcher.add({member.name + " surface", Patch::none_of_them, {}, {}, 0}, member.data, flat.cells);
     }
     return matcher.take();
 }

@@ -1,5 +1,5 @@
-// Matches the surface blocks of the input to boundary faces of the mesh. If a surface has the same vtkPoints object as
-// a volume block, matches by point ids. Otherwise matches by the coordinates of the corners.
+// Matches the surfaces of the input to boundary faces of the mesh. If a surface has the same vtkPoints object as
+// a volume, matches by point ids. Otherwise matches by the coordinates of the corners.
 #pragma once
 
 #include "import/mesh/joined_mesh.hpp"
@@ -8,7 +8,7 @@ namespace ciel::importer {
 
 struct Patch {
     std::string name;
-    std::size_t surface = 0;        // surface with the patch's values: index into DataSets::surfaces, or none_of_them
+    std::size_t surface = 0;        // surface with the patch's values: index into InputGrids::surfaces, or none_of_them
     std::vector<Index> faces;       // ids of the boundary faces in the assembled mesh
     std::vector<std::size_t> cells; // per face: the matching cell of the surface
     std::uint64_t unmatched = 0;    // number of cells of the surface that match no boundary face
@@ -18,6 +18,6 @@ struct Patch {
 // Corners are compared after welding. A surface gets each face at most once. `representative`: Welds::representative.
 [[nodiscard]] std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
                                                const std::vector<Index>& representative,
-                                               const std::vector<DataSet>& surfaces);
+                                               const std::vector<InputGrid>& surfaces);
 
 } // namespace ciel::importer

@@ -17,35 +17,35 @@ bool are_equal(double a, double b) {
     return a == b || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-vtkDataArray* node_ids(const JoinedMesh::Member& part) {
-    vtkPointData* data = part.data->GetPointData();
+vtkDataArray* node_ids(const JoinedMesh::Member& piece) {
+    vtkPointData* data = piece.data->GetPointData();
     vtkDataArray* ids = data->GetGlobalIds();
     if (ids == nullptr) ids = data->GetArray("GlobalNodeId");
     return ids != nullptr && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }
 
-struct PartPoint {
-    const JoinedMesh::Member& part;
+struct PiecePoint {
+    const JoinedMesh::Member& piece;
     vtkIdType point;
 };
 
-PartPoint point_of(const JoinedMesh::Member& part, Index running) {
-    return {part, static_cast<vtkIdType>(running - part.first_point)};
+PiecePoint point_of(const JoinedMesh::Member& piece, Index running) {
+    return {piece, static_cast<vtkIdType>(running - piece.first_point)};
 }
 
-bool lie_on_each_other(const PartPoint& a, const PartPoint& b) {
+bool lie_on_each_other(const PiecePoint& a, const PiecePoint& b) {
     Vec3d p{}, q{};
-    a.part.data->GetPoint(a.point, p.data());
-    b.part.data->GetPoint(b.point, q.data());
+    a.piece.data->GetPoint(a.point, p.data());
+    b.piece.data->GetPoint(b.point, q.data());
     return p == q;
 }
 
-bool have_equal_values(const PartPoint& a, const PartPoint& b) {
-    vtkPointData* of_a = a.part.data->GetPointData();
+bool have_equal_values(const PiecePoint& a, const PiecePoint& b) {
+    vtkPointData* of_a = a.piece.data->GetPointData();
     for (int i = 0; i < of_a->GetNumberOfArrays(); ++i) {
         vtkDataArray* values = of_a->GetArray(i);
         if (values == nullptr || values->GetName() == nullptr || values == of_a->GetArray("vtkGhostType")) continue;
-        vtkDataArray* others = b.part.data->GetPointData()->GetArray(values->GetName());
+        vtkDataArray* others = b.piece.data->GetPointData()->GetArray(values->GetName());
         if (others == nullptr || others->GetNumberOfComponents() != values->GetNumberOfComponents()) continue;
         for (int c = 0; c < values->GetNumberOfComponents(); ++c)
             if (!are_equal(values->GetComponent(a.point, c), others->GetComponent(b.point, c))) return false;
@@ -53,25 +53,25 @@ bool have_equal_values(const PartPoint& a, const PartPoint& b) {
     return true;
 }
 
-bool are_the_same(const PartPoint& a, const PartPoint& b) {
-    vtkDataArray *ids_a = node_ids(a.part), *ids_b = node_ids(b.part);
+bool are_the_same(const PiecePoint& a, const PiecePoint& b) {
+    vtkDataArray *ids_a = node_ids(a.piece), *ids_b = node_ids(b.piece);
     if (ids_a != nullptr && ids_b != nullptr)
         return are_equal(ids_a->GetComponent(a.point, 0), ids_b->GetComponent(b.point, 0));
     return lie_on_each_other(a, b) && have_equal_values(a, b);
 }
 
-std::size_t part_of_cell(const std::vector<JoinedMesh::Member>& parts, Index joined_cell) {
-    const auto next = std::ranges::upper_bound(parts, joined_cell, {}, &JoinedMesh::Member::mesh_cell_begin);
-    return static_cast<std::size_t>(next - parts.begin()) - 1;
+std::size_t piece_of_cell(const std::vector<JoinedMesh::Member>& pieces, Index joined_cell) {
+    const auto next = std::ranges::upper_bound(pieces, joined_cell, {}, &JoinedMesh::Member::mesh_cell_begin);
+    return static_cast<std::size_t>(next - pieces.begin()) - 1;
 }
 
-// Sorts the parts by first_point, because parts that share points can be in another order.
-class PartsByPoint {
+// Sorts the pieces by first_point, because pieces that share points can be in another order.
+class PiecesByPoint {
 public:
-    explicit PartsByPoint(const std::vector<JoinedMesh::Member>& parts) {
-        for (const JoinedMesh::Member& part : parts) by_first_.emplace(part.first_point, &part);
+    explicit PiecesByPoint(const std::vector<JoinedMesh::Member>& pieces) {
+        for (const JoinedMesh::Member& piece : pieces) by_first_.emplace(piece.first_point, &piece);
     }
-    [[nodiscard]] PartPoint at(Index running) const {
+    [[nodiscard]] PiecePoint at(Index running) const {
         return point_of(*std::prev(by_first_.upper_bound(running))->second, running);
     }
 
@@ -79,14 +79,14 @@ private:
     std::map<Index, const JoinedMesh::Member*> by_first_;
 };
 
-class PartMatcher {
+class PieceMatcher {
 public:
-    PartMatcher(const Assembled& pieces, const JoinedMesh& joined)
-        : pieces_(pieces), joined_(joined), mesh_(pieces.mesh.view()), index_(mesh_) {}
+    PieceMatcher(const Assembled& assembled, const JoinedMesh& joined)
+        : assembled_(assembled), joined_(joined), mesh_(assembled.mesh.view()), index_(mesh_) {}
 
     PieceJoins run() {
         for (Index face = 0; face < mesh_.face_count(); ++face) {
-            if (mesh_.neighbour[face] == none && joined_.parts[part_of(face)].whole >= 0) add(face);
+            if (mesh_.neighbour[face] == none && joined_.members[piece_of(face)].whole >= 0) add(face);
         }
         for (const auto& [corners, faces] : open_)
             for (const Index face : faces)
@@ -96,12 +96,12 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t part_of(Index face) const {
-        return part_of_cell(joined_.parts, pieces_.original_cell[mesh_.owner[face]]);
+    [[nodiscard]] std::size_t piece_of(Index face) const {
+        return piece_of_cell(joined_.members, assembled_.original_cell[mesh_.owner[face]]);
     }
     [[nodiscard]] bool are_of_one_whole(Index a, Index b) const {
-        const std::size_t part = part_of(a), other = part_of(b);
-        return part != other && joined_.parts[part].whole == joined_.parts[other].whole;
+        const std::size_t piece = piece_of(a), other = piece_of(b);
+        return piece != other && joined_.members[piece].whole == joined_.members[other].whole;
     }
 
     void add(Index face) {
@@ -113,26 +113,26 @@ private:
             here.erase(other);
     }
 
-    // Returns false and joins nothing unless the faces coincide and belong to two parts with the same `whole`.
+    // Returns false and joins nothing unless the faces coincide and belong to two pieces with the same `whole`.
     bool join(Index a, Index b) {
         if (!are_of_one_whole(a, b)) return false;
-        const JoinedMesh::Member &part_a = joined_.parts[part_of(a)], &part_b = joined_.parts[part_of(b)];
+        const JoinedMesh::Member &piece_a = joined_.members[piece_of(a)], &piece_b = joined_.members[piece_of(b)];
         PointPairs pairs;
         for (const Index vertex : mesh_.loop(b)) {
-            const PartPoint point = point_of(part_b, pieces_.original_vertex[vertex]);
+            const PiecePoint point = point_of(piece_b, assembled_.original_vertex[vertex]);
             std::optional<Index> same;
             for (const Index candidate : mesh_.loop(a))
-                if (are_the_same(point_of(part_a, pieces_.original_vertex[candidate]), point))
-                    same = pieces_.original_vertex[candidate];
+                if (are_the_same(point_of(piece_a, assembled_.original_vertex[candidate]), point))
+                    same = assembled_.original_vertex[candidate];
             if (!same) return false;
-            pairs.emplace_back(*same, pieces_.original_vertex[vertex]);
+            pairs.emplace_back(*same, assembled_.original_vertex[vertex]);
         }
         cut_.points.insert(cut_.points.end(), pairs.begin(), pairs.end());
         ++cut_.faces;
         return true;
     }
 
-    const Assembled& pieces_;
+    const Assembled& assembled_;
     const JoinedMesh& joined_;
     FaceMeshView mesh_;
     CornerIndex index_;
@@ -142,12 +142,12 @@ private:
 
 } // namespace
 
-PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined) {
-    return PartMatcher(pieces, joined).run();
+PieceJoins find_cut_between_pieces(const Assembled& assembled, const JoinedMesh& joined) {
+    return PieceMatcher(assembled, joined).run();
 }
 
-bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts) {
-    const PartsByPoint by_point(parts);
+bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces) {
+    const PiecesByPoint by_point(pieces);
     return std::ranges::all_of(
         points, [&](const auto& pair) { return are_the_same(by_point.at(pair.first), by_point.at(pair.second)); });
 }

@@ -17,10 +17,10 @@ struct PieceJoins {
     std::uint64_t apart = 0;  // faces that coincide with a face of another piece but differ in ids or values
 };
 
-// `pieces`: the mesh assembled from `joined` before any points are joined.
-[[nodiscard]] PieceJoins find_cut_between_parts(const Assembled& pieces, const JoinedMesh& joined);
+// `assembled`: the mesh assembled from `joined` before any points are joined.
+[[nodiscard]] PieceJoins find_cut_between_pieces(const Assembled& assembled, const JoinedMesh& joined);
 
-// `parts`: the blocks with the data of the later step.
-[[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& parts);
+// `pieces`: the members of the mesh with the data of the later step.
+[[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces);
 
 } // namespace ciel::importer

@@ -36,7 +36,8 @@ std::string id_list(const std::vector<Index>& ids, const std::vector<Index>& sou
 }
 
 bool has_pieces(const JoinedMesh& joined) {
-    return std::any_of(joined.parts.begin(), joined.parts.end(), [](const auto& part) { return part.whole >= 0; });
+    return std::any_of(joined.members.begin(), joined.members.end(),
+                       [](const auto& member) { return member.whole >= 0; });
 }
 
 void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
@@ -66,8 +67,8 @@ void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, S
 }
 
 void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
-    if (joined.parts.size() > 1)
-        mesh.notes.push_back(std::to_string(joined.parts.size()) +
+    if (joined.members.size() > 1)
+        mesh.notes.push_back(std::to_string(joined.members.size()) +
                              (has_pieces(joined) ? " pieces or blocks were joined" : " blocks were joined") +
                              "; vertex and cell ids continue from one to the next.");
     for (const auto& [what, count] : joined.reduced_cells)
@@ -97,7 +98,7 @@ void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
                          ").");
 }
 
-void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
+void name_patches(const std::vector<InputGrid>& surfaces, StepMesh& mesh) {
     for (const Patch& patch : mesh.patches) {
         if (patch.unmatched > 0)
             mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
@@ -111,17 +112,17 @@ void name_patches(const std::vector<DataSet>& surfaces, StepMesh& mesh) {
     }
 }
 
-// A zone has the cells of all blocks with its name. If all blocks have the same name, makes no zone.
-void name_blocks(const JoinedMesh& joined, StepMesh& mesh) {
+// A zone has the cells of all members with its name. If all members have the same name, makes no zone.
+void name_members(const JoinedMesh& joined, StepMesh& mesh) {
     std::map<std::string, std::vector<Index>> ids;
     std::vector<std::string> names; // in order of first use
     const std::vector<Index>& original = mesh.assembled.original_cell;
     std::vector<Index> stored(joined.cell_types.size(), none);
     for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
-    for (const JoinedMesh::Member& part : joined.parts) {
-        const auto [zone, is_new] = ids.try_emplace(part.name);
-        if (is_new) names.push_back(part.name);
-        for (Index cell = part.mesh_cell_begin; cell < part.mesh_cell_end; ++cell)
+    for (const JoinedMesh::Member& member : joined.members) {
+        const auto [zone, is_new] = ids.try_emplace(member.name);
+        if (is_new) names.push_back(member.name);
+        for (Index cell = member.mesh_cell_begin; cell < member.mesh_cell_end; ++cell)
             if (stored[cell] != none) zone->second.push_back(stored[cell]);
     }
     if (names.size() < 2) return;
@@ -163,9 +164,9 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
     name_zones(found, mesh);
 }
 
-PieceJoins find_cuts(const JoinedMesh& joined, const DataSets& data_sets) {
-    if (has_pieces(joined)) return find_cut_between_parts(assemble(joined.view()), joined);
-    return {data_sets.same_points, data_sets.joined_faces, data_sets.single_faces, 0};
+PieceJoins find_cuts(const JoinedMesh& joined, const InputGrids& input_grids) {
+    if (has_pieces(joined)) return find_cut_between_pieces(assemble(joined.view()), joined);
+    return {input_grids.same_points, input_grids.joined_faces, input_grids.single_faces, 0};
 }
 
 template <class T>
@@ -179,9 +180,9 @@ std::vector<T> reordered(std::span<const T> running, std::span<const Index> stor
 
 } // namespace
 
-StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference) {
-    require_volumes(data_sets);
-    JoinedMesh joined = join_data_sets(data_sets.volumes);
+StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference) {
+    require_volumes(input_grids);
+    JoinedMesh joined = join_input_grids(input_grids.volumes);
     if (joined.cell_types.empty() && joined.convex_point_sets > 0)
         throw Error("holds only convex point sets, cells without faces; write them as polyhedra");
     if (joined.cell_types.empty()) throw Error("holds no volume cells");
@@ -195,10 +196,10 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
     describe_joining(joined, mesh);
     for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
 
-    const PieceJoins cut = weld == Weld::seams ? find_cuts(joined, data_sets) : PieceJoins{};
+    const PieceJoins cut = weld == Weld::seams ? find_cuts(joined, input_grids) : PieceJoins{};
     Welds welds = find_welds(joined, weld, cut, difference);
     if (has_pieces(joined)) mesh.joined_pieces = cut.points;
-    if (weld == Weld::none && (!data_sets.same_points.empty() || has_pieces(joined)))
+    if (weld == Weld::none && (!input_grids.same_points.empty() || has_pieces(joined)))
         mesh.notes.emplace_back("The pieces of the mesh were not welded (--no-weld).");
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
@@ -210,24 +211,24 @@ StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDiffere
     if (mesh.assembled.mesh.cell_types.empty())
         throw Error("none of its " + std::to_string(mesh.input_cells) +
                     " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
-    mesh.patches = match_patches(mesh.assembled, joined, welds.representative, data_sets.surfaces);
-    name_patches(data_sets.surfaces, mesh);
-    name_blocks(joined, mesh);
-    name_zones(match_zones(mesh.view(), data_sets.zones), mesh);
-    name_cells(joined, data_sets.named_cells, mesh);
+    mesh.patches = match_patches(mesh.assembled, joined, welds.representative, input_grids.surfaces);
+    name_patches(input_grids.surfaces, mesh);
+    name_members(joined, mesh);
+    name_zones(match_zones(mesh.view(), input_grids.zones), mesh);
+    name_cells(joined, input_grids.named_cells, mesh);
     describe_shapes(joined, mesh);
 
     mesh.point_of_vertex = mesh.assembled.original_vertex;
     mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());
     for (const Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
-    mesh.parts = std::move(joined.parts);
+    mesh.members = std::move(joined.members);
     return mesh;
 }
 
-void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved) {
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i) mesh.parts[i].data = data_sets.volumes[i].data;
+void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved) {
+    for (std::size_t i = 0; i < mesh.members.size(); ++i) mesh.members[i].data = input_grids.volumes[i].data;
     if (!moved) return;
-    point_positions(mesh.parts, mesh.point_count).with([&](auto running) {
+    point_positions(mesh.members, mesh.point_count).with([&](auto running) {
         mesh.assembled.mesh.set_positions(reordered(running, mesh.point_of_vertex, 3));
     });
 }

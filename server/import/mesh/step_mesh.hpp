@@ -10,7 +10,7 @@
 namespace ciel::importer {
 
 struct StepMesh {
-    std::vector<JoinedMesh::Member> parts; // blocks of the mesh, with the data of the step that was read last
+    std::vector<JoinedMesh::Member> members; // with the data of the step that was read last
     Index point_count = 0;
     Assembled assembled;
     std::vector<Index> point_of_vertex; // stored vertex -> running point
@@ -26,11 +26,11 @@ struct StepMesh {
     [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
-// Throws Error if no volume cell is usable, and for the errors of join_data_sets().
-[[nodiscard]] StepMesh build_step_mesh(const DataSets& data_sets, Weld weld, const SeamDifference& difference);
+// Throws Error if no volume cell is usable, and for the errors of join_input_grids().
+[[nodiscard]] StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference);
 
-// `data_sets`: another step with the same cells. If `moved` is true, also replaces the positions of the mesh.
-void update_step_mesh(StepMesh& mesh, const DataSets& data_sets, bool moved);
+// `input_grids`: another step with the same cells. If `moved` is true, also replaces the positions of the mesh.
+void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved);
 
 // `running`: `components` values per running point or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
 [[nodiscard]] store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components);

@@ -13,7 +13,7 @@ namespace ciel::importer {
 
 namespace {
 
-// A share of the diagonal of the block's bounding box. Rounding in a file makes smaller differences.
+// A share of the diagonal of the member's bounding box. Rounding in a file makes smaller differences.
 constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
@@ -40,7 +40,7 @@ private:
 
 class SeamFinder {
 public:
-    SeamFinder(const JoinedMesh& mesh, std::size_t part, vtkStructuredGrid* grid) : mesh_(mesh), part_(part) {
+    SeamFinder(const JoinedMesh& mesh, std::size_t member, vtkStructuredGrid* grid) : mesh_(mesh), member_(member) {
         grid->GetDimensions(dims_.data());
         double bounds[6];
         grid->GetBounds(bounds);
@@ -51,7 +51,7 @@ public:
     std::vector<Seam> find() const {
         std::vector<Seam> seams;
         const auto add = [&](PointPairs points) {
-            if (!points.empty()) seams.push_back({part_, std::move(points), tolerance_});
+            if (!points.empty()) seams.push_back({member_, std::move(points), tolerance_});
         };
         for (int axis = 0; axis < 3; ++axis) {
             if (dims_[axis] < 3) continue;
@@ -64,7 +64,7 @@ public:
 
 private:
     [[nodiscard]] Index point(std::array<int, 3> ijk) const {
-        return mesh_.parts[part_].first_point +
+        return mesh_.members[member_].first_point +
                static_cast<Index>(ijk[0] + dims_[0] * (ijk[1] + static_cast<std::int64_t>(dims_[1]) * ijk[2]));
     }
     [[nodiscard]] bool coincide(Index a, Index b) const {
@@ -120,7 +120,7 @@ private:
     }
 
     const JoinedMesh& mesh_;
-    std::size_t part_;
+    std::size_t member_;
     std::array<int, 3> dims_{};
     double tolerance_ = 0;
 };
@@ -128,14 +128,14 @@ private:
 std::string count_text(std::uint64_t count, const char* what) { return std::to_string(count) + " " + what; }
 
 void weld_seams(const JoinedMesh& mesh, const SeamDifference& difference_across, DisjointSets& sets, Welds& welds) {
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-        const JoinedMesh::Member& part = mesh.parts[i];
-        auto* grid = vtkStructuredGrid::SafeDownCast(part.data);
+    for (std::size_t i = 0; i < mesh.members.size(); ++i) {
+        const JoinedMesh::Member& member = mesh.members[i];
+        auto* grid = vtkStructuredGrid::SafeDownCast(member.data);
         if (grid == nullptr) continue;
         std::string name;
-        if (!part.name.empty()) name.append(" (\"").append(part.name).append("\")");
+        if (!member.name.empty()) name.append(" (\"").append(member.name).append("\")");
         for (Seam& seam : SeamFinder(mesh, i, grid).find()) {
-            const std::string difference = difference_across({seam}, mesh.parts);
+            const std::string difference = difference_across({seam}, mesh.members);
             if (!difference.empty()) {
                 std::string sentence = "A structured block" + name + " closes onto itself, but ";
                 sentence.append(difference).append(" differs across the seam, so the seam was not welded.");
@@ -208,7 +208,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     join_cut(cut, sets, welds);
     if (mode == Weld::seams) weld_seams(mesh, difference, sets, welds);
     std::uint64_t coincident = 0;
-    const bool look = mode == Weld::all || mesh.parts.size() > 1;
+    const bool look = mode == Weld::all || mesh.members.size() > 1;
     // Points without cells belong to ghost cells, which were left out. Only --weld also compares these points.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)

@@ -1,4 +1,4 @@
-// Finds points to weld. By default, welds only the cuts between pieces and the seam of a structured block that closes
+// Finds points to weld. By default, welds only the cuts between pieces and the seam of a structured grid that closes
 // onto itself (O-grids and C-grids). Other coincident points stay apart, because faults and baffles must stay open.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace ciel::importer {
 
 enum class Weld { seams, none, all }; // seams: the default; none: --no-weld; all: --weld
 
-struct Seam { // coincident points of one structured block that closes onto itself
-    std::size_t part = 0;
+struct Seam { // coincident points of one structured grid that closes onto itself
+    std::size_t member = 0;
     PointPairs points;
     double tolerance = 0; // largest difference of a coordinate in a pair, in the mesh's length unit
 };
@@ -20,7 +20,7 @@ struct Seam { // coincident points of one structured block that closes onto itse
 // Returns the name of a quantity that differs between the two sides of a seam: "position" or the name of a point field.
 // Returns an empty string if the sides of all seams agree. Implemented in values/seam_difference.hpp.
 using SeamDifference =
-    std::function<std::string(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& parts)>;
+    std::function<std::string(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& members)>;
 
 struct Welds {
     std::vector<Index> representative; // running point -> running point that replaces it; empty if nothing is welded

@@ -25,15 +25,15 @@ std::unordered_map<Corners, Index, CornersHash> cells_by_corners(const FaceMeshV
 
 } // namespace
 
-std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<DataSet>& zones) {
+std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<InputGrid>& zones) {
     std::vector<Zone> matched;
     if (zones.empty()) return matched;
     CornerIndex index(mesh);
     const auto cells = cells_by_corners(mesh, index);
-    for (const DataSet& data_set : zones) {
-        Zone zone{data_set.name, {}, 0};
-        for (vtkIdType cell = 0; cell < data_set.data->GetNumberOfCells(); ++cell) {
-            const auto found = cells.find(index.find(data_set.data, cell));
+    for (const InputGrid& input_grid : zones) {
+        Zone zone{input_grid.name, {}, 0};
+        for (vtkIdType cell = 0; cell < input_grid.data->GetNumberOfCells(); ++cell) {
+            const auto found = cells.find(index.find(input_grid.data, cell));
             if (found == cells.end())
                 ++zone.unmatched;
             else

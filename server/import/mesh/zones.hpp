@@ -11,6 +11,6 @@ struct Zone {
     std::uint64_t unmatched = 0; // number of cells of the zone that are not in the mesh
 };
 
-[[nodiscard]] std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<DataSet>& zones);
+[[nodiscard]] std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<InputGrid>& zones);
 
 } // namespace ciel::importer

@@ -79,9 +79,9 @@ public:
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         auto data = ReaderSource::read(step, progress);
-        for (const DataSet& data_set : collect_data_sets(data).volumes) {
-            name_components(*data_set.data->GetPointData(), case_.tensors);
-            name_components(*data_set.data->GetCellData(), case_.tensors);
+        for (const InputGrid& input_grid : collect_input_grids(data).volumes) {
+            name_components(*input_grid.data->GetPointData(), case_.tensors);
+            name_components(*input_grid.data->GetCellData(), case_.tensors);
         }
         return data;
     }

@@ -89,7 +89,7 @@ public:
 
 private:
     std::vector<std::string> lost_;
-    std::vector<std::int64_t> block_ids_; // ids of the element blocks, in the order of the reader's blocks
+    std::vector<std::int64_t> block_ids_; // ids of the element blocks, in the order of the reader's VTK blocks
     std::vector<std::int64_t> set_ids_;
     std::vector<ElementSet> sets_;
 };

@@ -29,7 +29,7 @@ public:
     ExodusFile(const ExodusFile&) = delete;
     ExodusFile& operator=(const ExodusFile&) = delete;
 
-    // The blocks are in the order in which the file numbers their elements.
+    // The element blocks are in the order in which the file numbers their elements.
     [[nodiscard]] std::vector<std::int64_t> blocks() const {
         std::vector<std::int64_t> ids(
             static_cast<std::size_t>(std::max<std::int64_t>(0, ex_inquire_int(id_, EX_INQ_ELEM_BLK))));
@@ -67,7 +67,7 @@ std::vector<ElementSet> read_element_sets(const std::string& file, const std::ve
                                           const std::vector<std::int64_t>& set_ids) {
     const ExodusFile exodus(file);
     const std::vector<std::int64_t> blocks = exodus.blocks();
-    std::vector<std::int64_t> first{0}; // index of the first element of each block, then the number of elements
+    std::vector<std::int64_t> first{0}; // index of the first element of each element block, then the number of elements
     for (const std::int64_t block : blocks) first.push_back(first.back() + exodus.block_size(block));
 
     std::vector<ElementSet> sets;

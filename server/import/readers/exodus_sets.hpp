@@ -10,16 +10,16 @@
 
 namespace ciel::importer {
 
-// For each element of the set: the index of its block in `block_ids`, and its cell id in this block.
+// For each element of the set: the index of its element block in `block_ids`, and its cell id in this element block.
 using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
 
-// Returns the sets in the order of `set_ids`. Leaves out elements of blocks that are not in `block_ids`. Throws Error
-// if the file cannot be read, or if a set contains an element that the file does not have.
+// Returns the sets in the order of `set_ids`. Leaves out elements of element blocks that are not in `block_ids`. Throws
+// Error if the file cannot be read, or if a set contains an element that the file does not have.
 [[nodiscard]] std::vector<ElementSet> read_element_sets(const std::string& file,
                                                         const std::vector<std::int64_t>& block_ids,
                                                         const std::vector<std::int64_t>& set_ids);
 
 // The cells are convex point sets. Points are enough to find a cell in the mesh (mesh/zones.hpp).
-[[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* data_sets, const ElementSet& set);
+[[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* blocks, const ElementSet& set);
 
 } // namespace ciel::importer

@@ -1,4 +1,5 @@
-// Legacy VTK files of any data set type. Declared counts are checked against the file's size before VTK reads the file.
+// Legacy VTK files of any type of vtkDataSet. Declared counts are checked against the file's size before VTK reads the
+// file.
 #include "ciel/types.hpp"
 #include "import/parsers/legacy_vtk_counts.hpp"
 #include "import/parsers/legacy_vtk_numbers.hpp"

@@ -15,28 +15,28 @@ namespace ciel::importer {
 
 namespace {
 
-// The inputs are parts of one mesh and must have the same times. A step has the blocks of all inputs.
+// The inputs are parts of one mesh and must have the same times. A step has the input grids of all inputs.
 class SeveralInputs : public Source {
 public:
-    SeveralInputs(std::vector<std::unique_ptr<Source>> parts, const std::vector<std::string>& inputs)
-        : parts_(std::move(parts)), inputs_(inputs) {
-        for (std::size_t i = 1; i < parts_.size(); ++i)
-            if (parts_[i]->times() != parts_[0]->times())
+    SeveralInputs(std::vector<std::unique_ptr<Source>> sources, const std::vector<std::string>& inputs)
+        : sources_(std::move(sources)), inputs_(inputs) {
+        for (std::size_t i = 1; i < sources_.size(); ++i)
+            if (sources_[i]->times() != sources_[0]->times())
                 throw Error(inputs[i] + ": its times differ from those of " + inputs[0] +
                             "; several inputs must be parts of one mesh with the same times (list the steps of a "
                             "series in a .pvd or .series file)");
     }
 
-    [[nodiscard]] std::string format() const override { return parts_[0]->format(); }
-    [[nodiscard]] const std::vector<double>& times() const override { return parts_[0]->times(); }
+    [[nodiscard]] std::string format() const override { return sources_[0]->format(); }
+    [[nodiscard]] const std::vector<double>& times() const override { return sources_[0]->times(); }
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         vtkNew<vtkMultiBlockDataSet> joined;
         counts_.clear();
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const auto data = parts_[i]->read(step, [&](double share) {
-                progress((static_cast<double>(i) + share) / static_cast<double>(parts_.size()));
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            const auto data = sources_[i]->read(step, [&](double share) {
+                progress((static_cast<double>(i) + share) / static_cast<double>(sources_.size()));
             });
-            counts_.push_back(count_running(collect_data_sets(data).volumes));
+            counts_.push_back(count_running(collect_input_grids(data).volumes));
             joined->SetBlock(static_cast<unsigned>(i), data);
             const std::string name = std::filesystem::path(inputs_[i]).stem().string();
             joined->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), name.c_str());
@@ -45,25 +45,25 @@ public:
     }
     [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
         std::vector<ArrayName> all;
-        for (const auto& part : parts_) {
-            const auto listed = part->listed_arrays(step);
+        for (const auto& source : sources_) {
+            const auto listed = source->listed_arrays(step);
             if (!listed) return std::nullopt;
             all.insert(all.end(), listed->begin(), listed->end());
         }
         return all;
     }
-    [[nodiscard]] std::map<std::string, std::string> units() const override { return parts_[0]->units(); }
-    [[nodiscard]] std::string length_units() const override { return parts_[0]->length_units(); }
+    [[nodiscard]] std::map<std::string, std::string> units() const override { return sources_[0]->units(); }
+    [[nodiscard]] std::string length_units() const override { return sources_[0]->length_units(); }
     [[nodiscard]] std::vector<std::string> notes() const override {
-        return of_all([](const Source& part) { return part.notes(); });
+        return of_all([](const Source& source) { return source.notes(); });
     }
     [[nodiscard]] std::vector<std::string> lost() const override {
-        return of_all([](const Source& part) { return part.lost(); });
+        return of_all([](const Source& source) { return source.lost(); });
     }
-    void add_known(DataSets& data_sets, const RunningCounts& first) const override {
+    void add_known(InputGrids& input_grids, const RunningCounts& first) const override {
         RunningCounts begin = first;
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            parts_[i]->add_known(data_sets, begin);
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            sources_[i]->add_known(input_grids, begin);
             begin.points += counts_[i].points;
             begin.cells += counts_[i].cells;
         }
@@ -73,13 +73,13 @@ private:
     template <typename Sentences>
     [[nodiscard]] std::vector<std::string> of_all(const Sentences& sentences_of) const {
         std::vector<std::string> all;
-        for (const auto& part : parts_)
-            for (std::string& sentence : sentences_of(*part)) all.push_back(std::move(sentence));
+        for (const auto& source : sources_)
+            for (std::string& sentence : sentences_of(*source)) all.push_back(std::move(sentence));
         return all;
     }
 
     std::vector<RunningCounts> counts_; // per input, for the step that was read last
-    std::vector<std::unique_ptr<Source>> parts_;
+    std::vector<std::unique_ptr<Source>> sources_;
     std::vector<std::string> inputs_;
 };
 
@@ -89,10 +89,10 @@ std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, cons
     for (const std::string& input : inputs) require_regular(input);
     const Format& format = find_format(inputs.at(0));
     if (format.several_inputs || inputs.size() == 1) return format.open(inputs, options);
-    std::vector<std::unique_ptr<Source>> parts;
-    parts.reserve(inputs.size());
-    for (const std::string& input : inputs) parts.push_back(open_source({input}, options));
-    return std::make_unique<SeveralInputs>(std::move(parts), inputs);
+    std::vector<std::unique_ptr<Source>> sources;
+    sources.reserve(inputs.size());
+    for (const std::string& input : inputs) sources.push_back(open_source({input}, options));
+    return std::make_unique<SeveralInputs>(std::move(sources), inputs);
 }
 
 } // namespace ciel::importer

@@ -16,20 +16,20 @@ namespace {
 vtkSmartPointer<vtkDataObject> together(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces,
                                         const std::vector<std::string>& names) {
     vtkNew<vtkPartitionedDataSet> partitions;
-    vtkNew<vtkMultiBlockDataSet> data_sets;
-    bool are_data_sets = true;
-    for (const auto& piece : pieces) are_data_sets = are_data_sets && vtkDataSet::SafeDownCast(piece) != nullptr;
+    vtkNew<vtkMultiBlockDataSet> multiblock;
+    bool are_leaves = true;
+    for (const auto& piece : pieces) are_leaves = are_leaves && vtkDataSet::SafeDownCast(piece) != nullptr;
     for (unsigned i = 0; i < pieces.size(); ++i) {
-        if (are_data_sets)
+        if (are_leaves)
             partitions->SetPartition(i, pieces[i]);
         else
-            data_sets->SetBlock(i, pieces[i]);
+            multiblock->SetBlock(i, pieces[i]);
         if (names.empty()) continue;
-        vtkInformation* information = are_data_sets ? partitions->GetMetaData(i) : data_sets->GetMetaData(i);
+        vtkInformation* information = are_leaves ? partitions->GetMetaData(i) : multiblock->GetMetaData(i);
         information->Set(vtkCompositeDataSet::NAME(), names[i].c_str());
     }
-    if (are_data_sets) return partitions.Get();
-    return data_sets.Get();
+    if (are_leaves) return partitions.Get();
+    return multiblock.Get();
 }
 
 } // namespace

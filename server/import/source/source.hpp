@@ -2,7 +2,7 @@
 #pragma once
 
 #include "import/source/array_selection.hpp"
-#include "import/source/data_sets.hpp"
+#include "import/source/input_grids.hpp"
 
 #include <functional>
 #include <map>
@@ -33,7 +33,7 @@ public:
 
     // Adds data that the source knows about the step that was read last: named cells, points to join, patch facts of
     // surfaces. `first`: running ids (joined_mesh.hpp) of the first point and the first cell of this source.
-    virtual void add_known(DataSets&, const RunningCounts& /*first*/) const {}
+    virtual void add_known(InputGrids&, const RunningCounts& /*first*/) const {}
 
     // Reads no data. May list arrays that the step lacks. Returns nullopt if the reader cannot list arrays.
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {

@@ -36,15 +36,15 @@ std::string name_of(const vtkAbstractArray* array) {
     return name == nullptr ? "" : name;
 }
 
-using Found = std::map<std::string, std::vector<FieldName>>; // array name -> description in each part with the array
+using Found = std::map<std::string, std::vector<FieldName>>; // array name -> description in each member with the array
 
-void collect(const JoinedMesh::Member& part, FieldOf of, Found& found) {
-    vtkDataSetAttributes* data = attributes(part.data, of);
+void collect(const JoinedMesh::Member& member, FieldOf of, Found& found) {
+    vtkDataSetAttributes* data = attributes(member.data, of);
     for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
         vtkDataArray* array = data->GetArray(i); // null for an array of text
         if (array == nullptr) continue;
         const std::string name = name_of(array);
-        if (name.empty() || is_bookkeeping(name) || array == solver_id_array(part.data, of)) continue;
+        if (name.empty() || is_bookkeeping(name) || array == solver_id_array(member.data, of)) continue;
         FieldName field{{of, name}, array->GetNumberOfComponents()};
         field.component_names = tensor_component_names(data, array);
         field.type = type_name(array);
@@ -77,9 +77,9 @@ void permute(std::vector<T>& values, const std::vector<std::size_t>& from) {
     }
 }
 
-Found found_in(const std::vector<JoinedMesh::Member>& parts, FieldOf of) {
+Found found_in(const std::vector<JoinedMesh::Member>& members, FieldOf of) {
     Found found;
-    for (const JoinedMesh::Member& part : parts) collect(part, of, found);
+    for (const JoinedMesh::Member& member : members) collect(member, of, found);
     return found;
 }
 
@@ -99,10 +99,10 @@ std::string components_text(const FieldName& field) {
     return names.empty() ? text : text + ")";
 }
 
-std::vector<FieldName> field_names(const std::vector<JoinedMesh::Member>& parts) {
+std::vector<FieldName> field_names(const std::vector<JoinedMesh::Member>& members) {
     std::vector<FieldName> names;
     for (const FieldOf of : {FieldOf::points, FieldOf::cells})
-        for (const auto& [name, fields] : found_in(parts, of))
+        for (const auto& [name, fields] : found_in(members, of))
             if (have_equal_components(fields)) {
                 names.push_back(fields.front());
                 names.back().doubles = std::ranges::any_of(fields, &FieldName::doubles);
@@ -110,23 +110,23 @@ std::vector<FieldName> field_names(const std::vector<JoinedMesh::Member>& parts)
     return names;
 }
 
-std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Member>& parts) {
+std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Member>& members) {
     std::set<std::string> flags, texts, field_data;
     bool nameless = false;
-    for (const JoinedMesh::Member& part : parts) {
+    for (const JoinedMesh::Member& member : members) {
         for (const FieldOf of : {FieldOf::points, FieldOf::cells}) {
-            vtkDataSetAttributes* data = attributes(part.data, of);
+            vtkDataSetAttributes* data = attributes(member.data, of);
             for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
                 const std::string name = name_of(data->GetAbstractArray(i));
                 nameless = nameless || name.empty();
-                if (data->GetAbstractArray(i) == solver_id_array(part.data, of)) continue; // stored as solver ids
+                if (data->GetAbstractArray(i) == solver_id_array(member.data, of)) continue; // stored as solver ids
                 if (is_bookkeeping(name))
                     flags.insert(name);
                 else if (data->GetArray(i) == nullptr && !name.empty())
                     texts.insert(name);
             }
         }
-        vtkFieldData* data = part.data->GetFieldData();
+        vtkFieldData* data = member.data->GetFieldData();
         for (int i = 0; i < data->GetNumberOfArrays(); ++i) field_data.insert(name_of(data->GetAbstractArray(i)));
     }
     std::vector<std::string> notes;
@@ -137,19 +137,20 @@ std::vector<std::string> left_out_arrays(const std::vector<JoinedMesh::Member>& 
     return notes;
 }
 
-std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Member>& parts) {
+std::vector<std::string> lost_arrays(const std::vector<JoinedMesh::Member>& members) {
     std::set<std::string> differing;
     for (const FieldOf of : {FieldOf::points, FieldOf::cells})
-        for (const auto& [name, fields] : found_in(parts, of))
+        for (const auto& [name, fields] : found_in(members, of))
             if (!have_equal_components(fields)) differing.insert(name);
     if (differing.empty()) return {};
     return {"Arrays whose components differ between blocks were left out: " + listed(differing) + "."};
 }
 
-std::vector<FieldName> field_names(const DataSets& data_sets) {
-    std::vector<JoinedMesh::Member> parts;
-    for (const DataSet& data_set : data_sets.volumes) parts.push_back({data_set.name, data_set.data, 0, 0, 0, 0});
-    return field_names(parts);
+std::vector<FieldName> field_names(const InputGrids& input_grids) {
+    std::vector<JoinedMesh::Member> members;
+    for (const InputGrid& input_grid : input_grids.volumes)
+        members.push_back({input_grid.name, input_grid.data, 0, 0, 0, 0});
+    return field_names(members);
 }
 
 namespace {
@@ -168,27 +169,27 @@ std::vector<T> values_as(vtkDataSet* data, const FieldName& field) {
 }
 
 template <class T>
-store::Values gather_as(const std::vector<JoinedMesh::Member>& parts, const FieldName& field) {
+store::Values gather_as(const std::vector<JoinedMesh::Member>& members, const FieldName& field) {
     const bool points = field.of == FieldOf::points;
-    const auto size_of = [&](const JoinedMesh::Member& part) {
-        return static_cast<std::size_t>(points ? part.data->GetNumberOfPoints() : part.data->GetNumberOfCells());
+    const auto size_of = [&](const JoinedMesh::Member& member) {
+        return static_cast<std::size_t>(points ? member.data->GetNumberOfPoints() : member.data->GetNumberOfCells());
     };
-    const auto first_of = [&](const JoinedMesh::Member& part) {
-        return std::size_t{points ? part.first_point : part.first_cell};
+    const auto first_of = [&](const JoinedMesh::Member& member) {
+        return std::size_t{points ? member.first_point : member.first_cell};
     };
     std::size_t count = 0;
-    for (const JoinedMesh::Member& part : parts) count = std::max(count, first_of(part) + size_of(part));
+    for (const JoinedMesh::Member& member : members) count = std::max(count, first_of(member) + size_of(member));
 
     const auto components = static_cast<std::size_t>(field.components);
     std::vector<T> values(count * components, store::no_value);
-    for (const JoinedMesh::Member& part : parts) {
-        const std::vector<T> own = values_as<T>(part.data, field);
+    for (const JoinedMesh::Member& member : members) {
+        const std::vector<T> own = values_as<T>(member.data, field);
         if (own.empty()) continue;
-        if (own.size() != size_of(part) * components)
-            throw Error("array \"" + field.name + "\" of block \"" + part.name + "\" has " +
+        if (own.size() != size_of(member) * components)
+            throw Error("array \"" + field.name + "\" of block \"" + member.name + "\" has " +
                         std::to_string(own.size() / components) + " values; the number of values must be " +
-                        std::to_string(size_of(part)) + ", one for each point or cell");
-        std::copy(own.begin(), own.end(), values.begin() + static_cast<std::ptrdiff_t>(first_of(part) * components));
+                        std::to_string(size_of(member)) + ", one for each point or cell");
+        std::copy(own.begin(), own.end(), values.begin() + static_cast<std::ptrdiff_t>(first_of(member) * components));
     }
     return store::Values(std::move(values));
 }
@@ -200,8 +201,8 @@ store::Values array_values(vtkDataSet* data, const FieldName& field) {
     return store::Values(values_as<float>(data, field));
 }
 
-store::Values gather_field(const std::vector<JoinedMesh::Member>& parts, const FieldName& field) {
-    return field.doubles ? gather_as<double>(parts, field) : gather_as<float>(parts, field);
+store::Values gather_field(const std::vector<JoinedMesh::Member>& members, const FieldName& field) {
+    return field.doubles ? gather_as<double>(members, field) : gather_as<float>(members, field);
 }
 
 } // namespace ciel::importer

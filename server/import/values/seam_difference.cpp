@@ -29,25 +29,25 @@ bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>
     return false;
 }
 
-bool positions_differ(const Seam& seam, const JoinedMesh::Member& part) {
+bool positions_differ(const Seam& seam, const JoinedMesh::Member& member) {
     return std::any_of(seam.points.begin(), seam.points.end(), [&](const std::pair<Index, Index>& pair) {
         Vec3d a;
         Vec3d b;
-        part.data->GetPoint(pair.first - part.first_point, a.data());
-        part.data->GetPoint(pair.second - part.first_point, b.data());
+        member.data->GetPoint(pair.first - member.first_point, a.data());
+        member.data->GetPoint(pair.second - member.first_point, b.data());
         return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > 2 * seam.tolerance;
     });
 }
 
 } // namespace
 
-std::string difference_across(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& parts) {
+std::string difference_across(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& members) {
     if (seams.empty()) return "";
     for (const Seam& seam : seams)
-        if (positions_differ(seam, parts[seam.part])) return "position";
-    for (const FieldName& field : field_names(parts))
+        if (positions_differ(seam, members[seam.member])) return "position";
+    for (const FieldName& field : field_names(members))
         if (field.of == FieldOf::points &&
-            values_differ(gather_field(parts, field), static_cast<std::size_t>(field.components), seams))
+            values_differ(gather_field(members, field), static_cast<std::size_t>(field.components), seams))
             return field.name;
     return "";
 }

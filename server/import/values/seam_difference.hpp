@@ -7,6 +7,6 @@ namespace ciel::importer {
 
 // Returns "position" or the name of a point field that differs; empty if the sides of all seams agree.
 [[nodiscard]] std::string difference_across(const std::vector<Seam>& seams,
-                                            const std::vector<JoinedMesh::Member>& parts);
+                                            const std::vector<JoinedMesh::Member>& members);
 
 } // namespace ciel::importer

@@ -29,14 +29,14 @@ vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of) {
     return nullptr;
 }
 
-std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& parts, FieldOf of) {
+std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& members, FieldOf of) {
     constexpr std::int64_t not_given = -1;
     const bool points = of == FieldOf::points;
     std::vector<std::int64_t> ids;
-    for (const JoinedMesh::Member& part : parts) {
-        vtkDataArray* own = solver_id_array(part.data, of);
+    for (const JoinedMesh::Member& member : members) {
+        vtkDataArray* own = solver_id_array(member.data, of);
         if (own == nullptr) continue;
-        const std::size_t first = points ? part.first_point : part.first_cell;
+        const std::size_t first = points ? member.first_point : member.first_cell;
         const auto count = static_cast<std::size_t>(own->GetNumberOfTuples());
         ids.resize(std::max(ids.size(), first + count), not_given);
         const auto* whole = vtkIdTypeArray::SafeDownCast(own);
@@ -46,9 +46,9 @@ std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member
     }
     if (ids.empty()) return ids;
     std::size_t all = 0;
-    for (const JoinedMesh::Member& part : parts)
-        all = std::max<std::size_t>(all, points ? std::size_t{part.first_point} + part.data->GetNumberOfPoints()
-                                                : std::size_t{part.first_cell} + part.data->GetNumberOfCells());
+    for (const JoinedMesh::Member& member : members)
+        all = std::max<std::size_t>(all, points ? std::size_t{member.first_point} + member.data->GetNumberOfPoints()
+                                                : std::size_t{member.first_cell} + member.data->GetNumberOfCells());
     ids.resize(all, not_given);
     return ids;
 }

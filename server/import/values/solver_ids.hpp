@@ -13,7 +13,7 @@ namespace ciel::importer {
 // VTK's pedigree ids, the array PedigreeNodeId or PedigreeElementId. Returns null if none of them holds integers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
-// Points and cells of blocks without ids get -1. Returns an empty list if no block has ids.
-[[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& parts, FieldOf of);
+// Points and cells of members without ids get -1. Returns an empty list if no member has ids.
+[[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& members, FieldOf of);
 
 } // namespace ciel::importer

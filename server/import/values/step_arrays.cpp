@@ -21,14 +21,15 @@ PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
 }
 
 // On a no-slip wall, a vector is zero on every face, although it is not zero in all cells.
-std::vector<bool> find_no_slip(const StepMesh& mesh, const DataSets& data_sets, const std::vector<FieldName>& fields) {
+std::vector<bool> find_no_slip(const StepMesh& mesh, const InputGrids& input_grids,
+                               const std::vector<FieldName>& fields) {
     std::vector<bool> no_slip(mesh.patches.size(), false);
     for (const FieldName& field : fields) {
         if (field.of != FieldOf::cells || field.components != 3) continue;
-        if (holds_only_zero(gather_field(mesh.parts, field))) continue;
+        if (holds_only_zero(gather_field(mesh.members, field))) continue;
         for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
             if (mesh.patches[i].surface == Patch::none_of_them) continue;
-            const DataSet& surface = data_sets.surfaces[mesh.patches[i].surface];
+            const InputGrid& surface = input_grids.surfaces[mesh.patches[i].surface];
             if (role_of(surface.facts, field.name) == PatchRole::other &&
                 holds_only_zero(array_values(surface.data, field)))
                 no_slip[i] = true;
@@ -37,36 +38,36 @@ std::vector<bool> find_no_slip(const StepMesh& mesh, const DataSets& data_sets, 
     return no_slip;
 }
 
-std::vector<PatchValues> patch_values(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
+std::vector<PatchValues> patch_values(const StepMesh& mesh, const InputGrids& input_grids, const FieldName& field) {
     std::vector<PatchValues> values(mesh.patches.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (mesh.patches[i].surface == Patch::none_of_them) continue;
-        store::Values own = array_values(data_sets.surfaces[mesh.patches[i].surface].data, field);
+        store::Values own = array_values(input_grids.surfaces[mesh.patches[i].surface].data, field);
         if (!own.empty()) values[i] = std::move(own);
     }
     return values;
 }
 
-std::vector<PatchRole> patch_roles(const StepMesh& mesh, const DataSets& data_sets, const std::vector<bool>& no_slip,
-                                   const std::string& field) {
+std::vector<PatchRole> patch_roles(const StepMesh& mesh, const InputGrids& input_grids,
+                                   const std::vector<bool>& no_slip, const std::string& field) {
     std::vector<PatchRole> roles(mesh.patches.size(), PatchRole::other);
     for (std::size_t i = 0; i < roles.size(); ++i) {
         const std::size_t surface = mesh.patches[i].surface;
         if (no_slip[i])
             roles[i] = PatchRole::no_slip_wall;
         else if (surface != Patch::none_of_them)
-            roles[i] = role_of(data_sets.surfaces[surface].facts, field);
+            roles[i] = role_of(input_grids.surfaces[surface].facts, field);
     }
     return roles;
 }
 
 } // namespace
 
-void StepArrays::note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field) {
+void StepArrays::note_unknown_conditions(const StepMesh& mesh, const InputGrids& input_grids, const FieldName& field) {
     std::string names;
     for (const Patch& patch : mesh.patches) {
         if (patch.surface == Patch::none_of_them || patch.faces.empty()) continue;
-        const auto& conditions = data_sets.surfaces[patch.surface].facts.conditions;
+        const auto& conditions = input_grids.surfaces[patch.surface].facts.conditions;
         const auto condition = conditions.find(field.name);
         if (condition != conditions.end() && condition->second.empty())
             names += (names.empty() ? "" : ", ") + patch.name;
@@ -109,10 +110,10 @@ void StepArrays::add(const FieldName& field, const std::string& name, store::Ass
     arrays_.push_back(array);
 }
 
-void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets, FieldName field,
+void StepArrays::add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field,
                                 bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
-    store::Values cells = to_stored(gather_field(mesh.parts, field), mesh.cell_of_cell, field.components);
+    store::Values cells = to_stored(gather_field(mesh.members, field), mesh.cell_of_cell, field.components);
     // Other steps may have a point array of this name with other components. If the components of that point array are
     // the chosen components, accept() returns false.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
@@ -120,9 +121,9 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const DataSets& data_sets,
             maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
                                                             WallValues(mesh.view(), mesh.patches),
                                                             PatchFaces(mesh.view(), mesh.patches)});
-        const std::vector<PatchValues> on_patches = patch_values(mesh, data_sets, field);
-        const std::vector<PatchRole> roles = patch_roles(mesh, data_sets, no_slip_, field.name);
-        note_unknown_conditions(mesh, data_sets, field);
+        const std::vector<PatchValues> on_patches = patch_values(mesh, input_grids, field);
+        const std::vector<PatchRole> roles = patch_roles(mesh, input_grids, no_slip_, field.name);
+        note_unknown_conditions(mesh, input_grids, field);
         cells.with([&]<class T>(std::span<const T> of_cells) {
             std::vector<T> points = maker->interpolation.apply(of_cells, field.components);
             maker->walls.overlay(on_patches, roles, field.components, points);
@@ -143,19 +144,20 @@ std::vector<std::string> StepArrays::notes() const {
 }
 
 const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const StepMesh& mesh,
-                                                        const DataSets& data_sets, std::unique_ptr<PointMaker>& maker) {
+                                                        const InputGrids& input_grids,
+                                                        std::unique_ptr<PointMaker>& maker) {
     step_ = step;
     arrays_.clear();
     values_.clear();
-    const std::vector<FieldName> fields = field_names(mesh.parts);
-    no_slip_ = find_no_slip(mesh, data_sets, fields);
+    const std::vector<FieldName> fields = field_names(mesh.members);
+    no_slip_ = find_no_slip(mesh, input_grids, fields);
     const auto has_points = [&](const std::string& name) {
         return std::any_of(fields.begin(), fields.end(), [&](const FieldName& field) {
             return field.of == FieldOf::points && stored_name(field.name) == name;
         });
     };
-    for (std::string& sentence : left_out_arrays(mesh.parts)) notes_.insert(std::move(sentence));
-    for (std::string& sentence : lost_arrays(mesh.parts)) lost_.insert(std::move(sentence));
+    for (std::string& sentence : left_out_arrays(mesh.members)) notes_.insert(std::move(sentence));
+    for (std::string& sentence : lost_arrays(mesh.members)) lost_.insert(std::move(sentence));
     std::set<std::string> taken;
     for (FieldName field : fields) {
         const std::string name = stored_name(field.name);
@@ -168,12 +170,12 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
         }
         const std::string stored = (cell ? "cell:" : "") + name;
         if (!accept(field, stored)) continue;
-        loss_.look_at(mesh.parts, field, doubles_.try_emplace(stored, field.doubles).first->second);
+        loss_.look_at(mesh.members, field, doubles_.try_emplace(stored, field.doubles).first->second);
         if (cell)
-            add_cell_field(mesh, data_sets, field, has_points(name), maker);
+            add_cell_field(mesh, input_grids, field, has_points(name), maker);
         else
             add(field, name, store::Association::point, origin_of(field),
-                to_stored(gather_field(mesh.parts, field), mesh.point_of_vertex, field.components));
+                to_stored(gather_field(mesh.members, field), mesh.point_of_vertex, field.components));
     }
     return arrays_;
 }

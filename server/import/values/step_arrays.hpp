@@ -32,7 +32,7 @@ public:
 
     // Makes the arrays of the step that was read last, valid until the next call. Creates `maker` if it is needed.
     [[nodiscard]] const std::vector<store::ArrayValues>&
-    make(std::size_t step, const StepMesh& mesh, const DataSets& data_sets, std::unique_ptr<PointMaker>& maker);
+    make(std::size_t step, const StepMesh& mesh, const InputGrids& input_grids, std::unique_ptr<PointMaker>& maker);
 
     // Returns notes on arrays left out, unknown boundary conditions, and values that the stored type changes.
     [[nodiscard]] std::vector<std::string> notes() const;
@@ -45,9 +45,9 @@ private:
              store::Values values);
     [[nodiscard]] bool accept(FieldName& field, const std::string& stored);
     [[nodiscard]] store::Origin origin_of(const FieldName& field) const;
-    void add_cell_field(const StepMesh& mesh, const DataSets& data_sets, FieldName field, bool point_field_exists,
+    void add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field, bool point_field_exists,
                         std::unique_ptr<PointMaker>& maker);
-    void note_unknown_conditions(const StepMesh& mesh, const DataSets& data_sets, const FieldName& field);
+    void note_unknown_conditions(const StepMesh& mesh, const InputGrids& input_grids, const FieldName& field);
 
     ArraySelection& selection_;
     const Source& source_;

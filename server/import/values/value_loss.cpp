@@ -48,12 +48,12 @@ std::uint64_t changed_integers(vtkDataArray* array) {
 
 } // namespace
 
-void ValueLoss::look_at(const std::vector<JoinedMesh::Member>& parts, const FieldName& field, bool doubles) {
+void ValueLoss::look_at(const std::vector<JoinedMesh::Member>& members, const FieldName& field, bool doubles) {
     Count& count = counts_[(field.of == FieldOf::cells ? "cell:" : "") + field.name];
     count.doubles = doubles;
-    for (const JoinedMesh::Member& part : parts) {
-        vtkDataSetAttributes* data = part.data->GetPointData();
-        if (field.of == FieldOf::cells) data = part.data->GetCellData();
+    for (const JoinedMesh::Member& member : members) {
+        vtkDataSetAttributes* data = member.data->GetPointData();
+        if (field.of == FieldOf::cells) data = member.data->GetCellData();
         vtkDataArray* array = data->GetArray(field.name.c_str());
         if (array == nullptr || !needs_doubles(array)) continue;
         const bool is_real = array->GetDataType() == VTK_DOUBLE;

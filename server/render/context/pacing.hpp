@@ -17,7 +17,8 @@ public:
     Pacing(const Pacing&) = delete;
     Pacing& operator=(const Pacing&) = delete;
 
-    // If `check_wanted` is empty, Pacing does not check, wait or divide. Exceptions of check_wanted are propagated.
+    // If `check_wanted` is empty, Pacing does not check, wait or divide draws. Exceptions of check_wanted are
+    // propagated.
     void begin(const std::function<void()>& check_wanted);
     void end() { check_wanted_ = nullptr; }
     // Call between two drawing passes. The next piece is small again, because the next pass may be much slower.

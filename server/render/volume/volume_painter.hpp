@@ -60,8 +60,8 @@ private:
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
-    // Coordinate along the slabs' normal at a given depth of a ray: start + depth * per_depth. Both members are (value
-    // at the picture's corner, change per pixel in x, change per pixel in y).
+    // Distance of a ray along the slabs' normal: start + depth * per_depth. Each is a linear function of the pixel:
+    // (value at the corner, change per x, change per y).
     struct RaysAcross {
         glm::dvec3 per_depth, start;
     };

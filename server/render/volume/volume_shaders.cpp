@@ -88,7 +88,7 @@ uniform vec2 depth_row; // projection[2][2] and projection[3][2]
 uniform float parallel;
 out vec4 limits;
 const float never = 1e30;
-// Returns the stretch of `part` that the clip planes keep; it is empty if it begins behind its end.
+// Returns the interval of `part` that the clip planes keep; it is empty if it begins behind its end.
 vec2 kept_of(vec2 part, vec2 kept) { return vec2(max(part.x, kept.x), min(part.y, kept.y)); }
 float window_depth(vec2 first) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -4,19 +4,19 @@
 
 namespace ciel::store {
 
-std::shared_ptr<const PagedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
-                                                 const std::function<PageChecks()>& checks) {
+std::shared_ptr<const CheckedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
+                                                   const std::function<StretchChecks()>& checks) {
     Entry& of_file = entry(file);
     const std::lock_guard lock(of_file.mutex);
-    std::shared_ptr<const PagedFile> mapped = of_file.mapped.lock();
+    std::shared_ptr<const CheckedFile> mapped = of_file.mapped.lock();
     if (mapped == nullptr) {
         MappedFile again(file, bytes, any_lost_, 0, access_);
         again.expect_random_reads();
         if (of_file.version != again.version() || access_ == FileAccess::read) {
-            of_file.pages = std::make_shared<PageStates>(bytes, checks());
+            of_file.stretches = std::make_shared<CheckedStretches>(bytes, checks());
             of_file.version = again.version();
         }
-        mapped = std::make_shared<const PagedFile>(std::move(again), of_file.pages);
+        mapped = std::make_shared<const CheckedFile>(std::move(again), of_file.stretches);
         of_file.mapped = mapped;
     }
     mapped->file().check_intact();
@@ -31,7 +31,7 @@ ChunkCache::Entry& ChunkCache::entry(const std::filesystem::path& file) {
     return *found;
 }
 
-void ChunkCache::keep(Entry& entry, const std::shared_ptr<const PagedFile>& file) {
+void ChunkCache::keep(Entry& entry, const std::shared_ptr<const CheckedFile>& file) {
     Kept let_go; // destroyed after `lock`, so that the file is unmapped without the lock
     const std::lock_guard lock(mutex_);
     if (const auto known = place_.find(&entry); known != place_.end()) {
@@ -47,20 +47,20 @@ void ChunkCache::keep(Entry& entry, const std::shared_ptr<const PagedFile>& file
 }
 
 void ChunkCache::check_sizes() const {
-    for_each([](const PagedFile& paged) { paged.file().check_size(); });
+    for_each([](const CheckedFile& file) { file.file().check_size(); });
 }
 
 void ChunkCache::check_intact() const {
-    for_each([](const PagedFile& paged) { paged.file().check_intact(); });
+    for_each([](const CheckedFile& file) { file.file().check_intact(); });
 }
 
 std::size_t ChunkCache::memory_bytes() const {
     std::size_t bytes = 0;
-    for_each([&](const PagedFile& paged) { bytes += paged.memory_bytes(); });
+    for_each([&](const CheckedFile& file) { bytes += file.memory_bytes(); });
     return bytes;
 }
 
-void ChunkCache::for_each(const std::function<void(const PagedFile&)>& visit) const {
+void ChunkCache::for_each(const std::function<void(const CheckedFile&)>& visit) const {
     std::vector<Entry*> all;
     {
         const std::lock_guard lock(mutex_);

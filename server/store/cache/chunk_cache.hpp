@@ -1,7 +1,7 @@
 // ChunkCache: the mapped chunk files of a dataset and of its refreshed versions (Dataset::refreshed). Thread-safe.
 #pragma once
 
-#include "store/cache/paged_file.hpp"
+#include "store/cache/checked_file.hpp"
 
 #include <functional>
 #include <list>
@@ -20,28 +20,28 @@ public:
     static constexpr std::size_t most_kept = 64;
 
     ChunkCache(AnyLost any_lost, FileAccess access) : any_lost_(std::move(any_lost)), access_(access) {}
-    // Returns the mapped `file`, which must have `bytes` bytes. Checks no page. Calls `checks` to get the checksums of
-    // the pages when the file is mapped for the first time or has changed. If the file was unmapped meanwhile, pages
-    // that were checked are not checked again, except with FileAccess::read. Throws Error when the file was truncated
-    // or rewritten while it was mapped.
-    [[nodiscard]] std::shared_ptr<const PagedFile> get(const std::filesystem::path& file, std::size_t bytes,
-                                                       const std::function<PageChecks()>& checks);
+    // Returns the mapped `file`, which must have `bytes` bytes. Checks no stretch. Calls `checks` to get the checksums
+    // of the stretches when the file is mapped for the first time or has changed. If the file was unmapped meanwhile,
+    // stretches that were checked are not checked again, except with FileAccess::read. Throws Error when the file was
+    // truncated or rewritten while it was mapped.
+    [[nodiscard]] std::shared_ptr<const CheckedFile> get(const std::filesystem::path& file, std::size_t bytes,
+                                                         const std::function<StretchChecks()>& checks);
     void check_sizes() const;
     void check_intact() const;
-    [[nodiscard]] std::size_t memory_bytes() const; // size of copied pages; 0 with FileAccess::mapped
+    [[nodiscard]] std::size_t memory_bytes() const; // size of copied stretches; 0 with FileAccess::mapped
 
 private:
     struct Entry {
         std::mutex mutex; // one per chunk, so that a slow read of one chunk does not block others
-        std::weak_ptr<const PagedFile> mapped;
-        std::optional<FileVersion> version; // version of the file whose pages `pages` describes
-        std::shared_ptr<PageStates> pages;
+        std::weak_ptr<const CheckedFile> mapped;
+        std::optional<FileVersion> version; // version of the file whose stretches `stretches` describes
+        std::shared_ptr<CheckedStretches> stretches;
     };
-    using Kept = std::list<std::pair<Entry*, std::shared_ptr<const PagedFile>>>;
+    using Kept = std::list<std::pair<Entry*, std::shared_ptr<const CheckedFile>>>;
 
     [[nodiscard]] Entry& entry(const std::filesystem::path& file);
-    void keep(Entry& entry, const std::shared_ptr<const PagedFile>& file);
-    void for_each(const std::function<void(const PagedFile&)>& visit) const;
+    void keep(Entry& entry, const std::shared_ptr<const CheckedFile>& file);
+    void for_each(const std::function<void(const CheckedFile&)>& visit) const;
 
     AnyLost any_lost_;
     FileAccess access_;

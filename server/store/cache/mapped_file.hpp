@@ -56,9 +56,9 @@ public:
     [[nodiscard]] FileVersion version() const; // version of the file when it was opened
     // Advises the system not to read ahead.
     void expect_random_reads() const;
-    // Reads `part`, a part of bytes(), from the disk with one request, not page by page at the first access. Throws
-    // Error when `part` cannot be read. The mapping is then lost, except after a read error with FileAccess::read. With
-    // FileAccess::read, two threads must not load or use the same part at the same time.
+    // Reads `part`, a part of bytes(), from the disk with one request, not one memory page at a time at the first
+    // access. Throws Error when `part` cannot be read. The mapping is then lost, except after a read error with
+    // FileAccess::read. With FileAccess::read, two threads must not load or use the same part at the same time.
     void load(std::span<const std::byte> part) const;
     [[nodiscard]] FileAccess access() const { return in_.get() < 0 ? FileAccess::mapped : FileAccess::read; }
 

@@ -1,7 +1,7 @@
 #include "store/cache/mapped_mesh.hpp"
 
 #include "ciel/parallel.hpp"
-#include "store/cache/paged_array.hpp"
+#include "store/cache/stored_array.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
@@ -99,7 +99,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map("groups/" + std::to_string(i), ElementType::u4);
 
     for (const char* group : {"faces", "types", "groups", "numbers"}) verified_[group];
-    for (const char* name : layout::id_arrays) pages_[name];
+    for (const char* name : layout::id_arrays) stretches_[name];
     vertex_count_ = array("original_vertex").as<Index>().size();
     if (vertex_count_ == 0 || cell_count() == 0 || (!has_numbers() && stored_faces() == 0))
         refuse_damage(directory_, "is an empty mesh");
@@ -166,17 +166,18 @@ void MappedMesh::map_group(std::size_t index) {
         {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
 }
 
-PageStates& MappedMesh::pages_of(const std::string& ids) const {
-    std::unique_ptr<PageStates>& pages = pages_.at(ids);
+CheckedStretches& MappedMesh::stretches_of(const std::string& ids) const {
+    std::unique_ptr<CheckedStretches>& stretches = stretches_.at(ids);
     verified_.at(ids).once([&] {
         const std::string& sum = checksum_of(ids);
         const MappedFile& file = array(ids);
         const ArrayLayout layout{directory_ / ids, 1, 1, file.bytes().size(), false};
-        std::optional<ValueRanges> ranges; // nullopt if the file was replaced; the array is then one page
+        std::optional<ValueRanges> ranges; // nullopt if the file was replaced; the array is then one stretch
         if (file.is_current()) ranges = read_ranges(layout, 0, sum, 0, 0, dataset_id_);
-        pages = std::make_unique<PageStates>(layout.chunk_bytes, page_checks(layout, sum, std::move(ranges)));
+        stretches =
+            std::make_unique<CheckedStretches>(layout.chunk_bytes, checks_of_stretches(layout, sum, std::move(ranges)));
     });
-    return *pages;
+    return *stretches;
 }
 
 const std::string& MappedMesh::checksum_of(const std::string& name) const {

@@ -1,7 +1,7 @@
 // MappedMesh: the mapped arrays of one mesh, and its blocks. A dataset and its refreshed versions share the object.
 #pragma once
 
-#include "store/cache/paged_file.hpp"
+#include "store/cache/checked_file.hpp"
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/attributes.hpp"
 #include "store/format/number_groups.hpp"
@@ -36,7 +36,7 @@ public:
     // An id of -1 means that the solver gave no id. Empty if the imported file has no solver ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
-    // Return nullopt if the imported file has no solver ids. Only the page that contains the id is checked.
+    // Return nullopt if the imported file has no solver ids. Only the stretch that contains the id is checked.
     [[nodiscard]] Index original_vertex(Index vertex) const { return *id<Index>("original_vertex", vertex); }
     [[nodiscard]] Index original_cell(Index cell) const { return *id<Index>("original_cell", cell); }
     [[nodiscard]] std::optional<std::int64_t> solver_vertex(Index vertex) const {
@@ -66,17 +66,17 @@ private:
     [[nodiscard]] std::span<const T> ids(const std::string& name) const {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return {};
-        load_pages(found->second, pages_of(name), 0, found->second.bytes().size());
+        load_stretches(found->second, stretches_of(name), 0, found->second.bytes().size());
         return found->second.as<T>();
     }
     template <typename T>
     [[nodiscard]] std::optional<T> id(const std::string& name, Index of) const {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return std::nullopt;
-        load_pages(found->second, pages_of(name), of * sizeof(T), (std::size_t{of} + 1) * sizeof(T));
+        load_stretches(found->second, stretches_of(name), of * sizeof(T), (std::size_t{of} + 1) * sizeof(T));
         return found->second.as<T>()[of];
     }
-    [[nodiscard]] PageStates& pages_of(const std::string& ids) const;
+    [[nodiscard]] CheckedStretches& stretches_of(const std::string& ids) const;
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
     // A view calls refuse() on any thread when an index is out of range or contradicts another array.
     class Keeper final : public ArrayKeeper {
@@ -141,7 +141,7 @@ private:
         std::atomic<bool> done_ = false;
     };
     // By name of an array of layout::id_arrays; null until the array is first used.
-    mutable std::map<std::string, std::unique_ptr<PageStates>> pages_;
+    mutable std::map<std::string, std::unique_ptr<CheckedStretches>> stretches_;
     mutable std::map<std::string, Verified> verified_; // by name of an array, or of a check of several arrays
 };
 

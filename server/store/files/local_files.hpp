@@ -1,5 +1,5 @@
 // Distinguishes files on this machine's disks from files on other machines. When the other machine or the network
-// fails, an access to a mapped page of a remote file raises SIGBUS. A read call returns an error instead.
+// fails, an access to the mapped memory of a remote file raises SIGBUS. A read call returns an error instead.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace ciel::store {
 // Also returns true if the file system cannot be examined.
 [[nodiscard]] bool is_on_this_machine(const std::filesystem::path& path);
 
-// mapped: uses the mapped pages of a file, which all processes share. read: copies the needed parts of a file.
+// mapped: uses the mapped memory of a file, which all processes share. read: copies the needed parts of a file.
 enum class FileAccess { mapped, read };
 [[nodiscard]] inline FileAccess access_to(const std::filesystem::path& directory) {
     return is_on_this_machine(directory) ? FileAccess::mapped : FileAccess::read;

@@ -12,10 +12,10 @@ constexpr std::string_view digits = "0123456789abcdef";
 
 std::uint64_t checksum_number(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes) {
+std::vector<std::uint64_t> stretch_checksums(std::span<const std::byte> bytes) {
     std::vector<std::uint64_t> sums;
-    for (std::size_t begin = 0; begin < bytes.size(); begin += checksum_page_bytes)
-        sums.push_back(checksum_number(bytes.subspan(begin, std::min(checksum_page_bytes, bytes.size() - begin))));
+    for (std::size_t begin = 0; begin < bytes.size(); begin += stretch_bytes)
+        sums.push_back(checksum_number(bytes.subspan(begin, std::min(stretch_bytes, bytes.size() - begin))));
     return sums;
 }
 

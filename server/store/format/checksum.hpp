@@ -10,9 +10,10 @@
 namespace ciel::store {
 
 [[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
-// Size of a page in bytes. page_checksums returns the checksum of each page. The last page may be shorter.
-inline constexpr std::size_t checksum_page_bytes = 1 << 16;
-[[nodiscard]] std::vector<std::uint64_t> page_checksums(std::span<const std::byte> bytes);
+// A stretch is a run of bytes of a chunk file that are read and checked together. stretch_bytes: its size; the last
+// stretch of a file may be shorter. stretch_checksums returns the checksum of each stretch.
+inline constexpr std::size_t stretch_bytes = 1 << 16;
+[[nodiscard]] std::vector<std::uint64_t> stretch_checksums(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum_text(std::uint64_t number);
 [[nodiscard]] std::uint64_t checksum_number(const std::string& text); // parses a text that `checksum` returned

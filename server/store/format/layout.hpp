@@ -49,7 +49,7 @@ inline constexpr const char* whole_arrays[] = {"cell_types", "original_vertex", 
 inline constexpr const char* faces_group = "faces";
 inline constexpr const char* face_arrays[] = {"face_offset", "face_vertex", "owner", "neighbour"};
 
-// These ids are not used as indices. The checksums of the arrays' pages are stored beside the arrays.
+// These ids are not used as indices. The checksums of the arrays' stretches are stored beside the arrays.
 inline constexpr const char* id_arrays[] = {"original_vertex", "original_cell", "solver_vertex", "solver_cell"};
 
 // A mesh has such an array only if the imported file has these ids. Each array is one chunk.

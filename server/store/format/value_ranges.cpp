@@ -15,7 +15,7 @@ struct RangesHead {
     std::array<char, 8> type{}; // number type of the limits: floats_type or doubles_type
     std::uint64_t low = 0, high = 0, missing = 0;
     std::uint64_t histograms = 0;
-    std::uint64_t page_checksums = 0;
+    std::uint64_t stretch_checksums = 0;
 };
 static_assert(sizeof(RangesHead) == 72);
 
@@ -73,7 +73,7 @@ std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std
         limits = read.array<double>(begin, count);
     }
     if (std::ranges::any_of(limits, [](double limit) { return std::isnan(limit); }))
-        read.refuse_damage("has a limit that is not a number");
+        read.refuse_damage("has a minimum or maximum that is NaN");
     return limits;
 }
 
@@ -96,7 +96,7 @@ std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& da
     const std::vector<StoredHistogram> histograms = to_stored(ranges.histograms);
     const std::uint64_t after_missing = head.missing + (missing_words + padding_words) * sizeof(std::uint32_t);
     if (!histograms.empty()) head.histograms = after_missing;
-    head.page_checksums = after_missing + histograms.size() * sizeof(StoredHistogram);
+    head.stretch_checksums = after_missing + histograms.size() * sizeof(StoredHistogram);
     ByteWriter out(FileKind::ranges, dataset_id);
     out.add(head);
     for (const BlockRanges& of : scalars) add_limits(out, of.low, floats);
@@ -104,7 +104,7 @@ std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& da
     for (const BlockRanges& of : scalars) out.add(std::span<const std::uint32_t>(of.missing));
     if (padding_words > 0) out.add(std::uint32_t{0});
     out.add(std::span<const StoredHistogram>(histograms));
-    out.add(std::span<const std::uint64_t>(ranges.page_checksums));
+    out.add(std::span<const std::uint64_t>(ranges.stretch_checksums));
     return out.finish();
 }
 
@@ -126,8 +126,9 @@ std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes, 
              read.array<std::uint32_t>(head.missing + i * blocks * sizeof(std::uint32_t), blocks)});
     }
     if (head.histograms != 0) ranges.histograms = read_histograms(read, head.histograms, scalars);
-    const std::size_t pages = (chunk_bytes + checksum_page_bytes - 1) / checksum_page_bytes;
-    if (head.page_checksums != 0) ranges.page_checksums = read.array<std::uint64_t>(head.page_checksums, pages);
+    const std::size_t stretches = (chunk_bytes + stretch_bytes - 1) / stretch_bytes;
+    if (head.stretch_checksums != 0)
+        ranges.stretch_checksums = read.array<std::uint64_t>(head.stretch_checksums, stretches);
     return ranges;
 }
 

@@ -13,9 +13,9 @@ namespace ciel::store {
 
 struct ValueRanges {
     // The first two vectors have an entry for the magnitude, if the array has a magnitude, then one for each component.
-    std::vector<BlockRanges> scalars;          // without blocks if the array is not on points
-    std::vector<Histogram> histograms;         // with stored_bins bins; empty if the file has none
-    std::vector<std::uint64_t> page_checksums; // of the chunk (checksum.hpp); empty if the file has none
+    std::vector<BlockRanges> scalars;             // without blocks if the array is not on points
+    std::vector<Histogram> histograms;            // with stored_bins bins; empty if the file has none
+    std::vector<std::uint64_t> stretch_checksums; // of the chunk (checksum.hpp); empty if the file has none
 };
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,

@@ -119,7 +119,7 @@ public:
         return triangles;
     }
     std::uint64_t soups(const std::vector<double>& values, std::vector<SoupSink::Out>& out) {
-        sweep(*data_.topology, data_.mesh, field_, values, SoupSink{}, parts_, out);
+        sweep(*data_.topology, data_.mesh, field_, values, SoupSink{}, buffers_, out);
         std::uint64_t triangles = 0;
         for (const SoupSink::Out& soup : out) triangles += soup.size() / 3;
         return triangles;
@@ -136,7 +136,7 @@ private:
     Field field_;
     Query query_;
     Surface surface_;
-    SweepBuffers<SoupSink> parts_;
+    SweepBuffers<SoupSink> buffers_;
 };
 
 // Replacing VTK's scalars is not timed. Building CIEL's block ranges is timed.

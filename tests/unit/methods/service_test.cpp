@@ -174,7 +174,7 @@ TEST_F(Sharing, the_other_algorithm_serves_the_same_pictures) {
 // json_rpc_test.cpp: message_bytes, json_depth, batch_requests.
 // Above in this file: unacknowledged_frames, session_idle_seconds.
 // tests/unit/gateway/test_limits.cpp: limits of sockets. tests/python/test_serve_websocket.py: connections.
-// tests/unit/engine/slow_calls_test.cpp: limits of slow calls.
+// slow_calls_test.cpp: limits of slow calls.
 class LimitsOf : public Service {};
 
 TEST_F(LimitsOf, sessions) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class ColdFilesTest : public testing::Test {
 protected:
     void SetUp() override {
-        test::write_box(directory, test::box(40, 40, 40)); // 16 blocks; `p` has 5 pages of 64 KiB
+        test::write_box(directory, test::box(40, 40, 40)); // 16 blocks; `p` has 5 stretches of 64 KiB
         for (const fs::path& file : numbered_files()) forget(file);
         if (cached_in("") > 0) GTEST_SKIP() << "the file system of " << scratch.path() << " keeps pages in memory";
     }
@@ -137,7 +137,7 @@ TEST_F(ColdFilesTest, AHistogramReadsNoValue) {
     EXPECT_GT(cached_in("arrays/p/0.0"), 0U) << "only the array's own range is stored";
 }
 
-TEST_F(ColdFilesTest, ValuesOfSomeCellsReadTheirPages) {
+TEST_F(ColdFilesTest, ValuesOfSomeCellsReadTheirStretches) {
     LoadedDataset loaded(Dataset::open(directory), 1U << 30U);
     const auto values = loaded.stored_scalar("cell:p", 0, Association::cell);
     const std::vector<Index> cells{7, 8, 15};

@@ -224,7 +224,7 @@ const std::vector<Malformed> table{
          std::memcpy(ranges.data() + ranges.size() - sizeof sum, &sum, sizeof sum);
          test::overwrite_file(d / "meshes/0/arrays/p/ranges/0", ranges);
      },
-     "arrays/p/ranges/0", "has a limit that is not a number"},
+     "arrays/p/ranges/0", "has a minimum or maximum that is NaN"},
     {"boxes damaged", flip("meshes/0/positions/ranges/0", 140), "positions/ranges/0", "does not match its checksum"},
     {"another number of boundary faces",
      edit("meshes/0/.zattrs",

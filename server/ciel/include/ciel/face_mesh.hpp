@@ -1,4 +1,4 @@
-// FaceMesh: a mesh as a list of faces, each with an owner cell and a neighbour cell. The import makes a FaceMesh, and
+// FaceMesh: a mesh as a list of faces, each with an owner cell and a neighbor cell. The import makes a FaceMesh, and
 // Topology is built from it. A FaceMesh is the input of Algorithm 5 (paper, appendix A) after the faces have been
 // matched.
 #pragma once

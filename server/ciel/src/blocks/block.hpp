@@ -86,7 +86,8 @@ struct StandardSectionOf {
     Array<std::uint16_t> cell;                  // local cells, ascending; empty means all cells of the block
     Array<std::uint16_t> vertex;                // shape->corners local vertices per cell
     Array<std::uint16_t> edge;                  // shape->edges local edges per cell
-    Array<std::uint64_t> group_parts;           // by group of cells: bit p is set if it uses part p (vertices_per_part)
+    // one word per group of 8 cells: bit p is set if a cell of the group has a vertex in part p of the block's vertices
+    Array<std::uint64_t> group_parts;
 
     [[nodiscard]] Index count() const { return cells; }
     [[nodiscard]] Index group_count() const { return (cells + cells_per_group - 1) / cells_per_group; }

@@ -58,7 +58,7 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh; pass one range per block of the topology");
     topology = of;
-    // A changed record may have any 16-bit number as a local vertex. Pages that are not touched take no memory.
+    // A changed record may have any 16-bit number as a local vertex. What is not touched takes no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);

@@ -11,19 +11,19 @@ namespace ciel::detail {
 
 #ifdef __wasm__ // WebAssembly has no mmap and no exceptions
 
-void* reserve_pages(std::size_t bytes) { return std::memset(::operator new(bytes), 0, bytes); }
-void release_pages(void* begin, std::size_t) { ::operator delete(begin); }
+void* reserve_zeroed(std::size_t bytes) { return std::memset(::operator new(bytes), 0, bytes); }
+void release_zeroed(void* begin, std::size_t) { ::operator delete(begin); }
 
 #else
 
 namespace {
 
-// In bytes. Smaller arrays come from the heap, because reused memory costs less than new pages.
+// In bytes. Smaller arrays come from the heap, because reused memory costs less than new memory.
 constexpr std::size_t large = std::size_t{16} << 20;
 
 } // namespace
 
-void* reserve_pages(std::size_t bytes) {
+void* reserve_zeroed(std::size_t bytes) {
     if (bytes < large) {
         void* const begin = std::calloc(bytes > 0 ? bytes : 1, 1);
         if (begin == nullptr) throw std::bad_alloc();
@@ -35,7 +35,7 @@ void* reserve_pages(std::size_t bytes) {
     return begin;
 }
 
-void release_pages(void* begin, std::size_t bytes) {
+void release_zeroed(void* begin, std::size_t bytes) {
     if (bytes < large)
         std::free(begin);
     else

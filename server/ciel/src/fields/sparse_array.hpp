@@ -1,4 +1,5 @@
-// SparseArray: an array for all vertices of a mesh. If it is large, only touched pages take memory. Not in the paper.
+// SparseArray: an array for all vertices of a mesh. If it is large, only its touched parts take memory. Not in
+// the paper.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +10,9 @@
 
 namespace ciel::detail {
 
-// Zeroed memory. Large requests get new pages, which take memory only when touched. Throws std::bad_alloc.
-[[nodiscard]] void* reserve_pages(std::size_t bytes);
-void release_pages(void* begin, std::size_t bytes); // begin: the result of reserve_pages(bytes)
+// Zeroed memory. Large requests take memory only where it is touched. Throws std::bad_alloc.
+[[nodiscard]] void* reserve_zeroed(std::size_t bytes);
+void release_zeroed(void* begin, std::size_t bytes); // begin: the result of reserve_zeroed(bytes)
 
 // All elements are zero at first. Not thread-safe, but several threads may use different elements at the same time.
 template <class T>
@@ -20,7 +21,7 @@ class SparseArray {
 public:
     SparseArray() = default;
     explicit SparseArray(std::size_t size)
-        : begin_(static_cast<T*>(reserve_pages(size * sizeof(T))), Release{size * sizeof(T)}), size_(size) {}
+        : begin_(static_cast<T*>(reserve_zeroed(size * sizeof(T))), Release{size * sizeof(T)}), size_(size) {}
     SparseArray(SparseArray&& other) noexcept : begin_(std::move(other.begin_)), size_(std::exchange(other.size_, 0)) {}
     SparseArray& operator=(SparseArray&& other) noexcept {
         begin_ = std::move(other.begin_);
@@ -38,7 +39,7 @@ public:
 private:
     struct Release {
         std::size_t bytes = 0;
-        void operator()(T* begin) const { release_pages(begin, bytes); }
+        void operator()(T* begin) const { release_zeroed(begin, bytes); }
     };
     std::unique_ptr<T[], Release> begin_{nullptr, Release{}};
     std::size_t size_ = 0;

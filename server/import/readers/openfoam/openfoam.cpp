@@ -17,10 +17,10 @@ namespace ciel::importer {
 
 namespace {
 
-void add_block(vtkMultiBlockDataSet* data_sets, vtkDataObject* data_set, const std::string& name) {
-    const unsigned at = data_sets->GetNumberOfBlocks();
-    data_sets->SetBlock(at, data_set);
-    data_sets->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+void add_block(vtkMultiBlockDataSet* multiblock, vtkDataObject* block, const std::string& name) {
+    const unsigned at = multiblock->GetNumberOfBlocks();
+    multiblock->SetBlock(at, block);
+    multiblock->GetMetaData(at)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
 vtkSmartPointer<vtkPolyData> as_polygons(const FoamSurface& surface, vtkPoints* points) {
@@ -55,27 +55,27 @@ public:
             share(0);
             const FoamMesh& mesh = mesh_at(region, time);
             share(0.5);
-            auto data_sets = region_blocks(region, time, mesh);
+            auto blocks = region_blocks(region, time, mesh);
             if (foam_.regions.size() == 1)
-                tree = data_sets;
+                tree = blocks;
             else
-                add_block(tree, data_sets, shown(region));
+                add_block(tree, blocks, shown(region));
         }
         return tree;
     }
 
-    void add_known(DataSets& data_sets, const RunningCounts& first) const override {
-        for (DataSet& surface : data_sets.surfaces)
+    void add_known(InputGrids& input_grids, const RunningCounts& first) const override {
+        for (InputGrid& surface : input_grids.surfaces)
             if (const auto known = facts_.find(surface.data); known != facts_.end()) surface.facts = known->second;
         Index first_point = first.points, first_cell = first.cells; // ids continue from region to region
         for (const std::string& region : foam_.regions) {
             const FoamMesh& mesh = meshes_.at(region).mesh;
             for (const auto& [a, b] : mesh.same_points)
-                data_sets.same_points.emplace_back(first_point + a, first_point + b);
-            data_sets.joined_faces += mesh.joined_faces;
-            data_sets.single_faces += mesh.single_faces;
+                input_grids.same_points.emplace_back(first_point + a, first_point + b);
+            input_grids.joined_faces += mesh.joined_faces;
+            input_grids.single_faces += mesh.single_faces;
             for (const auto& [name, cells] : mesh.cell_zones) {
-                NamedCells& zone = data_sets.named_cells.emplace_back(NamedCells{zone_name(region, name), {}});
+                NamedCells& zone = input_grids.named_cells.emplace_back(NamedCells{zone_name(region, name), {}});
                 for (const Index cell : cells) zone.cells.push_back(first_cell + cell);
             }
             first_point += static_cast<Index>(mesh.points->GetNumberOfPoints());
@@ -85,14 +85,14 @@ public:
 
     // Returns "0.5/p", "processor*/0.5/p" for a decomposed case, or "0.5/*/p" for several regions.
     [[nodiscard]] std::string file_of(const ArrayName& array, std::size_t step) const override {
-        const FoamPart& part = foam_.parts.front();
-        const auto at = part.times.find(foam_.times[step]);
-        if (at == part.times.end()) return "";
+        const FoamRoot& root = foam_.roots.front();
+        const auto at = root.times.find(foam_.times[step]);
+        if (at == root.times.end()) return "";
         const bool has_regions = foam_.regions.size() > 1;
         const std::filesystem::path one = plain_or_compressed(at->second / foam_.regions.front() / array.name);
         const std::string name = one.empty() ? array.name : one.filename().string();
         const std::filesystem::path in = at->second / (has_regions ? "*" : foam_.regions.front());
-        const std::string file = (in / name).lexically_relative(part.directory).string();
+        const std::string file = (in / name).lexically_relative(root.directory).string();
         return foam_.is_decomposed ? "processor*/" + file : file;
     }
 
@@ -138,7 +138,7 @@ private:
     }
     static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
 
-    // source/data_sets.cpp recognizes the names of the blocks.
+    // source/input_grids.cpp recognizes the names of the VTK blocks.
     vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
         const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
         vtkNew<vtkUnstructuredGrid> cells;
@@ -158,11 +158,11 @@ private:
         }
         for (const FoamSurface& zone : mesh.face_zones)
             add_block(face_zones, as_polygons(zone, mesh.points), zone.name);
-        auto data_sets = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-        add_block(data_sets, cells, "internalMesh");
-        add_block(data_sets, boundary, "boundary");
-        add_block(data_sets, face_zones, "faceZones");
-        return data_sets;
+        auto multiblock = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+        add_block(multiblock, cells, "internalMesh");
+        add_block(multiblock, boundary, "boundary");
+        add_block(multiblock, face_zones, "faceZones");
+        return multiblock;
     }
 
     FoamCase foam_;

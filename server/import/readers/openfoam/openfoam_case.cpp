@@ -133,7 +133,7 @@ std::string missing_processor(std::int64_t number) {
     return "The directory processor" + std::to_string(number) + " is missing: its part of the mesh was left out.";
 }
 
-fs::path FoamPart::mesh_file(const std::string& region, const std::string& file, double time) const {
+fs::path FoamRoot::mesh_file(const std::string& region, const std::string& file, double time) const {
     for (auto at = times.upper_bound(time); at != times.begin();) {
         --at;
         fs::path of_time = plain_or_compressed(at->second / region / "polyMesh" / file);
@@ -160,7 +160,7 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
         notes.push_back("The later times in " + collated +
                         " (collated files) were not read; run reconstructPar on the case to read them.");
 
-    if (!is_decomposed) parts.push_back({0, "", directory, {}});
+    if (!is_decomposed) roots.push_back({0, "", directory, {}});
     int expected = 0;
     for (const int number : processors) {
         if (!is_decomposed) break;
@@ -168,14 +168,14 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
             lost.push_back(missing_processor(missing));
         expected = number + 1;
         const std::string name = "processor" + std::to_string(number);
-        parts.push_back({number, name, directory / name, {}});
+        roots.push_back({number, name, directory / name, {}});
     }
     std::set<std::string> all_regions;
     std::set<double> all_times;
-    for (FoamPart& part : parts) {
-        part.times = times_in(part.directory);
-        for (const auto& [time, path] : part.times) all_times.insert(time);
-        all_regions.merge(regions_in(part.directory));
+    for (FoamRoot& root : roots) {
+        root.times = times_in(root.directory);
+        for (const auto& [time, path] : root.times) all_times.insert(time);
+        all_regions.merge(regions_in(root.directory));
     }
     times.assign(all_times.begin(), all_times.end());
     regions.assign(all_regions.begin(), all_regions.end());
@@ -184,10 +184,10 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
 
 void require_regular_files_of(const FoamCase& foam) {
     require_regular(foam.directory / "system/controlDict");
-    for (const FoamPart& part : foam.parts)
+    for (const FoamRoot& root : foam.roots)
         for (const std::string& region : foam.regions) {
-            require_regular_files(part.directory / "constant" / region / "polyMesh");
-            for (const auto& [time, directory] : part.times) {
+            require_regular_files(root.directory / "constant" / region / "polyMesh");
+            for (const auto& [time, directory] : root.times) {
                 require_regular_files(directory / region);
                 require_regular_files(directory / region / "polyMesh");
             }

@@ -10,8 +10,8 @@
 
 namespace ciel::importer {
 
-// A whole case, or one processor's part of a decomposed case.
-struct FoamPart {
+// A directory with a mesh: the case, or one processor's directory of a decomposed case.
+struct FoamRoot {
     std::int64_t processor = 0;
     std::string name; // "processor3"; empty for a whole case
     std::filesystem::path directory;
@@ -30,8 +30,8 @@ struct FoamCase {
 
     std::filesystem::path directory;
     bool is_decomposed = false;
-    std::vector<FoamPart> parts;
-    std::vector<double> times;        // times of all parts, ascending, at least one
+    std::vector<FoamRoot> roots;
+    std::vector<double> times;        // times of all roots, ascending, at least one
     std::vector<std::string> regions; // "" is the region without a name
     std::vector<std::string> notes;
     std::vector<std::string> lost; // sentences on missing processor directories

@@ -185,11 +185,11 @@ public:
                std::vector<std::string>& lost)
         : time_(time), mesh_(mesh), lost_(lost) {
         for (const FoamPiece& piece : mesh.pieces) {
-            const FoamPart& part = foam.parts[piece.part];
-            const auto at = part.times.find(time);
-            directories_.push_back(at == part.times.end() ? fs::path() : at->second / region);
-            if (at == part.times.end() && foam.is_decomposed)
-                lost_.push_back("There is no directory of " + part.name + at_time(time) +
+            const FoamRoot& root = foam.roots[piece.root];
+            const auto at = root.times.find(time);
+            directories_.push_back(at == root.times.end() ? fs::path() : at->second / region);
+            if (at == root.times.end() && foam.is_decomposed)
+                lost_.push_back("There is no directory of " + root.name + at_time(time) +
                                 ": its cells have no values at that time.");
         }
     }
@@ -253,7 +253,7 @@ FoamFieldInfos list_foam_fields(const FoamCase& foam) {
     FoamFieldInfos infos;
     std::map<std::string, std::map<int, std::size_t>> times; // name -> components -> number of files
     std::map<std::string, std::map<int, std::string>> units; // name -> components -> units in the first file
-    for (const auto& [time, directory] : foam.parts.front().times)
+    for (const auto& [time, directory] : foam.roots.front().times)
         for (const std::string& region : foam.regions)
             for (const auto& [name, file] : files_in(directory / region)) {
                 const FieldHead head = read_head(file);

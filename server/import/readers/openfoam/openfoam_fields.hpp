@@ -22,8 +22,8 @@ struct FoamArrays { // the arrays of one field
     std::vector<std::string> conditions; // types of boundary conditions, in the same order; empty: not in the file
 };
 
-// Returns the arrays by field name. If the file of a part is missing, is damaged, or has other components than `infos`,
-// the part gets store::no_value, and `lost` gets a sentence. Leaves out fields without any value.
+// Returns the arrays by field name. If the file of a piece is missing, is damaged, or has other components than
+// `infos`, the piece gets store::no_value, and `lost` gets a sentence. Leaves out fields without any value.
 [[nodiscard]] std::map<std::string, FoamArrays> read_foam_fields(const FoamCase& foam, const std::string& region,
                                                                  double time, const FoamMesh& mesh,
                                                                  const FoamFieldInfos& infos,

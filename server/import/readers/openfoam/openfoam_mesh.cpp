@@ -29,7 +29,7 @@ public:
         : foam_(foam), region_(region), time_(time) {}
 
     FoamMesh run() {
-        for (std::size_t part = 0; part < foam_.parts.size(); ++part) read(part);
+        for (std::size_t root = 0; root < foam_.roots.size(); ++root) read(root);
         if (files_.empty())
             throw Error(first_reason_.empty()
                             ? "region " + region_ + " has no file polyMesh/points in constant or in a time directory"
@@ -47,13 +47,13 @@ public:
     }
 
 private:
-    void read(std::size_t part) {
-        const FoamPart& from = foam_.parts[part];
+    void read(std::size_t root) {
+        const FoamRoot& from = foam_.roots[root];
         // In a case with several regions, a processor need not have cells of each region.
         if (foam_.regions.size() > 1 && from.mesh_file(region_, "points", time_).empty()) return;
         try {
             files_.push_back(read_foam_piece(from, region_, time_));
-            part_.push_back(part);
+            root_.push_back(root);
             const std::vector<std::string>& lost = files_.back().lost;
             mesh_.lost.insert(mesh_.lost.end(), lost.begin(), lost.end());
         } catch (const Error& error) {
@@ -84,27 +84,27 @@ private:
         for (std::size_t a = 0; a < files_.size(); ++a)
             for (const FoamPatch& patch : files_[a].patches) {
                 if (!joins_processors(patch) || patch.face_count == 0) continue;
-                const auto b = std::find_if(part_.begin(), part_.end(), [&](std::size_t part) {
-                    return foam_.parts[part].processor == patch.neighbour;
+                const auto b = std::find_if(root_.begin(), root_.end(), [&](std::size_t root) {
+                    return foam_.roots[root].processor == patch.neighbour;
                 });
-                if (b == part_.end()) {
+                if (b == root_.end()) {
                     mesh_.single_faces += static_cast<std::uint64_t>(patch.face_count);
                     if (!is_there(patch.neighbour)) mesh_.lost.push_back(missing_processor(patch.neighbour));
-                } else if (const auto other = static_cast<std::size_t>(b - part_.begin()); other > a) {
+                } else if (const auto other = static_cast<std::size_t>(b - root_.begin()); other > a) {
                     join_sides(a, patch, other);
                 }
             }
     }
 
     [[nodiscard]] bool is_there(std::int64_t processor) const {
-        return std::any_of(foam_.parts.begin(), foam_.parts.end(),
-                           [&](const FoamPart& part) { return part.processor == processor; });
+        return std::any_of(foam_.roots.begin(), foam_.roots.end(),
+                           [&](const FoamRoot& root) { return root.processor == processor; });
     }
 
     void join_sides(std::size_t a, const FoamPatch& of_a, std::size_t b) {
         const auto& patches = files_[b].patches;
         const auto of_b = std::find_if(patches.begin(), patches.end(), [&](const FoamPatch& patch) {
-            return joins_processors(patch) && patch.neighbour == foam_.parts[part_[a]].processor &&
+            return joins_processors(patch) && patch.neighbour == foam_.roots[root_[a]].processor &&
                    patch.face_count == of_a.face_count;
         });
         if (of_b == patches.end()) {
@@ -278,7 +278,7 @@ private:
     void keep_piece(std::size_t piece) {
         FoamPieceFiles& files = files_[piece];
         FoamPiece kept;
-        kept.part = part_[piece];
+        kept.root = root_[piece];
         kept.first_cell = first_cell_[piece];
         kept.cell_count = files.cell_count;
         kept.first_boundary_face = files.neighbour.size();
@@ -292,7 +292,7 @@ private:
     const std::string& region_;
     double time_;
     std::vector<FoamPieceFiles> files_;
-    std::vector<std::size_t> part_; // piece -> index into foam_.parts
+    std::vector<std::size_t> root_; // piece -> index into foam_.roots
     std::vector<std::size_t> first_point_, first_cell_;
     std::size_t point_count_ = 0, cell_count_ = 0;
     std::string first_reason_;
@@ -307,9 +307,9 @@ FoamMesh read_foam_mesh(const FoamCase& foam, const std::string& region, double 
 
 std::vector<fs::path> foam_mesh_files(const FoamCase& foam, const std::string& region, double time) {
     std::vector<fs::path> files;
-    for (const FoamPart& part : foam.parts)
+    for (const FoamRoot& root : foam.roots)
         for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones"})
-            files.push_back(part.mesh_file(region, name, time));
+            files.push_back(root.mesh_file(region, name, time));
     return files;
 }
 

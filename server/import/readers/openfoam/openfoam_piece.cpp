@@ -14,8 +14,8 @@ constexpr std::size_t most_labels = none - std::size_t{1};
 
 class PieceReader {
 public:
-    PieceReader(const FoamPart& part, const std::string& region, double time)
-        : part_(part), region_(region), time_(time) {}
+    PieceReader(const FoamRoot& root, const std::string& region, double time)
+        : root_(root), region_(region), time_(time) {}
 
     FoamPieceFiles run() {
         piece_.points = parse_foam_points(read("points"), name_);
@@ -46,8 +46,8 @@ private:
 
     // Sets name_ to the path of the file, for error texts.
     std::string read(const std::string& name) {
-        const fs::path file = part_.mesh_file(region_, name, time_);
-        name_ = (part_.directory / "constant" / region_ / "polyMesh" / name).string();
+        const fs::path file = root_.mesh_file(region_, name, time_);
+        name_ = (root_.directory / "constant" / region_ / "polyMesh" / name).string();
         if (file.empty()) throw Error(name_ + ": is missing");
         name_ = file.string();
         return read_foam_file(file);
@@ -85,7 +85,7 @@ private:
     void read_optional() {
         for (const auto& [name, zones, most] : {std::tuple{"cellZones", &piece_.cell_zones, piece_.cell_count},
                                                 std::tuple{"faceZones", &piece_.face_zones, piece_.face_count()}}) {
-            if (part_.mesh_file(region_, name, time_).empty()) continue;
+            if (root_.mesh_file(region_, name, time_).empty()) continue;
             *zones = parse_foam_zones(read(name), name_);
             for (const FoamZone& zone : *zones)
                 for (const std::int64_t label : zone.labels)
@@ -93,12 +93,12 @@ private:
                         fail("zone " + zone.name + " contains " + std::to_string(label) +
                              ", but the mesh has no such id");
         }
-        if (part_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
+        if (root_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
         try {
             read_addressing();
         } catch (const Error& error) {
             piece_.cell_addressing.clear();
-            piece_.lost.push_back("The solver's ids of the cells of " + part_.name +
+            piece_.lost.push_back("The solver's ids of the cells of " + root_.name +
                                   " could not be read: " + error.what());
         }
     }
@@ -110,7 +110,7 @@ private:
                  std::to_string(piece_.cell_count) + " cells");
     }
 
-    const FoamPart& part_;
+    const FoamRoot& root_;
     const std::string& region_;
     double time_;
     std::string name_;
@@ -119,8 +119,8 @@ private:
 
 } // namespace
 
-FoamPieceFiles read_foam_piece(const FoamPart& part, const std::string& region, double time) {
-    return PieceReader(part, region, time).run();
+FoamPieceFiles read_foam_piece(const FoamRoot& root, const std::string& region, double time) {
+    return PieceReader(root, region, time).run();
 }
 
 } // namespace ciel::importer

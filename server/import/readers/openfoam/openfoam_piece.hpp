@@ -1,4 +1,5 @@
-// Reads and checks the mesh files of one part of an OpenFOAM case: the whole case, or one processor's part.
+// Reads and checks the mesh files of one piece of an OpenFOAM case: the whole case, or one processor's share of a
+// region.
 #pragma once
 
 #include "import/parsers/openfoam/poly_mesh.hpp"
@@ -20,6 +21,6 @@ struct FoamPieceFiles {
 };
 
 // Throws Error naming the file if a required file is missing or damaged.
-[[nodiscard]] FoamPieceFiles read_foam_piece(const FoamPart& part, const std::string& region, double time);
+[[nodiscard]] FoamPieceFiles read_foam_piece(const FoamRoot& root, const std::string& region, double time);
 
 } // namespace ciel::importer

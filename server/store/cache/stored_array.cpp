@@ -1,4 +1,4 @@
-#include "store/cache/paged_array.hpp"
+#include "store/cache/stored_array.hpp"
 
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
@@ -35,33 +35,33 @@ std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t c
                               array.chunk_bytes, checksum_number(sum), file);
 }
 
-PageChecks page_checks(const ArrayLayout& array, const std::string& sum, std::optional<ValueRanges> ranges) {
-    if (ranges && !ranges->page_checksums.empty()) return {checksum_page_bytes, std::move(ranges->page_checksums)};
-    PageChecks whole;
-    whole.page_bytes = std::max<std::size_t>(array.chunk_bytes, 1);
+StretchChecks checks_of_stretches(const ArrayLayout& array, const std::string& sum, std::optional<ValueRanges> ranges) {
+    if (ranges && !ranges->stretch_checksums.empty()) return {stretch_bytes, std::move(ranges->stretch_checksums)};
+    StretchChecks whole;
+    whole.bytes_each = std::max<std::size_t>(array.chunk_bytes, 1);
     if (!sum.empty()) whole.checksums = {checksum_number(sum)};
     return whole;
 }
 
-void refuse_infinite(std::span<const std::byte> page, bool doubles, const fs::path& file) {
+void refuse_infinite(std::span<const std::byte> stretch, bool doubles, const fs::path& file) {
     const auto check = [&]<class T>(const T* begin) {
-        if (!std::all_of(begin, begin + page.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
+        if (!std::all_of(begin, begin + stretch.size() / sizeof(T), [](T v) { return std::isfinite(v); }))
             refuse(file, "contains a coordinate that is not finite; restore the file or import the data again");
     };
     if (doubles)
-        check(reinterpret_cast<const double*>(page.data()));
+        check(reinterpret_cast<const double*>(stretch.data()));
     else
-        check(reinterpret_cast<const float*>(page.data()));
+        check(reinterpret_cast<const float*>(stretch.data()));
 }
 
-PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles) {
+ValuesToLoad view_of(std::shared_ptr<const CheckedFile> chunk, bool doubles) {
     const MappedFile& file = chunk->file();
     return {doubles ? ValuesView(file.as<double>()) : ValuesView(file.as<float>()), std::move(chunk)};
 }
 
-Values loaded(PagedValues paged) {
-    if (paged.file) paged.file->load_all();
-    return {paged.values, std::move(paged.file)};
+Values loaded(ValuesToLoad to_load) {
+    if (to_load.file) to_load.file->load_all();
+    return {to_load.values, std::move(to_load.file)};
 }
 
 } // namespace ciel::store

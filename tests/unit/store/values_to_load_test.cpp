@@ -1,5 +1,5 @@
-// Values and positions are read and checked page by page. Damage to a page is an error only for those who need the
-// page.
+// Values and positions are read and checked stretch by stretch. Damage to a stretch is an error only for those who need
+// the stretch.
 #include "ciel/extract.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
@@ -18,16 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// A box of 68,921 vertices: p has 5 pages, U and the positions have 13 each. The value of p is the vertex id. Stored
-// and imported ids are equal.
-class PagedValuesTest : public testing::TestWithParam<FileAccess> {
+// A box of 68,921 vertices: p has 5 stretches, U and the positions have 13 each. The value of p is the vertex id.
+// Stored and imported ids are equal.
+class ValuesToLoadTest : public testing::TestWithParam<FileAccess> {
 protected:
     static void SetUpTestSuite() {
         pattern = std::make_unique<test::Folder>();
         test::write_box(*pattern / "box.ciel", test::box(40, 40, 40));
     }
     static void TearDownTestSuite() { pattern.reset(); }
-    PagedValuesTest() { fs::copy(*pattern / "box.ciel", directory, fs::copy_options::recursive); }
+    ValuesToLoadTest() { fs::copy(*pattern / "box.ciel", directory, fs::copy_options::recursive); }
 
     // Changes a byte in place. `at`: offset of the byte; if negative, from the end.
     static void flip(const fs::path& file, std::ptrdiff_t at) {
@@ -59,9 +59,9 @@ protected:
     const fs::path directory = scratch / "box.ciel";
     const fs::path p = directory / "meshes/0/arrays/p/0.0", positions = directory / "meshes/0/positions/0.0.0";
 };
-std::unique_ptr<test::Folder> PagedValuesTest::pattern;
+std::unique_ptr<test::Folder> ValuesToLoadTest::pattern;
 
-TEST_P(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
+TEST_P(ValuesToLoadTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
     const ScalarField field = loaded.scalar("p", 0);
@@ -75,7 +75,7 @@ TEST_P(PagedValuesTest, ADamagedPageIsFoundByThoseWhoNeedIt) {
     EXPECT_NO_THROW(loaded.dataset()->check_unchanged()) << "it was damaged before it was opened";
 }
 
-TEST_P(PagedValuesTest, AnIdIsReadFromItsPage) {
+TEST_P(ValuesToLoadTest, AnIdIsReadFromItsStretch) {
     const fs::path cells = directory / "meshes/0/original_cell";
     flip(cells / "0", -1);
     const auto dataset = open();
@@ -87,12 +87,12 @@ TEST_P(PagedValuesTest, AnIdIsReadFromItsPage) {
     EXPECT_THAT(error_of([&] { (void)dataset->original_cell(0); }), refused);
     EXPECT_THAT(error_of([&] { dataset->verify(); }), refused);
 
-    fs::remove_all(cells / "ranges"); // earlier versions wrote no checksums of pages
-    EXPECT_THAT(error_of([&] { (void)open()->original_cell(0, 1); }), refused) << "all of it is one page";
+    fs::remove_all(cells / "ranges"); // earlier versions wrote no checksums of stretches
+    EXPECT_THAT(error_of([&] { (void)open()->original_cell(0, 1); }), refused) << "all of it is one stretch";
 }
 
 // The damage is half way up the box. At its ends every plane reads positions, to compute its range.
-TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
+TEST_P(ValuesToLoadTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
     flip(positions, static_cast<std::ptrdiff_t>(fs::file_size(positions) / 2));
     LoadedDataset loaded(open(), 1U << 30);
     EXPECT_GT(polygons_at(loaded.plane(0, {0, 0, 2.5}, {0, 0, 1}), 0), 0U);
@@ -106,7 +106,7 @@ TEST_P(PagedValuesTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
 }
 
 // The open dataset still maps the damaged file, so only a dataset that is opened again can read the restored one.
-TEST_P(PagedValuesTest, ARestoredFileIsOpenedAnew) {
+TEST_P(ValuesToLoadTest, ARestoredFileIsOpenedAnew) {
     const std::string content = test::read_file(p);
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
@@ -120,7 +120,7 @@ TEST_P(PagedValuesTest, ARestoredFileIsOpenedAnew) {
     EXPECT_GT(polygons_at(again.scalar("p", 0), 68000.5), 0U);
 }
 
-TEST_P(PagedValuesTest, WithoutChecksumsOfPagesAllIsCheckedAtTheFirstUse) {
+TEST_P(ValuesToLoadTest, WithoutChecksumsOfPagesAllIsCheckedAtTheFirstUse) {
     fs::remove(layout::value_ranges(p.parent_path(), 0));
     flip(p, -1);
     LoadedDataset loaded(open(), 1U << 30);
@@ -134,7 +134,7 @@ std::vector<T> read_all(const StoredScalar& scalar) {
     return all;
 }
 
-TEST_P(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
+TEST_P(ValuesToLoadTest, ScalarsAreThoseOfTheWholeArray) {
     LoadedDataset loaded(open(), 1U << 30);
     const auto dataset = loaded.dataset();
     Surface surface;
@@ -158,7 +158,7 @@ TEST_P(PagedValuesTest, ScalarsAreThoseOfTheWholeArray) {
     EXPECT_THROW((void)loaded.stored_scalar("p", 1), NotWritten);
 }
 
-TEST_P(PagedValuesTest, NumbersOfSomeCellsAreThoseOfTheWholeArray) {
+TEST_P(ValuesToLoadTest, NumbersOfSomeCellsAreThoseOfTheWholeArray) {
     LoadedDataset loaded(open(), 1U << 30);
     const Values whole = loaded.dataset()->values("cell:p", 0);
     const auto stored = loaded.stored_scalar("cell:p", 0, Association::cell);
@@ -173,7 +173,7 @@ TEST_P(PagedValuesTest, NumbersOfSomeCellsAreThoseOfTheWholeArray) {
     EXPECT_THAT(pieces, testing::ElementsAreArray(whole.begin(), whole.end()));
 }
 
-TEST_P(PagedValuesTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
+TEST_P(ValuesToLoadTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
     const fs::path cells = directory / "meshes/0/arrays/cell%3Ap/0.0";
     ASSERT_TRUE(fs::exists(cells));
     flip(cells, -1);
@@ -186,8 +186,8 @@ TEST_P(PagedValuesTest, ADamagedPageOfCellsIsFoundByThoseWhoNeedIt) {
     EXPECT_THAT(error_of([&] { (void)loaded.histogram("cell:p", 0, 100); }), HasSubstr(cells.string()));
 }
 
-// Copied pages count as the process's own memory. Values in them stay readable when the file is truncated.
-TEST_P(PagedValuesTest, OnlyCopiedPagesCountAsMemory) {
+// Copied stretches count as the process's own memory. Values in them stay readable when the file is truncated.
+TEST_P(ValuesToLoadTest, OnlyCopiedPagesCountAsMemory) {
     const auto dataset = open();
     const auto values = dataset->values("p", 0);
     (void)dataset->mesh_arrays().points(0, 0);
@@ -197,12 +197,12 @@ TEST_P(PagedValuesTest, OnlyCopiedPagesCountAsMemory) {
         return;
     }
     EXPECT_GE(bytes, fs::file_size(p) + fs::file_size(positions));
-    EXPECT_LE(bytes, fs::file_size(p) + fs::file_size(positions) + 2 * checksum_page_bytes);
+    EXPECT_LE(bytes, fs::file_size(p) + fs::file_size(positions) + 2 * stretch_bytes);
     fs::resize_file(p, 0);
     EXPECT_EQ(values[68920], 68920);
 }
 
-TEST_P(PagedValuesTest, AFileThatIsTruncatedMeanwhileIsNamed) {
+TEST_P(ValuesToLoadTest, AFileThatIsTruncatedMeanwhileIsNamed) {
     LoadedDataset loaded(open(), 1U << 30);
     const ScalarField field = loaded.scalar("p", 0);
     EXPECT_GT(polygons_at(field, 2000.5), 0U);
@@ -215,7 +215,7 @@ TEST_P(PagedValuesTest, AFileThatIsTruncatedMeanwhileIsNamed) {
     EXPECT_FALSE(loaded.dataset()->is_intact());
 }
 
-TEST_P(PagedValuesTest, ViewsOfTheSamePositionsShareTheirLoader) {
+TEST_P(ValuesToLoadTest, ViewsOfTheSamePositionsShareTheirLoader) {
     const auto dataset = open();
     const FaceMeshView points = dataset->mesh_arrays().points_to_load(0, 0);
     ASSERT_NE(points.loader, nullptr);
@@ -223,9 +223,9 @@ TEST_P(PagedValuesTest, ViewsOfTheSamePositionsShareTheirLoader) {
     EXPECT_EQ(dataset->mesh_arrays().numbered_faces(0, 0).loader, points.loader);
 }
 
-// In files without checksums of pages, as earlier versions wrote them, the u64 at offset 128 is zero. The whole array
-// is then checked at its first use.
-TEST_P(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
+// In files without checksums of stretches, as earlier versions wrote them, the u64 at offset 128 is zero. The whole
+// array is then checked at its first use.
+TEST_P(ValuesToLoadTest, TheOffsetOfTheChecksumsMayBeZero) {
     const fs::path file = layout::value_ranges(p.parent_path(), 0);
     std::string bytes = test::read_file(file);
     std::fill_n(bytes.begin() + 128, 8, '\0');
@@ -239,7 +239,7 @@ TEST_P(PagedValuesTest, TheOffsetOfTheChecksumsMayBeZero) {
     EXPECT_THAT(error_of([&] { (void)polygons_at(field, 2000.5); }), HasSubstr("does not match its checksum"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Access, PagedValuesTest, testing::Values(FileAccess::mapped, FileAccess::read),
+INSTANTIATE_TEST_SUITE_P(Access, ValuesToLoadTest, testing::Values(FileAccess::mapped, FileAccess::read),
                          [](const auto& row) { return row.param == FileAccess::mapped ? "mapped" : "read"; });
 
 } // namespace

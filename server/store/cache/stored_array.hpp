@@ -1,9 +1,9 @@
 // An array of values or positions on the disk. It has one chunk file for each step or coordinate set. The ranges of a
-// chunk and the checksums of its pages are in another file beside the chunk file.
+// chunk and the checksums of its stretches are in another file beside the chunk file.
 #pragma once
 
 #include "ciel/value_source.hpp"
-#include "store/cache/paged_file.hpp"
+#include "store/cache/checked_file.hpp"
 #include "store/format/layout.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/format/values.hpp"
@@ -34,29 +34,29 @@ struct ArrayLayout {
                                                      const std::string& sum, std::size_t scalars, std::size_t blocks,
                                                      const std::string& dataset_id);
 
-// Returns the page size and the checksums of a chunk's pages. If `ranges` has no checksums of pages, the whole chunk is
-// one page with the checksum `sum`. If `sum` is empty, there is no checksum.
-[[nodiscard]] PageChecks page_checks(const ArrayLayout& array, const std::string& sum,
-                                     std::optional<ValueRanges> ranges);
+// Returns the stretch size and the checksums of a chunk's stretches. If `ranges` has no checksums of stretches, the
+// whole chunk is one stretch with the checksum `sum`. If `sum` is empty, there is no checksum.
+[[nodiscard]] StretchChecks checks_of_stretches(const ArrayLayout& array, const std::string& sum,
+                                                std::optional<ValueRanges> ranges);
 
-// Throws Error that names `file` when a page of positions contains a number that is not finite.
-void refuse_infinite(std::span<const std::byte> page, bool doubles, const std::filesystem::path& file);
+// Throws Error that names `file` when a stretch of positions contains a number that is not finite.
+void refuse_infinite(std::span<const std::byte> stretch, bool doubles, const std::filesystem::path& file);
 
-// Loads no page.
-[[nodiscard]] PagedValues view_of(std::shared_ptr<const PagedFile> chunk, bool doubles);
-[[nodiscard]] Values loaded(PagedValues paged); // loads all pages
+// Loads no stretch.
+[[nodiscard]] ValuesToLoad view_of(std::shared_ptr<const CheckedFile> chunk, bool doubles);
+[[nodiscard]] Values loaded(ValuesToLoad to_load); // loads all stretches
 
 // Keeps the file of positions mapped.
 class PositionsLoader final : public VertexLoader {
 public:
-    PositionsLoader(PagedValues positions, std::size_t blocks)
+    PositionsLoader(ValuesToLoad positions, std::size_t blocks)
         : VertexLoader(blocks), file_(std::move(positions.file)),
           vertex_bytes_(3 * (positions.values.has_doubles() ? sizeof(double) : sizeof(float))) {}
 
     void load(Index begin, Index end) const override { file_->load(begin * vertex_bytes_, end * vertex_bytes_); }
 
 private:
-    std::shared_ptr<const PagedFile> file_;
+    std::shared_ptr<const CheckedFile> file_;
     std::size_t vertex_bytes_;
 };
 

@@ -1,4 +1,4 @@
-// Converts the output of a reader, a tree of VTK data objects, to lists of named data sets.
+// Converts the output of a reader, a tree of VTK data objects, to lists of named input grids.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -13,7 +13,7 @@
 
 namespace ciel::importer {
 
-struct DataSet {
+struct InputGrid { // a leaf of the tree: a volume, a surface or a zone
     std::string name;
     vtkSmartPointer<vtkDataSet> data;
     bool own_values = true; // false: the solver gives no values on this surface (faceZones)
@@ -32,10 +32,10 @@ struct NamedCells {
     std::vector<Index> cells; // running ids (joined_mesh.hpp)
 };
 
-struct DataSets {
-    std::vector<DataSet> volumes;        // each holds at least one cell of dimension 3
-    std::vector<DataSet> surfaces;       // patches and side sets: cells of dimension 2, no cells of dimension 3
-    std::vector<DataSet> zones;          // each is a named copy of cells of the volumes
+struct InputGrids {
+    std::vector<InputGrid> volumes;      // each holds at least one cell of dimension 3
+    std::vector<InputGrid> surfaces;     // patches and side sets: cells of dimension 2, no cells of dimension 3
+    std::vector<InputGrid> zones;        // each is a named copy of cells of the volumes
     std::vector<NamedCells> named_cells; // zones that the source gives as lists of cell ids
 
     // Only OpenFOAM's reader sets these members, from the processor patches. same_points: points to join. joined_faces:
@@ -44,9 +44,9 @@ struct DataSets {
     std::uint64_t joined_faces = 0, single_faces = 0;
 };
 
-// Collects the data sets in the output of a reader. Leaves out data sets without cells of dimension 2 or 3. Makes equal
-// names unique: first it adds the names of parent blocks, then a number. Unnamed pieces of one mesh share one name.
-[[nodiscard]] DataSets collect_data_sets(vtkDataObject* data);
-void require_volumes(const DataSets& data_sets);
+// Collects the input grids in the output of a reader. Leaves out grids without cells of dimension 2 or 3. Makes equal
+// names unique: first it adds the names of parent VTK blocks, then a number. Unnamed pieces of one mesh share one name.
+[[nodiscard]] InputGrids collect_input_grids(vtkDataObject* data);
+void require_volumes(const InputGrids& input_grids);
 
 } // namespace ciel::importer

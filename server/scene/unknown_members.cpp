@@ -1,6 +1,4 @@
-#include "scene/drop_unknown_members.hpp"
-
-#include "scene/schema.hpp"
+#include "scene/unknown_members.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,6 +6,14 @@ namespace ciel::scene {
 namespace {
 
 using nlohmann::json;
+
+std::string known_members(const json& schema) {
+    std::string names;
+    if (const auto known = schema.find("properties"); known != schema.end())
+        for (const auto& [name, member] : known->items())
+            names += (names.empty() ? "; the known members are " : ", ") + name;
+    return names;
+}
 
 struct Dropping {
     std::vector<std::string> paths;
@@ -60,6 +66,19 @@ private:
 };
 
 } // namespace
+
+bool is_known_member(const json& schema, const std::string& name) {
+    const auto known = schema.find("properties");
+    return known != schema.end() && known->contains(name);
+}
+
+std::optional<Violation> refuse_unknown_members(const json& schema, const json& value, const std::string& path) {
+    if (!value.is_object()) return {};
+    for (const auto& [name, member] : value.items())
+        if (!is_known_member(schema, name))
+            return Violation{pointer_step(path, name), "is not a known member" + known_members(schema)};
+    return {};
+}
 
 std::vector<std::string> drop_unknown_members(const json& schema, json& value) {
     Dropping dropping;

@@ -1,4 +1,4 @@
-#include "import/source/data_sets.hpp"
+#include "import/source/input_grids.hpp"
 
 #include "ciel/types.hpp"
 
@@ -24,14 +24,14 @@ namespace ciel::importer {
 
 namespace {
 
-// Readers put zones, which are copies of cells, into blocks with these names (OpenFOAM cases, Exodus files).
+// Readers put zones, which are copies of cells, into VTK blocks with these names (OpenFOAM cases, Exodus files).
 constexpr std::string_view cell_sets[] = {"cellZones", "Element Sets"};
 constexpr std::string_view face_zones = "faceZones"; // the solver gives no values on these surfaces
 
-// Blocks that readers insert. The name of a data set does not include them.
+// VTK blocks that readers insert. The name of an input grid does not include them.
 constexpr std::string_view containers[] = {"boundary", "zones",     "cellZones",      "faceZones",
                                            "Patches",  "Side Sets", "Element Blocks", "Element Sets"};
-constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // blocks that get their parent's name
+constexpr std::string_view interiors[] = {"internalMesh", "Internal"}; // leaves that get their parent's name
 
 struct Leaf {
     std::vector<std::string> path;
@@ -93,10 +93,10 @@ void walk_child(vtkDataObject* child, vtkInformation* information, unsigned inde
 void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
     if (auto* set = vtkDataSet::SafeDownCast(data)) {
         leaves.push_back({path, set, dimension_of(set)});
-    } else if (auto* data_sets = vtkMultiBlockDataSet::SafeDownCast(data)) {
-        for (unsigned i = 0; i < data_sets->GetNumberOfBlocks(); ++i)
-            walk_child(data_sets->GetBlock(i), data_sets->HasMetaData(i) != 0 ? data_sets->GetMetaData(i) : nullptr, i,
-                       path, leaves);
+    } else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data)) {
+        for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+            walk_child(blocks->GetBlock(i), blocks->HasMetaData(i) != 0 ? blocks->GetMetaData(i) : nullptr, i, path,
+                       leaves);
     } else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data)) {
         for (unsigned i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
             walk_child(collection->GetPartitionedDataSet(i),
@@ -106,7 +106,7 @@ void walk(vtkDataObject* data, std::vector<std::string>& path, std::vector<Leaf>
     }
 }
 
-// An unnamed piece gets the path of the partitioned data set.
+// An unnamed piece gets the path of its vtkPartitionedDataSet.
 void walk_pieces(vtkPartitionedDataSet* pieces, std::vector<std::string>& path, std::vector<Leaf>& leaves) {
     const auto first = static_cast<std::ptrdiff_t>(leaves.size());
     for (unsigned i = 0; i < pieces->GetNumberOfPartitions(); ++i) {
@@ -161,14 +161,14 @@ bool share_a_name(const Leaf& a, const Leaf& b) {
     return a.whole >= 0 && a.whole == b.whole && !a.has_name && !b.has_name;
 }
 
-std::vector<DataSet> named(const std::vector<const Leaf*>& leaves) {
+std::vector<InputGrid> named(const std::vector<const Leaf*>& leaves) {
     std::size_t deepest = 1;
     std::vector<std::vector<std::string>> names;
     for (const Leaf* leaf : leaves) {
         names.push_back(names_of(*leaf));
         deepest = std::max(deepest, names.back().size());
     }
-    std::vector<DataSet> data_sets;
+    std::vector<InputGrid> input_grids;
     std::map<std::string, int> used;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         std::size_t depth = 1;
@@ -182,18 +182,18 @@ std::vector<DataSet> named(const std::vector<const Leaf*>& leaves) {
         while (depth < deepest && leaves.size() < 1000 && taken()) ++depth;
         std::string name = joined(names[i], depth);
         if (i > 0 && share_a_name(*leaves[i - 1], *leaves[i]))
-            name = data_sets.back().name;
+            name = input_grids.back().name;
         else if (const int earlier = used[name]++; earlier > 0)
             name.append(" ").append(std::to_string(earlier + 1));
-        data_sets.push_back(
+        input_grids.push_back(
             {std::move(name), leaves[i]->data, !is_under(*leaves[i], face_zones), leaves[i]->whole, {}});
     }
-    return data_sets;
+    return input_grids;
 }
 
 } // namespace
 
-DataSets collect_data_sets(vtkDataObject* data) {
+InputGrids collect_input_grids(vtkDataObject* data) {
     std::vector<Leaf> leaves;
     std::vector<std::string> path;
     walk(data, path, leaves);
@@ -204,17 +204,17 @@ DataSets collect_data_sets(vtkDataObject* data) {
         if (leaf.dimension == 3) (is_zone(leaf) ? zones : volumes).push_back(&leaf);
         if (leaf.dimension == 2) surfaces.push_back(&leaf);
     }
-    DataSets data_sets;
-    data_sets.volumes = named(volumes);
-    data_sets.surfaces = named(surfaces);
-    data_sets.zones = named(zones);
-    return data_sets;
+    InputGrids input_grids;
+    input_grids.volumes = named(volumes);
+    input_grids.surfaces = named(surfaces);
+    input_grids.zones = named(zones);
+    return input_grids;
 }
 
-void require_volumes(const DataSets& data_sets) {
-    if (!data_sets.volumes.empty()) return;
-    throw Error(data_sets.surfaces.empty() ? "holds no cells; a volume mesh is needed"
-                                           : "holds only surfaces; a volume mesh is needed");
+void require_volumes(const InputGrids& input_grids) {
+    if (!input_grids.volumes.empty()) return;
+    throw Error(input_grids.surfaces.empty() ? "holds no cells; a volume mesh is needed"
+                                             : "holds only surfaces; a volume mesh is needed");
 }
 
 } // namespace ciel::importer
