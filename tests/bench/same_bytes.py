@@ -3,7 +3,7 @@
 
 Each build makes, of each dataset: surfaces by `ciel extract` with each algorithm, pictures of each kind of layer, and the answers and
 frames of a recorded session. Prints what differs, and how much was compared. Exit code 1 if anything differs. A change that is not
-to change behaviour is checked so.
+to change behaviour is checked so. Needs an idle machine: frames carry their numbers, and a slow frame is sent in several qualities.
 """
 
 import asyncio
