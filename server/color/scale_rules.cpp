@@ -30,9 +30,9 @@ Measured measured(const ColorScale& scale) {
     return {low, high - low, 0};
 }
 
-float within_floats(double limit) {
+float within_floats(double value) {
     constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(limit, -largest, largest));
+    return static_cast<float>(std::clamp(value, -largest, largest));
 }
 
 std::array<float, 4> opaque(const Rgb8& color) {
@@ -55,7 +55,7 @@ ScaleRules scale_rules(const ColorScale& scale) {
     const std::vector<Rgb8> ends = colors_along(scale, 2);
     ScaleRules rules;
     rules.origin = static_cast<float>(origin);
-    rules.texels = {{{static_cast<float>(low - origin), static_cast<float>(factor), static_cast<float>(scale.steps),
+    rules.texels = {{{within_floats(low - origin), static_cast<float>(factor), static_cast<float>(scale.steps),
                       static_cast<float>(way)},
                      {within_floats(inside.low - origin), within_floats(inside.high - origin), 0, 0},
                      opaque(scale.below.value_or(ends.front())),

@@ -26,7 +26,7 @@ void SendQueue::push_text(std::string text) {
 
 void SendQueue::push_frame(FrameBytes bytes) {
     const wire::FrameHeader header = wire::read_frame_header(*bytes);
-    if (header.payload_bytes != header.whole_bytes) throw Error("a frame was given to the send_queue in pieces");
+    if (header.payload_bytes != header.whole_bytes) throw Error("a frame was given to the send queue in pieces");
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
     if (header.kind == wire::FrameKind::image || (header.flags & wire::first_of_frame) != 0)

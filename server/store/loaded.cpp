@@ -13,9 +13,8 @@
 namespace ciel::store {
 namespace {
 
-// The topology must outlive the field.
 struct KeptField {
-    std::shared_ptr<const Topology> topology;
+    std::shared_ptr<const Topology> topology; // which queries of the field get
     Field field;
 };
 

@@ -8,15 +8,21 @@ import sys
 ELSEWHERE = ("server/ciel/examples/", "tests/install/")
 
 
+def named_in(file: pathlib.Path) -> list[pathlib.Path]:
+    """Paths of the sources that a CMake file names, relative to its folder or to ${...}, the folder of the project or its own."""
+    names = re.findall(r"[\w${}./-]+\.cpp", file.read_text(encoding="utf-8"))
+    return [(file.parent / re.sub(r"^\$\{\w+\}/", "", name)).resolve() for name in names]
+
+
 def main(root: pathlib.Path) -> int:
     folders = [root / "server", root / "tests"]
     lists = [file for folder in folders for name in ("CMakeLists.txt", "*.cmake") for file in folder.rglob(name)]
-    named = {name for file in lists for name in re.findall(r"[\w${}.-]+\.cpp", file.read_text(encoding="utf-8"))}
+    named = {path for file in lists for path in named_in(file)}
     sources = [file for folder in folders for file in sorted(folder.rglob("*.cpp"))]
     missing = [
         str(file.relative_to(root))
         for file in sources
-        if file.name not in named
+        if file.resolve() not in named
         and not file.with_suffix(".cmake").exists()  # a fuzz target, which the file beside it declares
         and not str(file.relative_to(root)).startswith(ELSEWHERE)
     ]

@@ -47,8 +47,15 @@ TEST(ScaleRules, OfLogarithmsAreToBaseTwo) {
 TEST(ScaleRules, AreFiniteForAnyRange) {
     constexpr float largest = std::numeric_limits<float>::max();
     for (const bool log : {false, true})
-        for (const auto& [low, high] : std::vector<std::pair<double, double>>{
-                 {-4e37, 4e37}, {-1e-42, 1e-42}, {-1e-36, 1e-36}, {1e-37, 4e37}, {5, 5}, {0, 0}, {1e9, 1e9 + 1e-3}}) {
+        for (const auto& [low, high] : std::vector<std::pair<double, double>>{{-4e37, 4e37},
+                                                                              {-1e-42, 1e-42},
+                                                                              {-1e-36, 1e-36},
+                                                                              {1e-37, 4e37},
+                                                                              {5, 5},
+                                                                              {0, 0},
+                                                                              {1e9, 1e9 + 1e-3},
+                                                                              {1e39, 1.1e39},
+                                                                              {-1e308, 1e308}}) {
             if (log && low <= 0 && low != -high) continue;
             const ScaleRules rules = scale_rules(scale_from(low, high, log));
             for (const auto& texel : rules.texels)

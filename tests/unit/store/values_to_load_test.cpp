@@ -9,6 +9,7 @@
 #include "support/store_box/box.hpp"
 
 #include <cstring>
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -221,6 +222,21 @@ TEST_P(ValuesToLoadTest, ViewsOfTheSamePositionsShareTheirLoader) {
     ASSERT_NE(points.loader, nullptr);
     EXPECT_EQ(dataset->mesh_arrays().points_to_load(0, 0).loader, points.loader);
     EXPECT_EQ(dataset->mesh_arrays().numbered_faces(0, 0).loader, points.loader);
+}
+
+TEST_P(ValuesToLoadTest, FieldsOnTheSamePositionsReadThemOnce) {
+    constexpr double level = 30000.5, depth = 17.5; // both surfaces have edges at vertex 30001
+    const auto at_step_2 = [&](LoadedDataset& data) { return polygons_at(data.scalar("p", 2), level); };
+    const auto on_plane = [&](LoadedDataset& data) { return polygons_at(data.plane(0, {0, 0, depth}, {0, 0, 1}), 0); };
+    LoadedDataset loaded(open(), 1U << 30);
+    EXPECT_GT(polygons_at(loaded.scalar("p", 0), level), 0U);
+    flip(positions, std::ptrdiff_t{30001} * 3 * 4);
+    EXPECT_GT(at_step_2(loaded), 0U);
+    EXPECT_GT(on_plane(loaded), 0U);
+    for (const auto& cut : {std::function(at_step_2), std::function(on_plane)}) {
+        LoadedDataset another(open(), 1U << 30);
+        EXPECT_THAT(error_of([&] { (void)cut(another); }), HasSubstr(positions.string()));
+    }
 }
 
 // In files without checksums of stretches, as earlier versions wrote them, the u64 at offset 128 is zero. The whole

@@ -166,7 +166,7 @@ void Field::Data::read_all() const {
         read(std::make_shared<std::vector<float>>(source->size()));
 }
 
-// The field keeps the vector `stored` alive, which owns the values. data_->mesh keeps the topology alive.
+// The field keeps the vector `stored` alive, which owns the values.
 template <class T>
 Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored)
     : Field(mesh.topology(), ValuesView(*stored), stored) {
