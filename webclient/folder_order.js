@@ -27,8 +27,9 @@ function refusal(from, to) {
   const order = ORDER[folder];
   const areFiles = from.length === depth + 1 && to.length === depth + 1;
   if (order === undefined) return areFiles ? null : `Give the order of src/${folder} in folder_order.js.`;
-  const missing = [mine, other].find((part) => !order.includes(part));
-  if (missing !== undefined) return `Give the place of ${missing} in the order of src/${folder} (folder_order.js).`;
+  for (const part of [mine, other])
+    if (!order.includes(part))
+      return `Give the place of ${part ?? "the folder itself"} in the order of src/${folder} (folder_order.js).`;
   if (folder === "" && HIDDEN[mine]?.includes(other)) return `src/${mine} may not import src/${other}.`;
   if (order.indexOf(other) < order.indexOf(mine)) return null;
   return `${mine} is before ${other} in the order of src/${folder}: ${order.join(", ")}.`;

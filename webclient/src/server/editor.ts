@@ -190,6 +190,7 @@ export class SceneEditor {
     this.queue = [];
     this.unanswered = [];
     this.lostUnanswered = false;
+    this.lost.clear();
     this.history.forget();
   }
 
