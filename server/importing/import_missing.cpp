@@ -44,7 +44,8 @@ bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Earlier versions of CIEL did not mark copies. Errors are ignored, because nobody can append to an unwritable copy.
+// Marks a copy that an earlier version of CIEL made without a mark. Ignores errors: the mark refuses appending, and
+// nobody can append to a copy that cannot be written.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);

@@ -6,7 +6,7 @@ namespace ciel::store {
 namespace {
 
 namespace fs = std::filesystem;
-// The file is beside the dataset, not inside, so that a user who copies the dataset does not copy the file.
+// This file lies beside the dataset. A user who copies the dataset does not copy the file with it.
 constexpr const char* sign = ".imported-by-ciel-serve";
 constexpr std::size_t longest_sign = 1 << 16;
 

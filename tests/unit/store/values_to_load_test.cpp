@@ -1,5 +1,4 @@
-// Values and positions are read and checked stretch by stretch. Damage to a stretch is an error only for those who need
-// the stretch.
+// Values and positions are read and checked stretch by stretch. A damaged stretch causes an error when it is read.
 #include "ciel/extract.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"

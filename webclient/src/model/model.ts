@@ -22,7 +22,7 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
 }
 
 function derivedFrom({ readout, shownScene }: Signals<PageState>): Derived {
-  // A signal of its own: the readout changes more often than the stream.
+  // The stream is a separate signal, because the rest of the readout changes more often.
   const isImage = computed(() => readout.value.stream === "image");
   return {
     shownFrom: computed(() => {
