@@ -4,6 +4,8 @@ Each schema becomes one structure, by these rules:
 - enum: `enum class` named as the member, inside its structure; anyOf: std::variant; anyOf with null: std::optional.
 - A member that is neither required nor has a default is std::optional. Exception: a string with minLength above 0 is a
   plain std::string, which is empty if the member is absent.
+- A member with a default and x-optional is std::optional too, because a rule asks whether it was given. Its default is a
+  constant beside it: default_ and its name.
 - A number is a double, or a float where its format says so. An integer that is not negative is a std::size_t.
 - oneOf becomes a std::variant; the constant `type` selects the form. x-shared names members that all forms have; they
   are members of the structure around the variant.
@@ -109,6 +111,10 @@ class Structures:
     def member(self, name: str, part: Schema, required: bool, enum: str) -> str:
         type_name = self.type_of(part, enum)
         comment = f" // {part['description']}" if "description" in part else ""
+        if part.get("x-optional"):
+            value = self.literal(part, part["default"], enum)
+            constant = f"    static constexpr {type_name} default_{name} = {value};\n"
+            return f"{constant}    std::optional<{type_name}> {name}{{}};{comment}\n"
         if "default" in part:
             value = self.literal(part, part["default"], enum)
             return f"    {type_name} {name}{value if value == '{}' else ' = ' + value};{comment}\n"

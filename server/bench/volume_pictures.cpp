@@ -1,6 +1,8 @@
 #include "bench/volume_pictures.hpp"
 
 #include "annotations/camera.hpp"
+#include "ciel/threshold_surface.hpp"
+#include "geometry/slab_sink.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +37,20 @@ private:
     glm::dmat4 to_clip_{};
 };
 
+color::SlabMesh boundary_of(const Case& data, const geometry::SlabProperty& property) {
+    const BlockBoxes boxes = block_boxes(*data.topology, data.mesh.positions);
+    const std::vector<std::uint8_t> filled = geometry::filled_cells(property.limits);
+    return geometry::slab_boundary(threshold_surface(*data.topology, data.mesh, boxes, filled, CollapsedFaces::keep),
+                                   property);
+}
+
 } // namespace
 
 VolumePictures::VolumePictures(const Case& data)
     : data_(data), values_(converted(data.values, false)),
       gradients_(vertex_gradients(*data.topology, data.mesh, data.values)),
       limits_(cell_limits(*data.topology, values_.floats())),
-      boundary_(slab_boundary(*data.topology, data.mesh, block_boxes(*data.topology, data.mesh.positions),
-                              {values_.floats(), gradients_, limits_})) {
+      boundary_(boundary_of(data, {values_.floats(), gradients_, limits_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.surface_origin;
     for (std::size_t i = 0; i < data.mesh.positions.size(); ++i) {
@@ -69,12 +77,12 @@ std::uint64_t VolumePictures::cut(const Vec3d& normal) {
     std::vector<double> places;
     for (std::size_t i = 0; i < slice_count; ++i)
         places.push_back(volume_.first + (static_cast<double>(i) + 0.5) * volume_.thickness);
-    (void)sweep(*data_.topology, data_.mesh, planes, places, SlabSink{{values_.floats(), gradients_, limits_}},
-                slices_);
+    (void)sweep(*data_.topology, data_.mesh, planes, places,
+                geometry::SlabSink{{values_.floats(), gradients_, limits_}}, slices_);
     volume_.slices = slices_;
     volume_.revision = ++revision_;
     std::uint64_t triangles = 0;
-    for (const SlabMesh& slice : slices_) triangles += slice.triangles.size() / 3;
+    for (const color::SlabMesh& slice : slices_) triangles += slice.triangles.size() / 3;
     return triangles;
 }
 
@@ -110,7 +118,7 @@ double VolumePictures::samples() const {
     const Screen screen(frame_, volume_.coarseness);
     double pixels = 0;
     for (std::size_t i = volume_.stride / 2; i < slices_.size(); i += volume_.stride) {
-        const SlabMesh& slice = slices_[i];
+        const color::SlabMesh& slice = slices_[i];
         for (std::size_t k = 0; k < slice.triangles.size(); k += 3)
             pixels += screen.area(slice.vertices[slice.triangles[k]].position,
                                   slice.vertices[slice.triangles[k + 1]].position,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/case.hpp"
-#include "ciel/slab.hpp"
+#include "color/slab_mesh.hpp"
 #include "render/renderer.hpp"
 
 namespace ciel::bench {
@@ -39,8 +39,8 @@ private:
     store::Values values_; // as floats
     std::vector<Vec3f> gradients_;
     std::vector<std::array<float, 2>> limits_;
-    SlabMesh boundary_;
-    std::vector<SlabMesh> slices_;
+    color::SlabMesh boundary_;
+    std::vector<color::SlabMesh> slices_;
     render::Volume volume_;
     render::Frame frame_;
     render::Image image_;

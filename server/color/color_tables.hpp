@@ -8,6 +8,7 @@ namespace ciel::color {
 
 struct NamedColors {
     std::string_view name;
+    std::string_view kind;   // sequential, diverging or cyclic
     std::string_view colors; // 256 x RRGGBB in hexadecimal
 };
 [[nodiscard]] std::span<const NamedColors> color_tables();

@@ -25,11 +25,12 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
 }
 
 // Tests each plane alone: several planes that remove all vertices may leave a part in the middle of a cell.
-bool is_seen(const SlabMesh& boundary, const Geometry& geometry) {
+bool is_seen(const color::SlabMesh& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
     return !vertices.empty() && std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const HalfSpace& plane) {
-        return std::any_of(vertices.begin(), vertices.end(),
-                           [&](const SlabVertex& vertex) { return distance(plane, wide(vertex.position)) >= 0; });
+        return std::any_of(vertices.begin(), vertices.end(), [&](const color::SlabVertex& vertex) {
+            return distance(plane, wide(vertex.position)) >= 0;
+        });
     });
 }
 

@@ -11,8 +11,6 @@
 namespace ciel::geometry {
 namespace {
 
-constexpr std::size_t usual_contours = 10; // default of `count` in protocol/openrpc.json
-
 // `largest`: upper bound of the mesh's coordinates; rounding errors are proportional to it.
 bool coincide(const scene::Plane& slice, const scene::Plane& clip, double largest) {
     double cosine = 0, apart = 0;
@@ -26,7 +24,7 @@ bool coincide(const scene::Plane& slice, const scene::Plane& clip, double larges
 std::vector<double> contour_values(const scene::Contours& contours, const scene::Range& own) {
     if (contours.values) return *contours.values;
     const auto [low, high] = contours.range.value_or(own);
-    const std::size_t count = contours.count.value_or(usual_contours);
+    const std::size_t count = contours.count.value(); // scene/rules.cpp sets it in the absence of values
     std::vector<double> values;
     for (std::size_t i = 1; i <= count; ++i)
         values.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(count + 1));

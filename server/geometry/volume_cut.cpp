@@ -2,6 +2,7 @@
 
 #include "color/transfer_table.hpp"
 #include "geometry/cut.hpp"
+#include "geometry/slab_sink.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ Vec3d unit_vector(const Vec3d& v) {
 
 std::size_t Slabs::memory_bytes() const {
     std::size_t bytes = 0;
-    for (const SlabMesh& slice : slices) bytes += slice.memory_bytes();
+    for (const color::SlabMesh& slice : slices) bytes += slice.memory_bytes();
     return bytes;
 }
 
@@ -87,9 +88,9 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     limits = cell_limits(*field.topology, values.floats());
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
-            if (sound->kept[cell] == 0) limits[cell] = not_filled;
-    boundary = std::make_shared<const SlabMesh>(
-        field.slab_boundary(*loaded.boxes(step), {values.floats(), gradients, limits}));
+            if (sound->kept[cell] == 0) limits[cell] = no_limits;
+    const Surface faces = field.surface_around(filled_cells(limits), *loaded.boxes(step), CollapsedFaces::keep);
+    boundary = std::make_shared<const color::SlabMesh>(slab_boundary(faces, {values.floats(), gradients, limits}));
     key = wanted;
 }
 
@@ -109,9 +110,9 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     std::vector<double> places;
     for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
-    std::vector<SlabMesh> cuts;
+    std::vector<color::SlabMesh> cuts;
     const SlabSink sink{{values.floats(), gradients, limits}};
-    if (!planes.cut_slabs(places, sink, cuts, stop, extraction)) return false;
+    if (!planes.sweep(places, sink, cuts, stop, extraction)) return false;
     for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);
     slabs_key = wanted;

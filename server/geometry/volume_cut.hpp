@@ -2,7 +2,7 @@
 #pragma once
 
 #include "annotations/camera.hpp"
-#include "ciel/slab.hpp"
+#include "color/slab_mesh.hpp"
 #include "geometry/scene_geometry.hpp"
 
 #include <array>
@@ -14,9 +14,9 @@ namespace ciel::geometry {
 // along the normal are values of dot(normal, offset from Geometry::origin).
 struct Slabs {
     Vec3d normal{};
-    double first = 0, thickness = 1; // position of the start of slab 0; thickness of a slab
-    std::vector<SlabMesh> slices;    // a slice is empty if it is not cut yet
-    std::shared_ptr<const SlabMesh> boundary;
+    double first = 0, thickness = 1;     // position of the start of slab 0; thickness of a slab
+    std::vector<color::SlabMesh> slices; // a slice is empty if it is not cut yet
+    std::shared_ptr<const color::SlabMesh> boundary;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
@@ -44,8 +44,8 @@ struct VolumeCut {
     store::Values values; // floats, relative to value_origin
     double value_origin = 0;
     std::vector<Vec3f> gradients;
-    std::vector<std::array<float, 2>> limits; // by cell (cell_limits in ciel/slab.hpp)
-    std::shared_ptr<const SlabMesh> boundary;
+    std::vector<std::array<float, 2>> limits; // by cell (cell_limits in ciel/cell_limits.hpp)
+    std::shared_ptr<const color::SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
     std::size_t stride = 1; // of the slices that are cut: 1, or the stride of interactive pictures

@@ -4,6 +4,8 @@
 #include "annotations/layout.hpp"
 #include "annotations/legend_names.hpp"
 #include "annotations/ticks.hpp"
+#include "color/color_tables.hpp"
+#include "color/scale_range.hpp"
 #include "color/scale_rules.hpp"
 
 #include <algorithm>
@@ -160,6 +162,14 @@ color::ColorScale color_scale(Reader& from) {
     return scale;
 }
 
+color::RangeChoice range_choice(Reader& from) {
+    color::RangeChoice choice;
+    if (from.flag()) choice.given = from.numbers<2>();
+    choice.symmetric = from.flag();
+    choice.log = from.flag();
+    return choice;
+}
+
 annotations::Legend legend(Reader& from) {
     annotations::Legend legend;
     legend.name = from.text();
@@ -260,6 +270,28 @@ void scale_rules(Reader& arguments, Writer& results) {
     results.number(rules.origin);
     for (const auto& texel : rules.texels)
         for (const float channel : texel) results.number(channel);
+}
+
+void range_of(Reader& arguments, Writer& results) {
+    const color::RangeChoice choice = range_choice(arguments);
+    results.numbers(color::range_of(choice, arguments.numbers<2>()));
+}
+
+void range_above_zero(Reader& arguments, Writer& results) {
+    results.numbers(color::range_above_zero(arguments.numbers<2>()));
+}
+
+void is_shown_by(Reader& arguments, Writer& results) {
+    const color::RangeChoice choice = range_choice(arguments);
+    results.number(color::is_shown_by(choice, arguments.numbers<2>()) ? 1 : 0);
+}
+
+void color_maps(Reader& /*arguments*/, Writer& results) {
+    results.number(static_cast<double>(color::color_tables().size()));
+    for (const color::NamedColors& map : color::color_tables()) {
+        results.text(map.name);
+        results.text(map.kind);
+    }
 }
 
 void legend_title(Reader& arguments, Writer& results) {

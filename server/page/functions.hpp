@@ -1,6 +1,6 @@
-// Functions of the server that the page calls: the layout of annotations, numbers as text, colors along a scale, and
-// names of legends. Each function reads its arguments from one message and appends its results to another message, in
-// the order that its comment gives.
+// Functions of the server that the page calls: the layout of annotations, numbers as text, ranges of color scales and
+// colors along them, color maps, and names of legends. Each function reads its arguments from one message and appends
+// its results to another message, in the order that its comment gives.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -44,6 +44,15 @@ void color_of(Reader& arguments, Writer& results);     // color scale, value -> 
 void colors_along(Reader& arguments, Writer& results); // color scale, number of colors -> number of colors, each color
 void color_row(Reader& arguments, Writer& results);    // color scale, number if smooth -> number of colors, each color
 void scale_rules(Reader& arguments, Writer& results);  // color scale -> origin, texels (see color::ScaleRules)
+
+// A choice of a range (see color::RangeChoice) consists of: the given range (1, lower end, upper end, or only 0),
+// symmetric, log (0 or 1).
+void range_of(Reader& arguments, Writer& results);         // choice, both ends of the data -> both ends
+void range_above_zero(Reader& arguments, Writer& results); // both ends -> both ends
+void is_shown_by(Reader& arguments, Writer& results);      // choice, both ends of the data -> 0 or 1
+
+// Nothing -> number of color maps; for each: name, kind (texts, see color::NamedColors)
+void color_maps(Reader& arguments, Writer& results);
 
 // Scale of values, array, units -> text
 void legend_title(Reader& arguments, Writer& results);

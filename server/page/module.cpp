@@ -60,6 +60,10 @@ std::size_t call(Function function) {
 [[clang::export_name("colors_along")]] std::size_t colors_along() { return call(ciel::page::colors_along); }
 [[clang::export_name("color_row")]] std::size_t color_row() { return call(ciel::page::color_row); }
 [[clang::export_name("scale_rules")]] std::size_t scale_rules() { return call(ciel::page::scale_rules); }
+[[clang::export_name("range_of")]] std::size_t range_of() { return call(ciel::page::range_of); }
+[[clang::export_name("range_above_zero")]] std::size_t range_above_zero() { return call(ciel::page::range_above_zero); }
+[[clang::export_name("is_shown_by")]] std::size_t is_shown_by() { return call(ciel::page::is_shown_by); }
+[[clang::export_name("color_maps")]] std::size_t color_maps() { return call(ciel::page::color_maps); }
 [[clang::export_name("legend_title")]] std::size_t legend_title() { return call(ciel::page::legend_title); }
 [[clang::export_name("legend_name_of")]] std::size_t legend_name_of() { return call(ciel::page::legend_name_of); }
 [[clang::export_name("legend_names")]] std::size_t legend_names() { return call(ciel::page::legend_names); }

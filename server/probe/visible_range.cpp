@@ -30,8 +30,8 @@ public:
         low_ = std::min(low_, value);
         high_ = std::max(high_, value);
     }
-    void add(const SlabMesh& mesh, double origin) {
-        for (const SlabVertex& vertex : mesh.vertices) add(vertex.position, origin + double{vertex.value});
+    void add(const color::SlabMesh& mesh, double origin) {
+        for (const color::SlabVertex& vertex : mesh.vertices) add(vertex.position, origin + double{vertex.value});
     }
     [[nodiscard]] std::optional<std::array<double, 2>> range() const {
         if (low_ > high_) return {};
@@ -72,7 +72,7 @@ std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geo
     for (const geometry::VolumeDrawable& volume : geometry.volumes) {
         if (of_contours || !is_asked(volume.layer)) continue;
         seen.add(*volume.slabs->boundary, volume.value_origin);
-        for (const SlabMesh& slice : volume.slabs->slices) seen.add(slice, volume.value_origin);
+        for (const color::SlabMesh& slice : volume.slabs->slices) seen.add(slice, volume.value_origin);
     }
     return seen.range();
 }

@@ -26,7 +26,7 @@ std::uint64_t bytes_of(const Primitives& mesh) {
 
 std::uint64_t bytes_of(const Volume& volume) {
     std::uint64_t bytes = volume.boundary != nullptr ? volume.boundary->memory_bytes() : 0;
-    for (const SlabMesh& slice : volume.slices) bytes = std::max<std::uint64_t>(bytes, slice.memory_bytes());
+    for (const color::SlabMesh& slice : volume.slices) bytes = std::max<std::uint64_t>(bytes, slice.memory_bytes());
     return bytes;
 }
 

@@ -57,6 +57,7 @@ void resolve_contours(std::optional<Contours>& contours, const std::string& path
     if (!contours) return;
     if (contours->values && (contours->count || contours->range))
         throw Invalid(path, "contours must have either values, or count and range, but not both");
+    if (!contours->values && !contours->count) contours->count = Contours::default_count;
     if (contours->range) check_range(*contours->range, path);
     if (!contours->coloring) return;
     check_coloring(*contours->coloring, path + "/coloring");

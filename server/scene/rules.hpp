@@ -18,7 +18,8 @@ struct Plane {
 // annotations.legend has replaced /legend. Call this before the schema check, whose error would not name it.
 void refuse_old_legend(const nlohmann::json& document);
 
-// Sorts the layers by (order, id). Removes edges, contours and thresholds that are switched off. Throws Invalid.
+// Sorts the layers by (order, id). Removes edges, contours and thresholds that are switched off. Contours without
+// values get a count. Throws Invalid.
 void apply_rules(Scene& scene);
 
 } // namespace ciel::scene

@@ -1,7 +1,6 @@
 #include "store/scalar_field.hpp"
 
 #include "ciel/mesh_faces.hpp"
-#include "ciel/slab.hpp"
 #include "store/mesh_arrays.hpp"
 
 namespace ciel::store {
@@ -22,17 +21,13 @@ void ScalarField::set_in(Query& query) const {
     query.set_field(*field);
 }
 
-bool ScalarField::cut_slabs(std::span<const double> values, const SlabSink& sink, std::vector<SlabMesh>& slices,
-                            const StopToken& stop, Extraction extraction) const {
-    return sweep(*topology, points_, *field, values, sink, slices, stop, extraction);
-}
-
 std::vector<Vec3f> ScalarField::gradients(ValuesView values) const {
     return vertex_gradients(*topology, points_, values);
 }
 
-SlabMesh ScalarField::slab_boundary(const BlockBoxes& boxes, const SlabProperty& property) const {
-    return ciel::slab_boundary(*topology, boundary(), boxes, property);
+Surface ScalarField::surface_around(std::span<const std::uint8_t> kept, const BlockBoxes& boxes,
+                                    CollapsedFaces collapsed) const {
+    return threshold_surface(*topology, boundary(), boxes, kept, collapsed);
 }
 
 Surface ScalarField::boundary_at(double level, double tolerance) const {

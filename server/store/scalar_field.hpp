@@ -2,14 +2,9 @@
 // the store need no positions and no face lists.
 #pragma once
 
-#include "ciel/extract.hpp"
+#include "ciel/sweep_sinks.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "store/dataset.hpp"
-
-namespace ciel {
-struct SlabMesh;     // slab.hpp
-struct SlabProperty; // slab.hpp
-struct SlabSink;     // slab.hpp
-} // namespace ciel
 
 namespace ciel::store {
 
@@ -35,13 +30,19 @@ struct ScalarField {
     [[nodiscard]] Query query(Extraction extraction = {}) const;
     // Sets the positions and the field of a Query on the same topology. This object or a copy must outlive the Query.
     void set_in(Query& query) const;
-    // Cuts all values as slices of a volume (sweep in ciel/sweep_sinks.hpp). Returns false when `stop` was requested.
-    bool cut_slabs(std::span<const double> values, const SlabSink& sink, std::vector<SlabMesh>& slices,
-                   const StopToken& stop, Extraction extraction) const;
+    // Cuts all values in one pass and sets out[i] to the sink's result for values[i] (sweep in ciel/sweep_sinks.hpp).
+    // Returns false when `stop` was requested.
+    template <class Sink>
+    bool sweep(std::span<const double> values, const Sink& sink, std::vector<typename Sink::Out>& out,
+               const StopToken& stop, Extraction extraction) const {
+        return ciel::sweep(*topology, points_, *field, values, sink, out, stop, extraction);
+    }
     // Returns the gradient of `values` at each vertex (vertex_gradients in ciel/field.hpp).
     [[nodiscard]] std::vector<Vec3f> gradients(ValuesView values) const;
-    // Returns the boundary of the filled cells (slab_boundary in ciel/slab.hpp).
-    [[nodiscard]] SlabMesh slab_boundary(const BlockBoxes& boxes, const SlabProperty& property) const;
+    // Returns the surface around the kept cells (threshold_surface in ciel/threshold_surface.hpp). `kept`: one flag for
+    // each cell.
+    [[nodiscard]] Surface surface_around(std::span<const std::uint8_t> kept, const BlockBoxes& boxes,
+                                         CollapsedFaces collapsed) const;
     // Returns the boundary faces at which the field differs from `level` by at most `tolerance` (boundary_faces_at in
     // ciel/mesh_faces.hpp).
     [[nodiscard]] Surface boundary_at(double level, double tolerance) const;

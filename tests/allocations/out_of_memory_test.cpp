@@ -3,9 +3,9 @@
 #include "blocks/blocks.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/geometric_vertices.hpp"
-#include "ciel/slab.hpp"
 #include "ciel/sweep_sinks.hpp"
 #include "fields/cell_ranges.hpp"
+#include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
@@ -201,7 +201,7 @@ bool same(const SliceSink::Out& a, const SliceSink::Out& b) {
     return a.positions == b.positions && a.property == b.property && a.triangles == b.triangles;
 }
 bool same(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) { return a == b; }
-bool same(const SlabMesh& a, const SlabMesh& b) {
+bool same(const color::SlabMesh& a, const color::SlabMesh& b) {
     return a.triangles == b.triangles && std::ranges::equal(a.vertices, b.vertices, [](const auto& p, const auto& q) {
                return p.position == q.position && p.value == q.value && p.gradient == q.gradient &&
                       p.limits == q.limits;
@@ -256,7 +256,7 @@ TEST_P(SweepOutOfMemory, OfASlice) { expect_right(SliceSink{data.values[1]}); }
 TEST_P(SweepOutOfMemory, OfASlab) {
     const std::vector<Vec3f> gradients = vertex_gradients(data.topology, data.assembled.mesh.view(), data.values[1]);
     const std::vector<std::array<float, 2>> limits = cell_limits(data.topology, data.values[1]);
-    expect_right(SlabSink{{data.values[1], gradients, limits}});
+    expect_right(geometry::SlabSink{{data.values[1], gradients, limits}});
 }
 
 const std::vector<How> sweep_ways{

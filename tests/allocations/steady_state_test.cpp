@@ -2,8 +2,8 @@
 #include "allocations/counted_new.hpp"
 #include "ciel/extract.hpp"
 #include "ciel/process_threads.hpp"
-#include "ciel/slab.hpp"
 #include "ciel/sweep_sinks.hpp"
+#include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -118,7 +118,7 @@ TEST_P(SteadySweep, OfASlice) { expect_none(SliceSink{others}); }
 TEST_P(SteadySweep, OfASlab) {
     const std::vector<Vec3f> gradients = vertex_gradients(topology, mesh, others);
     const std::vector<std::array<float, 2>> limits = cell_limits(topology, others);
-    expect_none(SlabSink{{others, gradients, limits}});
+    expect_none(geometry::SlabSink{{others, gradients, limits}});
 }
 
 INSTANTIATE_TEST_SUITE_P(meshes, SteadySweep,

@@ -151,6 +151,12 @@ class Generated(unittest.TestCase):
         self.assertIn("    bins: NotRequired[int]  # Number of bins of equal width.", python.emit(self.contract))
         self.assertIn("(1 to 4096, default 256)\n", python_calls.emit(self.contract, is_async=False))
 
+    def test_an_optional_member_with_a_default_can_be_told_from_its_default(self):
+        text = cpp_scene.emit_types(self.contract)
+        self.assertIn("static constexpr std::size_t default_count = 10;\n    std::optional<std::size_t> count{};", text)
+        self.assertRegex(typescript.emit(self.contract), r"  Contours: \{ .*count: 10, ")
+        self.assertRegex(python.emit_schemas(self.contract), r"    count: NotRequired\[int\]  # .*default 10\)\n")
+
     def test_the_version_is_in_every_language(self):
         major, minor = self.contract.protocol
         self.assertIn(f"major_version = {major}, minor_version = {minor};", cpp.emit_document(self.contract))

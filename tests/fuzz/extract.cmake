@@ -1,1 +1,1 @@
-ciel_fuzz(extract LINKS ciel PACKAGES test_support)
+ciel_fuzz(extract LINKS geometry ciel PACKAGES test_support)

@@ -4,6 +4,7 @@
 #include "fuzz/extract_promises.hpp"
 #include "fuzz/extract_steps.hpp"
 #include "support/views.hpp"
+#include "support/volume_boundary.hpp"
 
 #include <optional>
 
@@ -121,10 +122,10 @@ private:
         std::vector<SoupSink::Out> soup;
         std::vector<OutlineSink::Out> outline;
         std::vector<SliceSink::Out> slices;
-        std::vector<SlabSink::Out> slabs;
+        std::vector<geometry::SlabSink::Out> slabs;
         const std::vector<float>& property = values_[1 - current_];
         const auto limits = cell_limits(topology_, property);
-        const SlabProperty of_slab{property, gradient_[1 - current_], limits};
+        const geometry::SlabProperty of_slab{property, gradient_[1 - current_], limits};
         // Buffers left from a sweep through the other field must not affect the result.
         SweepBuffers<SoupSink> kept;
         SweepBuffers<SliceSink> kept_slices;
@@ -134,7 +135,7 @@ private:
         require(sweep(topology_, mesh_, field, asked_, SoupSink{}, kept, soup) &&
                     sweep(topology_, mesh_, field, asked_, OutlineSink{}, outline) &&
                     sweep(topology_, mesh_, field, asked_, SliceSink{property}, kept_slices, slices) &&
-                    sweep(topology_, mesh_, field, asked_, SlabSink{of_slab}, slabs),
+                    sweep(topology_, mesh_, field, asked_, geometry::SlabSink{of_slab}, slabs),
                 "nothing asked sweep to stop");
         for (Query& query : query_) query.set_decider(Decider::isolate_high);
         for (std::size_t i = 0; i < asked_.size(); ++i) {
@@ -143,7 +144,7 @@ private:
             compare_with(surface, soup[i], outline[i], slices[i]);
             check_slab(slabs[i]);
         }
-        check_slab(slab_boundary(topology_, mesh_, block_boxes(topology_, mesh_.positions), of_slab));
+        check_slab(volume_boundary(topology_, mesh_, block_boxes(topology_, mesh_.positions), of_slab));
     }
 
     static void compare_with(const Surface& surface, const std::vector<Vec3f>& soup, const std::vector<Vec3f>& outline,

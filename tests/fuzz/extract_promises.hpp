@@ -5,8 +5,8 @@
 #include "ciel/contour_lines.hpp"
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
-#include "ciel/slab.hpp"
 #include "ciel/threshold_surface.hpp"
+#include "color/slab_mesh.hpp"
 #include "fuzz/bytes.hpp"
 
 #include <algorithm>
@@ -136,11 +136,11 @@ inline void check_clipped(const ClippedSurface& clipped, std::size_t points_befo
         }
 }
 
-inline void check_slab(const SlabMesh& slab) {
+inline void check_slab(const color::SlabMesh& slab) {
     require(slab.triangles.size() % 3 == 0, "whole triangles");
     for (std::size_t i = 0; i < slab.triangles.size(); ++i) {
         require(slab.triangles[i] < slab.vertices.size(), "a slab's triangle without a vertex");
-        const SlabVertex& v = slab.vertices[slab.triangles[i]];
+        const color::SlabVertex& v = slab.vertices[slab.triangles[i]];
         require(std::isfinite(v.value), "a slab's triangle without a value");
         require(i % 3 != 0 || (v.limits[0] <= v.limits[1] && std::isfinite(v.limits[0]) && std::isfinite(v.limits[1])),
                 "limits the wrong way round, or not finite");

@@ -4,8 +4,8 @@
 #include "ciel/contour_lines.hpp"
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
-#include "ciel/slab.hpp"
 #include "ciel/threshold_surface.hpp"
+#include "geometry/slab_sink.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -132,15 +132,15 @@ using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; //
 
 // The apex of a polygon's fan depends on the other polygons of the block, so polygons are compared by their sorted
 // corners.
-std::vector<SlabPolygon> polygons_of(const SlabMesh& mesh) {
+std::vector<SlabPolygon> polygons_of(const color::SlabMesh& mesh) {
     std::vector<SlabPolygon> out;
     Index apex = none;
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-        const SlabVertex& first = mesh.vertices.at(mesh.triangles[i]);
+        const color::SlabVertex& first = mesh.vertices.at(mesh.triangles[i]);
         if (mesh.triangles[i] != apex) out.push_back({first.limits, {}});
         apex = mesh.triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
-            const SlabVertex& v = mesh.vertices.at(mesh.triangles[i + k]);
+            const color::SlabVertex& v = mesh.vertices.at(mesh.triangles[i + k]);
             out.back().second.push_back({v.position, v.value, v.gradient});
         }
     }
@@ -158,8 +158,9 @@ TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
         const std::vector<float> property = mesh.stored(others);
         const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
         const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
-        std::vector<SlabSink::Out> found;
-        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
+        std::vector<geometry::SlabSink::Out> found;
+        ASSERT_TRUE(
+            sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{{property, gradient, limits}}, found));
         for (std::size_t i = 0; i < walk.size(); ++i) {
             std::vector<SlabPolygon> polygons = polygons_of(found[i]);
             if (expected.size() == i) expected.push_back(polygons);
@@ -170,7 +171,7 @@ TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
 
 // For a fixed block size, the arrays are identical for any number of threads, fan apexes included.
 TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
-    std::vector<SlabSink::Out> expected;
+    std::vector<geometry::SlabSink::Out> expected;
     for (const unsigned threads : {1U, 2U, 5U}) {
         const ThreadCount count(threads);
         const KernelMesh mesh(input, {8});
@@ -178,8 +179,9 @@ TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
         const std::vector<float> property = mesh.stored(others);
         const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
         const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
-        std::vector<SlabSink::Out> found;
-        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, SlabSink{{property, gradient, limits}}, found));
+        std::vector<geometry::SlabSink::Out> found;
+        ASSERT_TRUE(
+            sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{{property, gradient, limits}}, found));
         if (expected.empty()) expected = found;
         for (std::size_t i = 0; i < walk.size(); ++i) {
             ASSERT_TRUE(same_bits(expected[i].vertices, found[i].vertices)) << walk[i] << ", " << threads;

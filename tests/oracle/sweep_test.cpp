@@ -1,6 +1,6 @@
 // A sweep over several values in one pass gives the same surfaces as one query per value.
-#include "ciel/slab.hpp"
 #include "ciel/sweep_sinks.hpp"
+#include "geometry/slab_sink.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
@@ -136,7 +136,7 @@ TEST_P(Sweep, MakesTheSameArraysAsAnyOther) {
 
 std::vector<std::array<float, 2>> limits_of_faces(const FaceMeshView& mesh, std::span<const float> values,
                                                   const std::vector<bool>& is_empty) {
-    std::vector<std::array<float, 2>> limits(mesh.cell_count(), not_filled);
+    std::vector<std::array<float, 2>> limits(mesh.cell_count(), no_limits);
     for (Index face = 0; face < mesh.face_count(); ++face)
         for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
             if (cell != none && !is_empty[cell])
@@ -164,8 +164,9 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
                 if (faces.neighbour[face] != none) is_empty[faces.neighbour[face]] = true;
             }
     ASSERT_EQ(limits, limits_of_faces(faces, property, is_empty));
-    std::vector<SlabSink::Out> out;
-    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, SlabSink{{property, gradient, limits}}, out, {}, how));
+    std::vector<geometry::SlabSink::Out> out;
+    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, geometry::SlabSink{{property, gradient, limits}}, out,
+                      {}, how));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Surface surface = surface_at(values[i]);
         std::size_t expected = 0;
@@ -173,7 +174,7 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
             if (!is_empty[surface.polygon_cell[k]]) expected += polygon(surface, k).size() - 2;
         EXPECT_EQ(out[i].triangles.size(), 3 * expected);
         for (std::size_t k = 0; k < out[i].triangles.size(); ++k) {
-            const SlabVertex& vertex = out[i].vertices.at(out[i].triangles[k]);
+            const color::SlabVertex& vertex = out[i].vertices.at(out[i].triangles[k]);
             ASSERT_TRUE(std::isfinite(vertex.value));
             ASSERT_TRUE(k % 3 != 0 || (std::isfinite(vertex.limits[0]) && vertex.limits[0] <= vertex.limits[1]));
         }

@@ -1,11 +1,11 @@
 // Threshold surfaces against a brute-force test of each cell, without owners, neighbors or blocks.
 #include "ciel/clip_surface.hpp"
-#include "ciel/slab.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/boundary.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
+#include "support/volume_boundary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <ranges>
+#include <set>
 
 namespace ciel::test {
 namespace {
@@ -132,6 +133,32 @@ TEST_P(ThresholdSurface, OfBlocksIsThatOfTheListOfFaces) {
     }
 }
 
+TEST_P(ThresholdSurface, OfBlocksHasCollapsedFacesIfTheyAreAskedFor) {
+    const KernelMesh mesh(GetParam().make(), {7});
+    const Boundary boundary(mesh.mesh());
+    const FaceMeshView faces = boundary.faces();
+    const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
+    const std::vector<std::uint8_t> every(mesh.mesh().cell_count(), 1);
+    std::vector<Index> all, of_three;
+    for (Index face = 0; face < faces.face_count(); ++face) {
+        const auto loop = faces.loop(face);
+        all.push_back(face);
+        if (std::set<Index>(loop.begin(), loop.end()).size() >= 3) of_three.push_back(face);
+    }
+    EXPECT_EQ(threshold_surface(mesh.topology, faces, boxes, every).polygon_face, of_three);
+    EXPECT_EQ(threshold_surface(mesh.topology, faces, boxes, every, CollapsedFaces::keep).polygon_face, all);
+}
+
+TEST_P(ThresholdSurface, OfBlocksIgnoresFacesBetweenTwoCells) {
+    const KernelMesh mesh(GetParam().make(), {7});
+    const Boundary boundary(mesh.mesh());
+    const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
+    std::vector<std::uint8_t> kept(mesh.mesh().cell_count());
+    for (std::size_t cell = 0; cell < kept.size(); cell += 3) kept[cell] = 1;
+    EXPECT_EQ(in_ids_of_the_input(threshold_surface(mesh.topology, mesh.mesh(), boxes, kept), mesh),
+              in_ids_of_the_input(threshold_surface(mesh.topology, boundary.faces(), boxes, kept), mesh));
+}
+
 // Sum of the area vectors of each cell's polygons. Unlike the polygons, it does not change when faces without an area
 // are left out.
 using Areas = std::map<Index, Vec3d>;
@@ -147,7 +174,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             const KernelMesh mesh(input, {cells});
             const std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 8));
             const std::vector<Vec3f> gradients(values.size());
-            std::vector<std::array<float, 2>> limits(mesh.mesh().cell_count(), not_filled);
+            std::vector<std::array<float, 2>> limits(mesh.mesh().cell_count(), no_limits);
             std::vector<std::uint8_t> kept(limits.size(), 0);
             for (Index cell = 0; cell < kept.size(); cell += one_in) {
                 kept[cell] = 1;
@@ -155,10 +182,11 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             }
             const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
             const Boundary boundary(mesh.mesh());
-            const SlabMesh slab = slab_boundary(mesh.topology, boundary.faces(), boxes, {values, gradients, limits});
+            const color::SlabMesh slab =
+                volume_boundary(mesh.topology, boundary.faces(), boxes, {values, gradients, limits});
             Areas found, wanted;
             std::vector<Vec3f> positions;
-            for (const SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);
+            for (const color::SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);
             for (std::size_t i = 0; i < slab.triangles.size(); i += 3)
                 add_polygon(found, static_cast<Index>(slab.vertices[slab.triangles[i]].limits[0]),
                             vector_area(positions, std::span(slab.triangles).subspan(i, 3)));

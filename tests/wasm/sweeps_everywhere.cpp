@@ -1,10 +1,10 @@
-#include "ciel/slab.hpp"
+#include "support/volume_boundary.hpp"
 #include "wasm/results.hpp"
 
 namespace ciel::test {
 namespace {
 
-void record_slab(const std::string& where, const SlabMesh& slab, Results& results) {
+void record_slab(const std::string& where, const color::SlabMesh& slab, Results& results) {
     results.record(where, "vertices", slab.vertices);
     results.record(where, "triangles", slab.triangles);
 }
@@ -22,8 +22,8 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
     const auto slices = swept(SliceSink{fields.others});
     const std::vector<Vec3f> gradient = vertex_gradients(meshes.topology, meshes.view(), fields.others);
     const std::vector<std::array<float, 2>> limits = cell_limits(meshes.topology, fields.others);
-    const SlabProperty property{fields.others, gradient, limits};
-    const auto slabs = swept(SlabSink{property});
+    const geometry::SlabProperty property{fields.others, gradient, limits};
+    const auto slabs = swept(geometry::SlabSink{property});
     for (std::size_t i = 0; i < fields.walk.size(); ++i) {
         const std::string where = fields.where + " / sweep at " + std::to_string(fields.walk[i]);
         results.record(where, "soup", soup[i]);
@@ -35,7 +35,7 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
     }
     results.record(fields.where, "cell limits", limits);
     const BlockBoxes boxes = block_boxes(meshes.topology, meshes.view().positions);
-    record_slab(fields.where + " / slab boundary", slab_boundary(meshes.topology, meshes.view(), boxes, property),
+    record_slab(fields.where + " / slab boundary", volume_boundary(meshes.topology, meshes.view(), boxes, property),
                 results);
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { colorOf, hexOf } from "../src/model/color_scale";
+import { colorOf, hexOf, scaleOf } from "../src/model/color_scale";
 import type { ColorPoint } from "../src/generated/protocol";
 import {
   addedPoint,
@@ -13,7 +13,6 @@ import {
   withSymmetric,
   type ColoringChange,
 } from "../src/model/color_edit";
-import { scaleOf } from "../src/model/color_range";
 
 describe("a hand on the coloring", () => {
   test.each<[string, ColoringChange | string, ColoringChange | string]>([

@@ -1,8 +1,19 @@
 import { describe, expect, test } from "vitest";
+import table from "../../protocol/colormaps.json";
 import cases from "../../tests/support/color_cases.json";
-import { colorOf, colorRow, colorsAlong, hexOf, placeOf, scaleRules, valueAtPlace } from "../src/model/color_scale";
+import { colorMapKinds, colorMapNames } from "../src/model/color_maps";
+import {
+  colorOf,
+  colorRow,
+  colorsAlong,
+  hexOf,
+  isShownBy,
+  placeOf,
+  scaleOf,
+  scaleRules,
+  valueAtPlace,
+} from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
-import { isShownBy, scaleOf } from "../src/model/color_range";
 import { labelOn } from "../src/wasm/color_labels";
 
 interface Case {
@@ -72,9 +83,16 @@ describe("the color scale", () => {
     }
   });
 
-  test("a map that the page does not have is replaced by the first", () => {
+  test("a map that the page does not have is replaced by the default", () => {
     const [own, unknown] = ["viridis", "a map of tomorrow"].map((map) => colorRow(scaleOf({ map }, [0, 1]), 8));
     expect(unknown).toEqual(own);
+  });
+
+  test("the page has the maps of the table, in its order and by kind", () => {
+    expect(colorMapNames()).toEqual(table.maps.map(({ name }) => name));
+    expect(colorMapKinds().map(({ kind }) => kind)).toEqual(["sequential", "diverging", "cyclic"]);
+    for (const { kind, names } of colorMapKinds())
+      expect(names).toEqual(table.maps.filter((map) => map.kind === kind).map(({ name }) => name));
   });
 
   test("data without a logarithm are said not to be shown", () => {

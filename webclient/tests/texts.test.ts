@@ -1,8 +1,7 @@
 // Tests the layout of title, captions and legends over the canvas.
 import { describe, expect, test } from "vitest";
 import { textPixels } from "../src/model/canvas_size";
-import { inBytes } from "../src/model/color_scale";
-import { scaleOf } from "../src/model/color_range";
+import { inBytes, scaleOf } from "../src/model/color_scale";
 import type { Coloring, Range } from "../src/generated/protocol";
 import { layTexts, type AnnotatedTexts, type Box, type LegendText, type Texts } from "../src/wasm/overlay";
 

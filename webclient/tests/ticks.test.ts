@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import cases from "../../tests/support/tick_cases.json";
 import { labelOn } from "../src/wasm/color_labels";
-import { scaleOf } from "../src/model/color_range";
+import { scaleOf } from "../src/model/color_scale";
 import { legendTitle } from "../src/wasm/legend_names";
 import { numberAlone } from "../src/wasm/numbers_as_text";
 

@@ -54,7 +54,7 @@ class Contours(TypedDict):
     visible: NotRequired[bool]  # default True
     array: str  # Name of the scalar on points whose contour lines are shown.
     values: NotRequired[list[float]]  # at most 64 items
-    count: NotRequired[int]  # Number of contour lines, evenly spaced inside `range` without its ends. 10 if `count` and `values` are absent. (1 to 64)
+    count: NotRequired[int]  # Number of contour lines without `values`, evenly spaced inside `range` without its ends. (1 to 64, default 10)
     range: NotRequired[Range | None]  # Range for `count`. Absent: the range of the array at the shown time.
     color: NotRequired[Color]  # default '#1a1a1a'
     coloring: NotRequired[Coloring]  # Color scale of the lines: each line has the color of its value, instead of `color`. Its `array` may only be that of the lines.

@@ -1,7 +1,7 @@
 // Splits triangle lists into ranges with bounding boxes, so that invisible ranges can be skipped.
 #pragma once
 
-#include "ciel/slab.hpp"
+#include "ciel/types.hpp"
 #include "render/context/gl.hpp"
 
 #include <functional>

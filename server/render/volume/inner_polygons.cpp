@@ -28,7 +28,7 @@ public:
         along_[1] = glm::cross(across_, along_[0]);
         glm::dvec2 high(-1e300);
         low_ = glm::dvec2(1e300);
-        for (const SlabVertex& vertex : volume.boundary->vertices) {
+        for (const color::SlabVertex& vertex : volume.boundary->vertices) {
             const glm::dvec3 p = vector_of(vertex.position);
             const glm::dvec2 at(glm::dot(along_[0], p), glm::dot(along_[1], p));
             low_ = glm::min(low_, at);
@@ -195,12 +195,12 @@ private:
 
 class Sorter {
 public:
-    Sorter(const SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {
+    Sorter(const color::SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {
         sorted_.slice = &slice;
         sorted_.triangles.reserve(slice.triangles.size());
         inner_.reserve(slice.triangles.size());
         places_.reserve(slice.vertices.size());
-        for (const SlabVertex& vertex : slice.vertices) places_.push_back(places.along(vertex.position));
+        for (const color::SlabVertex& vertex : slice.vertices) places_.push_back(places.along(vertex.position));
     }
 
     SortedSlice sort() && {
@@ -214,7 +214,7 @@ public:
 private:
     using Triangle = std::array<Index, 3>;
 
-    [[nodiscard]] const SlabVertex& vertex(Index i) const {
+    [[nodiscard]] const color::SlabVertex& vertex(Index i) const {
         return i < slice_.vertices.size() ? slice_.vertices[i] : sorted_.more[i - slice_.vertices.size()];
     }
 
@@ -233,7 +233,7 @@ private:
     void split(const Triangle& triangle) {
         const std::size_t edge = longest_edge({places_[triangle[0]], places_[triangle[1]], places_[triangle[2]]});
         const Index a = triangle[edge], b = triangle[(edge + 1) % 3], c = triangle[(edge + 2) % 3];
-        SlabVertex middle = halfway(vertex(a), vertex(b));
+        color::SlabVertex middle = halfway(vertex(a), vertex(b));
         middle.limits = vertex(triangle[0]).limits;
         const auto m = static_cast<Index>(slice_.vertices.size() + sorted_.more.size());
         sorted_.more.push_back(middle);
@@ -242,8 +242,8 @@ private:
         add({m, b, c});
     }
 
-    static SlabVertex halfway(const SlabVertex& a, const SlabVertex& b) {
-        SlabVertex middle{};
+    static color::SlabVertex halfway(const color::SlabVertex& a, const color::SlabVertex& b) {
+        color::SlabVertex middle{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             middle.position[axis] = std::midpoint(a.position[axis], b.position[axis]);
             middle.gradient[axis] = std::midpoint(a.gradient[axis], b.gradient[axis]);
@@ -252,7 +252,7 @@ private:
         return middle;
     }
 
-    const SlabMesh& slice_;
+    const color::SlabMesh& slice_;
     const NearBoundary& near_;
     std::vector<glm::dvec2> places_; // coordinates of the vertices along the slabs, in cells
     SortedSlice sorted_;
@@ -269,7 +269,7 @@ std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::
         for (std::size_t slab = begin; slab < end; ++slab) {
             const std::size_t i = slab * volume.stride + volume.stride / 2;
             if (i >= volume.slices.size()) continue;
-            const SlabMesh& slice = volume.slices[i];
+            const color::SlabMesh& slice = volume.slices[i];
             const double middle = volume.first + (static_cast<double>(slab) + 0.5) * thickness;
             NearBoundary near(places, middle, thickness / 2);
             const std::vector<Index>& list = boundary_of_slab[slab];

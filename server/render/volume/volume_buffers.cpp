@@ -16,7 +16,7 @@ GLsizeiptr bytes(const std::vector<T>& items) {
     return static_cast<GLsizeiptr>(items.size() * sizeof(T));
 }
 
-void check(const SlabMesh& mesh) {
+void check(const color::SlabMesh& mesh) {
     const auto largest = std::ranges::max_element(mesh.triangles);
     if (mesh.triangles.size() % 3 != 0 || (largest != mesh.triangles.end() && *largest >= mesh.vertices.size()))
         throw Error("a slice or the boundary of a volume has wrong triangles; each triangle must have three vertex "
@@ -24,10 +24,10 @@ void check(const SlabMesh& mesh) {
                     std::to_string(mesh.vertices.size()) + ", the number of vertices");
 }
 
-VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
+VolumeBuffers::Bounds bounds_of(const color::SlabMesh& mesh) {
     VolumeBuffers::Bounds bounds{mesh.vertices.empty() ? Vec3f{} : mesh.vertices[0].position, {}};
     bounds.high = bounds.low;
-    for (const SlabVertex& vertex : mesh.vertices)
+    for (const color::SlabVertex& vertex : mesh.vertices)
         for (std::size_t axis = 0; axis < 3; ++axis) {
             bounds.low[axis] = std::min(bounds.low[axis], vertex.position[axis]);
             bounds.high[axis] = std::max(bounds.high[axis], vertex.position[axis]);
@@ -35,21 +35,21 @@ VolumeBuffers::Bounds bounds_of(const SlabMesh& mesh) {
     return bounds;
 }
 
-std::uint64_t places_of(const SlabMesh& mesh) {
+std::uint64_t places_of(const color::SlabMesh& mesh) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
-    for (const SlabVertex& vertex : mesh.vertices)
+    for (const color::SlabVertex& vertex : mesh.vertices)
         for (const float coordinate : vertex.position) add(std::bit_cast<std::uint32_t>(coordinate));
     for (const Index corner : mesh.triangles) add(corner);
     return hash;
 }
 
 VertexArrays make_arrays(const Gl& gl) {
-    return make_vertex_arrays(gl, sizeof(SlabVertex),
-                              {{volume_position, 3, offsetof(SlabVertex, position)},
-                               {volume_value, 1, offsetof(SlabVertex, value)},
-                               {volume_gradient, 3, offsetof(SlabVertex, gradient)},
-                               {volume_limits, 2, offsetof(SlabVertex, limits)}});
+    return make_vertex_arrays(gl, sizeof(color::SlabVertex),
+                              {{volume_position, 3, offsetof(color::SlabVertex, position)},
+                               {volume_value, 1, offsetof(color::SlabVertex, value)},
+                               {volume_gradient, 3, offsetof(color::SlabVertex, gradient)},
+                               {volume_limits, 2, offsetof(color::SlabVertex, limits)}});
 }
 
 } // namespace
@@ -64,7 +64,7 @@ void VolumeBuffers::load(const Volume& volume) {
                     "slices; give all of them");
     revision_ = 0; // not valid if anything below throws
     if (!same_slices)
-        for (const SlabMesh& slice : volume.slices) check(slice);
+        for (const color::SlabMesh& slice : volume.slices) check(slice);
     check(*volume.boundary);
     const auto boundary = render::boundary_of_slabs(volume);
     upload_slices(sort_slices(volume, boundary));
@@ -87,8 +87,8 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     slice_of_slab_.clear();
     slice_ranges_.clear();
     std::size_t vertices = 0, indices = 0;
-    const auto append = [&](const std::vector<SlabVertex>& more) {
-        gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices * sizeof(SlabVertex)), bytes(more),
+    const auto append = [&](const std::vector<color::SlabVertex>& more) {
+        gl_.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices * sizeof(color::SlabVertex)), bytes(more),
                           more.data());
         vertices += more.size();
     };
@@ -108,7 +108,7 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     }
 }
 
-void VolumeBuffers::upload_boundary(const SlabMesh& mesh, const std::vector<std::vector<Index>>& lists) {
+void VolumeBuffers::upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<Index>>& lists) {
     std::vector<Index> indices = mesh.triangles;
     boundary_places_ = places_of(mesh);
     bounds_ = bounds_of(mesh);

@@ -131,7 +131,7 @@ TEST_F(bad_cells, are_left_out_of_volumes) {
     const auto filled = [&](const std::string& name) {
         const auto shown = show(name, {{"v", volume}});
         std::size_t triangles = 0;
-        for (const SlabMesh& slab : shown->volumes.at(0).slabs->slices) triangles += slab.triangles.size() / 3;
+        for (const color::SlabMesh& slab : shown->volumes.at(0).slabs->slices) triangles += slab.triangles.size() / 3;
         return std::pair(triangles, shown->volumes.at(0).slabs->boundary->triangles.size() / 3);
     };
     const auto whole = filled("sound"), without = filled("bad");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <map>
 
 namespace ciel::page {
 namespace {
@@ -261,6 +262,34 @@ TEST(PageFunctions, MakeTexelsForShaders) {
     EXPECT_EQ(found.number(), 0);
     EXPECT_THAT(found.numbers<4>(), ElementsAre(0, 0.1F, 4, 0));
     EXPECT_EQ(results.message().size(), 1U + 5 * 4);
+}
+
+TEST(PageFunctions, ChooseRanges) {
+    Writer results;
+    const auto ends = [&](void (*function)(Reader&, Writer&), const std::vector<double>& arguments) {
+        return results_of(function, results, arguments).numbers<2>();
+    };
+    EXPECT_THAT(ends(range_of, {0, 0, 0, -3, 8}), ElementsAre(-3, 8));
+    EXPECT_THAT(ends(range_of, {1, -5, 2, 1, 0, -3, 8}), ElementsAre(-5, 5));
+    EXPECT_THAT(ends(range_of, {0, 0, 1, -3, 8}), ElementsAre(8e-6, 8));
+    EXPECT_THAT(ends(range_above_zero, {0, 2000}), ElementsAre(0.002, 2000));
+    EXPECT_EQ(results_of(is_shown_by, results, {0, 0, 1, -3, 0}).number(), 0);
+    EXPECT_EQ(results_of(is_shown_by, results, {1, 1, 2, 0, 1, -3, 0}).number(), 1);
+}
+
+TEST(PageFunctions, TellTheColorMaps) {
+    Writer results;
+    Reader found = results_of(color_maps, results, {});
+    std::map<std::string, std::string> kinds;
+    const int count = found.integer();
+    for (int i = 0; i < count; ++i) {
+        std::string name = found.text();
+        kinds[std::move(name)] = found.text();
+    }
+    EXPECT_EQ(kinds.size(), static_cast<std::size_t>(count));
+    EXPECT_THAT(kinds, testing::IsSupersetOf({std::pair<const std::string, std::string>("viridis", "sequential"),
+                                              {"vik", "diverging"},
+                                              {"twilight", "cyclic"}}));
 }
 
 TEST(PageFunctions, NameLegends) {

@@ -38,7 +38,7 @@ bool meets(const Vec3d& from, const Vec3d& way, const std::array<Vec3d, 3>& tria
     return u >= 0 && v >= 0 && u + v <= 1 && t >= -1 && t <= 1;
 }
 
-const SlabVertex& corner(const SortedSlice& sorted, std::size_t i) {
+const color::SlabVertex& corner(const SortedSlice& sorted, std::size_t i) {
     const std::size_t own = sorted.slice->vertices.size(), at = sorted.triangles[i];
     return at < own ? sorted.slice->vertices[at] : sorted.more[at - own];
 }
@@ -66,7 +66,7 @@ protected:
     }
 
     [[nodiscard]] bool meets_boundary(const Vec3d& from, const Vec3d& way) const {
-        const SlabMesh& mesh = *volume.boundary;
+        const color::SlabMesh& mesh = *volume.boundary;
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
             std::array<Vec3d, 3> triangle{};
             for (std::size_t k = 0; k < 3; ++k) triangle[k] = vector_of(mesh.vertices[mesh.triangles[i + k]].position);

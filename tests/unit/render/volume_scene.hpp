@@ -1,10 +1,11 @@
 // A mesh with a property, cut into slabs to be drawn as a volume.
 #pragma once
 
-#include "ciel/slab.hpp"
+#include "geometry/slab_sink.hpp"
 #include "render/renderer.hpp"
 #include "support/chosen_algorithm.hpp"
 #include "support/views.hpp"
+#include "support/volume_boundary.hpp"
 
 #include <cmath>
 #include <functional>
@@ -24,8 +25,8 @@ public:
                 static_cast<float>(property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
         gradients_ = vertex_gradients(topology_, mesh_.view(), values_);
         limits_ = cell_limits(topology_, values_);
-        boundary_ = slab_boundary(topology_, mesh_.view(), block_boxes(topology_, mesh_.view().positions),
-                                  {values_, gradients_, limits_});
+        boundary_ = test::volume_boundary(topology_, mesh_.view(), block_boxes(topology_, mesh_.view().positions),
+                                          {values_, gradients_, limits_});
     }
 
     // The result borrows from this scene, until the next call.
@@ -39,8 +40,8 @@ public:
         std::vector<double> places;
         for (std::size_t i = 0; i < slices; ++i)
             places.push_back(volume.first + (static_cast<double>(i) + 0.5) * volume.thickness);
-        (void)sweep(topology_, mesh_.view(), planes, places, SlabSink{{values_, gradients_, limits_}}, slices_, {},
-                    test::chosen_algorithm());
+        (void)sweep(topology_, mesh_.view(), planes, places, geometry::SlabSink{{values_, gradients_, limits_}},
+                    slices_, {}, test::chosen_algorithm());
         volume.slices = slices_;
         volume.boundary = &boundary_;
         volume.identity = 1;
@@ -56,8 +57,8 @@ private:
     std::vector<float> values_;
     std::vector<Vec3f> gradients_;
     std::vector<std::array<float, 2>> limits_;
-    SlabMesh boundary_;
-    std::vector<SlabMesh> slices_;
+    color::SlabMesh boundary_;
+    std::vector<color::SlabMesh> slices_;
     static inline std::uint64_t revision_ = 0; // shared by all scenes, because one renderer may draw several
 };
 

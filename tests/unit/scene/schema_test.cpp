@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::set<std::string> annotations{"description", "default",    "format",  "x-document",
-                                        "x-key",       "x-patch-of", "x-shared"};
+const std::set<std::string> annotations{"description", "default",    "format",     "x-document",
+                                        "x-key",       "x-optional", "x-patch-of", "x-shared"};
 
 // Calls `visit` for a schema and every schema nested in it.
 template <class Visit>

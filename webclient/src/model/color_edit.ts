@@ -1,7 +1,6 @@
 // Edits of a coloring. Each function returns the changed members. Members incompatible with a new one are removed.
-import { colorRow, hexOf, type ColorScale } from "./color_scale";
+import { colorRow, hexOf, rangeAboveZero, type ColorScale } from "./color_scale";
 import { LIMITS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
-import { rangeAboveZero } from "./color_range";
 import { withEnd } from "./numbers";
 
 /** Changed members of a coloring. A member that is undefined is removed. */

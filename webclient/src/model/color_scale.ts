@@ -1,9 +1,11 @@
 // Maps scalars to colors by the rules of protocol/colors.md, which are in server/color/color_scale.hpp.
-import type { ColorPoint, Range } from "../generated/protocol";
+import { DEFAULTS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
 import * as wasm from "../wasm/color_scale";
+import { rangeOf } from "../wasm/scale_range";
 import { knownMap } from "./color_maps";
 
 export { hasWidth, placeOf, valueAtPlace } from "../wasm/color_scale";
+export { isShownBy, rangeAboveZero, rangeOf } from "../wasm/scale_range";
 
 export type Rgb8 = wasm.Rgb8;
 
@@ -17,6 +19,19 @@ export interface ColorScale extends wasm.ScaleOfValues {
   below: string | null;
   above: string | null;
 }
+
+/** `data`: range of the array at the shown time step. */
+export const scaleOf = (coloring: Coloring, data: Range): ColorScale => ({
+  map: coloring.map ?? DEFAULTS.Coloring.map,
+  points: coloring.points ?? [],
+  range: rangeOf(coloring, data),
+  reverse: coloring.reverse ?? DEFAULTS.Coloring.reverse,
+  log: coloring.log ?? DEFAULTS.Coloring.log,
+  steps: coloring.steps ?? 0,
+  nan: coloring.nan ?? DEFAULTS.Coloring.nan,
+  below: coloring.below ?? null,
+  above: coloring.above ?? null,
+});
 
 export function bytesOf(hex: string): Rgb8 {
   return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16)) as unknown as Rgb8;

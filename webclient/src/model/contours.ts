@@ -1,8 +1,7 @@
 // Contour lines of a slice: the contour values, and the change that is needed when the user chooses another array.
 import { DEFAULT_MAP } from "./color_maps";
-import { LIMITS, type Coloring, type Contours, type Range } from "../generated/protocol";
+import { DEFAULTS, LIMITS, type Coloring, type Contours, type Range } from "../generated/protocol";
 
-export const DEFAULT_COUNT = 10;
 export const COUNTS = LIMITS.Contours.count;
 
 /** Merge patch: a member that is null is removed. */
@@ -11,7 +10,7 @@ export type ContoursChange = {
 };
 
 /** Returns the values that the server uses if none are listed: evenly spaced inside the range, without its ends. */
-export function evenValues({ count = DEFAULT_COUNT, range }: Contours, data: Range): number[] {
+export function evenValues({ count = DEFAULTS.Contours.count, range }: Contours, data: Range): number[] {
   const [low, high] = range ?? data;
   return Array.from({ length: count }, (_, i) => Number((low + ((high - low) * (i + 1)) / (count + 1)).toPrecision(6)));
 }

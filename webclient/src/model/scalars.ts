@@ -1,5 +1,5 @@
 // Scalars of a dataset's arrays, and the color scales and legends of a scene.
-import { scaleOf } from "./color_range";
+import { scaleOf } from "./color_scale";
 import { layersInOrder, type Layered } from "./layer_order";
 import { formatMeasured } from "./numbers";
 import { legendNameOf, legendNames } from "../wasm/legend_names";

@@ -1,9 +1,8 @@
 // Decodes messages of kind 2. A message contains a batch of polygons of one layer (protocol/frame.md).
 import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { readFrameHeader, FRAME_HEADER_BYTES } from "../generated/frame_header";
-import type { ColorScale } from "../model/color_scale";
+import { scaleOf, type ColorScale } from "../model/color_scale";
 import type { Coloring, Range, Vec3 } from "../generated/protocol";
-import { scaleOf } from "../model/color_range";
 
 /** Clip plane (nx, ny, nz, d). It keeps the points p, relative to the batch's origin, with dot(n, p) + d >= 0. */
 export type ClipPlane = [number, number, number, number];

@@ -26,6 +26,17 @@ describe("the boundary", () => {
     ]);
   });
 
+  test("gets no layer while its dataset is opening, because its patches are not known", () => {
+    const { calls, change, click, find, model } = boundary({ wall: { type: "surface" } });
+    const add = (): HTMLButtonElement => find("Add another layer of the boundary") as HTMLButtonElement;
+    change(() => void (model.description.value = null));
+    expect(add().disabled).toBe(true);
+    click("Add another layer of the boundary");
+    expect(calls).toEqual([]);
+    change(() => void (model.description.value = described));
+    expect(add().disabled).toBe(false);
+  });
+
   test("has further layers that are hidden and removed", () => {
     const { calls, click } = boundary({ wall: { type: "surface" }, wall2: { type: "surface", groups: ["inlet"] } });
     click("Hide boundary 2");

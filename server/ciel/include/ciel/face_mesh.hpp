@@ -35,8 +35,8 @@ struct FaceMeshView {
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
     std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if the caller owns them
     // Null if all positions are ready to be read. Otherwise extraction, slices, gradients, CellLocator, face_surface,
-    // threshold_surface, vertices_of_cells, boundary_faces_at, size_of_faces and slab_boundary load the positions that
-    // they use. Before a call of any other function, the caller must call loader->load for all vertices.
+    // threshold_surface, vertices_of_cells, boundary_faces_at and size_of_faces load the positions that they use.
+    // Before a call of any other function, the caller must call loader->load for all vertices.
     const VertexLoader* loader = nullptr;
 
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }

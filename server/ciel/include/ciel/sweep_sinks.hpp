@@ -8,14 +8,13 @@
 namespace ciel {
 
 // A sink converts the cut of each block to a Piece, on any thread. Then it joins the pieces of each value, in the order
-// of the blocks. This file has three sinks; SlabSink is in slab.hpp. A sink has these members:
+// of the blocks. This file has three sinks. sink_pieces.hpp has functions for further ones. A sink has these members:
 //     using Piece = ...; using Out = ...;
-//     void check(const FaceMeshView& mesh) const; // throws Error if an array of the sink has a wrong size
+//     void check(const TopologyCounts& counts) const; // throws Error if an array of the sink has a wrong size
 //     void write(const BlockPolygons& cut, Piece& piece) const;
 //     void join(std::span<const Piece* const> pieces, Out& out) const;
-// SliceSink and SlabSink write a point once for each block that has the point's edge. Therefore the number of points
-// depends on the block size. The polygons do not depend on it, and the triangles of SliceSink do not either. A triangle
-// fan of SlabSink may start at another corner when the block size changes.
+// SliceSink writes a point once for each block that has the point's edge. Therefore the number of points depends on the
+// block size. The triangles do not depend on it.
 
 // Sink for blended slices: a fan of indexed triangles for each polygon, and a property at the points.
 struct SliceSink {
@@ -26,7 +25,7 @@ struct SliceSink {
         std::vector<Index> triangles; // three indices in `positions` for each triangle
     };
     using Out = Piece;
-    void check(const FaceMeshView& mesh) const;
+    void check(const TopologyCounts& counts) const;
     void write(const BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
@@ -35,7 +34,7 @@ struct SliceSink {
 struct SoupSink {
     using Piece = std::vector<Vec3f>; // three positions for each triangle
     using Out = Piece;
-    void check(const FaceMeshView& /*mesh*/) const {}
+    void check(const TopologyCounts& /*counts*/) const {}
     void write(const BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
@@ -44,7 +43,7 @@ struct SoupSink {
 struct OutlineSink {
     using Piece = std::vector<Vec3f>;
     using Out = Piece;
-    void check(const FaceMeshView& /*mesh*/) const {}
+    void check(const TopologyCounts& /*counts*/) const {}
     void write(const BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
@@ -69,7 +68,7 @@ template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, SweepBuffers<Sink>& parts, std::vector<typename Sink::Out>& out,
            const StopToken& stop = {}, Extraction extraction = {}) {
-    sink.check(mesh);
+    sink.check(topology.counts());
     parts.block.resize(topology.block_count());
     for (auto& made : parts.block) made.count = 0;
     const auto write = [&](std::size_t value, Index block, const BlockPolygons& cut) {

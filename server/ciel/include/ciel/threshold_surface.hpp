@@ -40,19 +40,23 @@ struct CellFace {
 // (EdgePoint with a == b), in the order of first use. Faces of fewer than three distinct vertices are left out.
 [[nodiscard]] Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces);
 
+// What becomes of faces of fewer than three distinct vertices. Collapsed cells have such faces.
+enum class CollapsedFaces { leave_out, keep };
+
 // Returns the faces of threshold_faces as polygons: the surface around the kept cells.
 [[nodiscard]] inline Surface threshold_surface(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
 // Returns a surface of the same polygons, but does not need a list of all faces of the mesh. The polygons are the
 // boundary faces of kept cells, and then the faces inside the mesh, block by block. `boundary`: the boundary faces of
-// the mesh. `boxes`: the result of block_boxes for the positions of the mesh. polygon_face is the index of the face in
-// `boundary`, or `none` for a face inside the mesh.
+// the mesh; faces between two cells are ignored. `boxes`: the result of block_boxes for the positions of the mesh.
+// polygon_face is the index of the face in `boundary`, or `none` for a face inside the mesh.
 // Reads the blocks that have both kept cells and other cells. Also reads a block that has only kept cells, if its box
 // touches the box of a block with a cell that is not kept. Uses all threads of parallel_for. Throws Error when the
 // arguments have other numbers of cells, vertices or blocks than the topology, and when a record is damaged.
 [[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
-                                        std::span<const std::uint8_t> kept);
+                                        std::span<const std::uint8_t> kept,
+                                        CollapsedFaces collapsed = CollapsedFaces::leave_out);
 
 // Returns the polygons of `surface` whose cells are kept. `surface`: a cut through a mesh. `kept`: one flag for each
 // cell. Throws Error when a polygon's cell has no flag. Throws Error for the result of clip_surface, because new

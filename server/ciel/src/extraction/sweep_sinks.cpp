@@ -1,16 +1,11 @@
 #include "ciel/sweep_sinks.hpp"
 
+#include "ciel/sink_pieces.hpp"
 #include "extraction/edge_points.hpp"
-#include "extraction/join_pieces.hpp"
-#include "extraction/sink_arrays.hpp"
 
 #include <algorithm>
 
 namespace ciel {
-
-using detail::join_arrays;
-using detail::join_triangles;
-using detail::require_size;
 
 namespace {
 
@@ -28,8 +23,8 @@ void for_triangles(const BlockPolygons& cut, F&& f) {
 
 } // namespace
 
-void SliceSink::check(const FaceMeshView& mesh) const {
-    require_size(property.size(), mesh.vertex_count(), "values, one for each vertex");
+void SliceSink::check(const TopologyCounts& counts) const {
+    require_size(property.size(), counts.vertices, "values, one for each vertex");
 }
 
 void SliceSink::write(const BlockPolygons& cut, Piece& piece) const {

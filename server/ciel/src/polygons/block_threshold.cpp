@@ -113,16 +113,16 @@ std::size_t count_cells_without_value(const Field& field, ValuesView values, boo
 }
 
 Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
-                          std::span<const std::uint8_t> kept) {
+                          std::span<const std::uint8_t> kept, CollapsedFaces collapsed) {
     if (boundary.cell_count() != topology.counts().cells || boundary.vertex_count() != topology.counts().vertices)
         fail("the boundary of a threshold belongs to another mesh than the topology; pass the boundary of the "
              "topology's mesh");
     const InnerFaces inner(topology, boxes, kept);
-    FacePolygons polygons(boundary);
+    FacePolygons polygons(boundary, collapsed);
     std::vector<Index> loop;
     for (Index number = 0; number < boundary.face_count(); ++number) {
         const Index owner = boundary.owner[number];
-        if (kept[owner] == 0) continue;
+        if (boundary.neighbour[number] != none || kept[owner] == 0) continue;
         const Ids stored = boundary.loop(number);
         loop.assign(stored.begin(), stored.end());
         polygons.add(loop, owner, number);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ciel/cell_geometry.hpp"
-#include "ciel/extract.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "fields/sparse_array.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace ciel::detail {
 
 class FacePolygons {
 public:
-    explicit FacePolygons(const FaceMeshView& points) : points_(points), used_(points.vertex_count()) {}
+    explicit FacePolygons(const FaceMeshView& points, CollapsedFaces collapsed = CollapsedFaces::leave_out)
+        : points_(points), collapsed_(collapsed), used_(points.vertex_count()) {}
 
-    // Adds a polygon. Ignores a loop of fewer than three distinct vertices. `loop`: wound outwards from `cell`. `face`:
-    // the entry of the polygon in Surface::polygon_face.
+    // Adds a polygon. `loop`: wound outwards from `cell`. `face`: the entry of the polygon in Surface::polygon_face.
     void add(std::span<const Index> loop, Index cell, Index face) {
-        if (!is_polygon(loop)) return;
+        if (collapsed_ == CollapsedFaces::leave_out && !is_polygon(loop)) return;
         points_.load(loop);
         for (const Index vertex : loop) add_corner(vertex);
         surface_.polygon_offset.push_back(static_cast<Index>(surface_.polygon_vertex.size()));
@@ -47,6 +47,7 @@ private:
     }
 
     const FaceMeshView& points_;
+    CollapsedFaces collapsed_;
     SparseArray<Index> used_; // by mesh vertex: index in surface_.points plus 1; 0 if not added
     Surface surface_;
 };

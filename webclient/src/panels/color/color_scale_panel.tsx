@@ -1,7 +1,7 @@
 // Settings of a color scale except its array.
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
-import { colorRow, hexOf, type ColorScale } from "../../model/color_scale";
+import { colorRow, hexOf, isShownBy, rangeOf, scaleOf, type ColorScale } from "../../model/color_scale";
 import { LIMITS, type Coloring, type Range } from "../../generated/protocol";
 import {
   pointsOf,
@@ -12,7 +12,6 @@ import {
   withSymmetricLog,
   type ColoringChange,
 } from "../../model/color_edit";
-import { isShownBy, rangeOf, scaleOf } from "../../model/color_range";
 import { formatNumber } from "../../model/numbers";
 import { rangeOfAllSteps, type Colored, type ScaledColoring } from "../../model/scalars";
 import { PointsEditor } from "./color_points";

@@ -27,7 +27,7 @@ export function MapGallery({ scale, onChoose }: GalleryProps): JSX.Element {
   const own = scale.points.length > 0;
   return (
     <div class="map-gallery">
-      {colorMapKinds.map(({ kind, names }) => (
+      {colorMapKinds().map(({ kind, names }) => (
         <div key={kind} role="group" aria-label={`${KIND_NAMES[kind] ?? kind} color maps`}>
           <small>{KIND_NAMES[kind] ?? kind}</small>
           <div class="swatches">

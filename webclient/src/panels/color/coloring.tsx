@@ -46,7 +46,7 @@ export function ColoringFields({
     ...scalars.map(({ name, units }) => ({ value: name, text: units === "" ? name : `${name} (${units})` })),
   ];
   const own = coloring.points ? [{ value: OWN, text: "Own colors" }] : [];
-  const maps = [...own, ...colorMapNames.map((name) => ({ value: name, text: name }))];
+  const maps = [...own, ...colorMapNames().map((name) => ({ value: name, text: name }))];
   return (
     <div class="fields">
       {!ofArray && (

@@ -66,7 +66,13 @@ export function BoundarySection(): JSX.Element {
     commands.layers.add("surface", { type: "surface", groups, color: freshSolid(layers, "surface") });
   };
   const button = entry && (
-    <IconButton icon="plus" label="Add another layer of the boundary" text="Add" onClick={addFurther} />
+    <IconButton
+      icon="plus"
+      label="Add another layer of the boundary"
+      text="Add"
+      disabled={description === null}
+      onClick={addFurther}
+    />
   );
   return (
     <Section title="Boundary" action={button ?? null}>

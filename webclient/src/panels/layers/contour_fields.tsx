@@ -1,7 +1,7 @@
 // Settings of a slice's contour lines: array, values, color and width.
 import type { JSX } from "preact";
 import { DEFAULTS, type Coloring, type Contours, type Range, type SliceLayer } from "../../generated/protocol";
-import { COUNTS, DEFAULT_COUNT, evenValues, mapBeside, ofArray, type ContoursChange } from "../../model/contours";
+import { COUNTS, evenValues, mapBeside, ofArray, type ContoursChange } from "../../model/contours";
 import { withEnd } from "../../model/numbers";
 import { firstScalar, scalarsOf } from "../../model/scalars";
 import { ColoringFields } from "../color/coloring";
@@ -57,7 +57,7 @@ function ValuesFields({ contours, set }: FieldsProps): JSX.Element {
             <span>Number</span>
             <NumberField
               label="Number of contour lines"
-              value={contours.count ?? DEFAULT_COUNT}
+              value={contours.count ?? DEFAULTS.Contours.count}
               step={1}
               limits={COUNTS}
               onChange={(typed) => set({ count: Math.round(typed) })}

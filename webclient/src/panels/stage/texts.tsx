@@ -3,12 +3,11 @@ import type { JSX } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { backgroundColors } from "../../model/background";
 import { SMALLEST_TEXT, textPixels } from "../../model/canvas_size";
-import { hasWidth, inBytes, type ColorScale } from "../../model/color_scale";
+import { hasWidth, inBytes, rangeOf, scaleOf, type ColorScale } from "../../model/color_scale";
 import { DEFAULTS, type Range } from "../../generated/protocol";
 import type { Size } from "../../model/camera";
 import type { Histogram } from "../../model/state";
 import { withDataRange, withRangeEnd, type ColoringChange } from "../../model/color_edit";
-import { rangeOf, scaleOf } from "../../model/color_range";
 import { equal } from "../../model/merge_patch";
 import {
   labelOn,

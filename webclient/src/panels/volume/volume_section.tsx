@@ -1,7 +1,7 @@
 // Settings of volume layers, which show the mesh as a volume colored by an array.
 import type { JSX } from "preact";
 import { DEFAULTS, LIMITS, type Range, type VolumeLayer } from "../../generated/protocol";
-import { rangeOf } from "../../model/color_range";
+import { rangeOf } from "../../model/color_scale";
 import { coloredBy } from "../../model/new_looks";
 import { DEFAULT_OPACITY, firstOpacity, inserted, middleOfGap, type OpacityPoint } from "../../model/opacity";
 import { arrayOf, firstScalar, layersOf, scalarsOf, unitsOf } from "../../model/scalars";

@@ -1,4 +1,5 @@
-// Joins the pieces of one value of a sweep. Not in the paper, which draws polygon by polygon (algorithm 3).
+// Checks the arrays of a sink and joins its pieces (sweep_sinks.hpp), for the sinks of the kernel and of callers. Any
+// thread may call the functions. Not in the paper, which draws polygon by polygon (algorithm 3).
 #pragma once
 
 #include "ciel/types.hpp"
@@ -6,9 +7,18 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <string>
 
-namespace ciel::detail {
+namespace ciel {
 
+// Throws Error unless `found` equals `wanted`. `what`: describes the entries of the array in the message.
+inline void require_size(std::size_t found, std::uint64_t wanted, const char* what) {
+    if (found != wanted)
+        fail("an array for slices must have " + std::to_string(wanted) + " " + what + "; it has " +
+             std::to_string(found));
+}
+
+// Sets an array of `out` to those of the pieces, one after the other. array(piece): the array, as a reference.
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
     auto& to = std::invoke(array, out);
@@ -22,7 +32,8 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
     }
 }
 
-// Adds to the indices of each piece the number of points in the pieces before it. points(piece): its points.
+// Sets out.triangles to the triangles of the pieces. Adds to the indices of each piece the number of points in the
+// pieces before it. points(piece): its points.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;
@@ -36,4 +47,4 @@ void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& 
     }
 }
 
-} // namespace ciel::detail
+} // namespace ciel

@@ -1,22 +1,15 @@
-#include "ciel/slab.hpp"
+#include "geometry/slab_sink.hpp"
 
-#include "blocks/blocks.hpp"
-#include "blocks/cell_loops.hpp"
-#include "blocks/inner_faces.hpp"
-#include "ciel/cell_geometry.hpp"
-#include "extraction/join_pieces.hpp"
-#include "extraction/polygon.hpp"
-#include "extraction/sink_arrays.hpp"
-#include "fields/sparse_array.hpp"
-#include "parallel/grain.hpp"
+#include "ciel/sink_pieces.hpp"
+#include "ciel/vectors.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-namespace ciel {
+namespace ciel::geometry {
 
-using namespace detail;
+using color::SlabMesh;
+using color::SlabVertex;
 
 namespace {
 
@@ -108,68 +101,12 @@ Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
-// `take` writes the fans at the end, because FanWriter needs all vertices.
-class SlabFaces {
-public:
-    SlabFaces(const FaceMeshView& points, const SlabProperty& property)
-        : points_(points), property_(property), local_(points.vertex_count()) {}
-
-    void add(std::span<const Index> loop, Index cell) {
-        points_.load(loop);
-        for (const Index vertex : loop) {
-            Index& local = local_.get()[vertex];
-            if (local == 0) {
-                out_.vertices.push_back(
-                    {surface_position(points_, vertex), property_.value[vertex], property_.gradient[vertex], {}});
-                local = static_cast<Index>(out_.vertices.size());
-            }
-            corners_.push_back(local - 1);
-        }
-        ends_.push_back(corners_.size());
-        cells_.push_back(cell);
-    }
-    [[nodiscard]] SlabMesh take() && {
-        FanWriter fans(out_);
-        for (std::size_t i = 0, begin = 0; i < cells_.size(); begin = ends_[i++])
-            fans.add(std::span(corners_).subspan(begin, ends_[i] - begin), property_.limits[cells_[i]]);
-        return std::move(out_);
-    }
-
-private:
-    const FaceMeshView& points_;
-    const SlabProperty& property_;
-    SparseArray<Index> local_; // by mesh vertex: index in out_.vertices plus 1; 0 if not added
-    std::vector<Index> corners_, cells_;
-    std::vector<std::size_t> ends_; // by face: end of the face's corners in corners_
-    SlabMesh out_;
-};
-
 } // namespace
 
-std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values) {
-    require_size(values.size(), topology.counts().vertices, "values, one for each vertex");
-    const Topology::Blocks& blocks = topology.blocks();
-    std::vector<std::array<float, 2>> limits(topology.counts().cells, not_filled);
-    parallel_for(blocks.count(), fair_grain(blocks.count(), 16), [&](std::size_t begin, std::size_t end) {
-        CellLoops loops;
-        for (std::size_t b = begin; b < end; ++b)
-            for_cells(blocks.cells(static_cast<Index>(b)), loops, [&](Index cell, const CellLoops& of_cell) {
-                std::array<float, 2> range = not_filled;
-                for (const Index vertex : of_cell.vertex) {
-                    const float value = values[vertex];
-                    if (!std::isfinite(value)) return;
-                    range = {std::min(range[0], value), std::max(range[1], value)};
-                }
-                limits[cell] = range;
-            });
-    });
-    return limits;
-}
-
-void SlabSink::check(const FaceMeshView& mesh) const {
-    require_size(property.value.size(), mesh.vertex_count(), "values, one for each vertex");
-    require_size(property.gradient.size(), mesh.vertex_count(), "gradients, one for each vertex");
-    require_size(property.limits.size(), mesh.cell_count(), "limits, one for each cell");
+void SlabSink::check(const TopologyCounts& counts) const {
+    require_size(property.value.size(), counts.vertices, "values, one for each vertex");
+    require_size(property.gradient.size(), counts.vertices, "gradients, one for each vertex");
+    require_size(property.limits.size(), counts.cells, "limits, one for each cell");
 }
 
 void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
@@ -195,27 +132,31 @@ void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
     join_triangles(pieces, &Piece::vertices, out);
 }
 
-SlabMesh slab_boundary(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
-                       const SlabProperty& property) {
-    if (boundary.vertex_count() != topology.counts().vertices || boundary.cell_count() != topology.counts().cells)
-        fail("the boundary of a volume belongs to another mesh than the topology; pass the boundary of the topology's "
-             "mesh");
-    SlabSink{property}.check(boundary);
-    std::vector<std::uint8_t> filled(property.limits.size());
-    std::ranges::transform(property.limits, filled.begin(), [](const auto& limits) { return is_filled(limits); });
-    const InnerFaces inner(topology, boxes, filled);
-    SlabFaces faces(boundary, property);
-    std::vector<Index> loop;
-    for (Index face = 0; face < boundary.face_count(); ++face) {
-        const Index owner = boundary.owner[face];
-        if (boundary.neighbour[face] != none || filled[owner] == 0) continue;
-        read_loop(boundary, face, loop);
-        faces.add(loop, owner);
-    }
-    inner.for_blocks([&](const InnerFaces::OfBlock& found) {
-        for (std::size_t i = 0; i < found.cell.size(); ++i) faces.add(found.loops.face(i), found.cell[i]);
-    });
-    return std::move(faces).take();
+std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> limits) {
+    std::vector<std::uint8_t> filled(limits.size());
+    std::ranges::transform(limits, filled.begin(), [](const auto& of_cell) { return is_filled(of_cell) ? 1 : 0; });
+    return filled;
 }
 
-} // namespace ciel
+SlabMesh slab_boundary(const Surface& faces, const SlabProperty& property) {
+    const std::size_t vertices = std::min(property.value.size(), property.gradient.size());
+    const auto has_entry = [&](const EdgePoint& point) { return point.a < vertices; };
+    const auto has_limits = [&](Index cell) { return cell < property.limits.size(); };
+    if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_limits))
+        fail("a vertex or a cell of a volume's boundary has no entry in the property; pass the boundary of the mesh on "
+             "which the property lies");
+    SlabMesh out;
+    out.vertices.reserve(faces.points.size() + faces.polygon_cell.size() / 2);
+    for (std::size_t i = 0; i < faces.points.size(); ++i) {
+        const Index vertex = faces.points[i].a;
+        out.vertices.push_back({faces.positions[i], property.value[vertex], property.gradient[vertex], {}});
+    }
+    FanWriter fans(out);
+    for (std::size_t i = 0; i < faces.polygon_cell.size(); ++i) {
+        const Index begin = faces.polygon_offset[i], end = faces.polygon_offset[i + 1];
+        fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin), property.limits[faces.polygon_cell[i]]);
+    }
+    return out;
+}
+
+} // namespace ciel::geometry

@@ -1,0 +1,34 @@
+// SlabMesh: a slice of a volume, or its boundary, as triangles (paper, sections 2 and 3). The volume is divided into
+// parallel slabs, and a slice is the cut by the middle plane of a slab. The property is the scalar that is drawn. With
+// the value and the gradient at each vertex, a renderer can evaluate the property along any ray through the slab, and
+// look up its color in a TransferTable.
+#pragma once
+
+#include "ciel/types.hpp"
+
+#include <array>
+#include <vector>
+
+namespace ciel::color {
+
+struct SlabVertex {
+    Vec3f position; // offset from the mesh's surface_origin
+    float value;    // value of the property
+    Vec3f gradient; // gradient of the property, per unit of length
+    // [min, max] of the property in one cell: the cell of the polygon whose triangles all start at this vertex. Unused
+    // in vertices at which no polygon's triangles start.
+    std::array<float, 2> limits;
+};
+
+// Polygons as triangle fans. All triangles of a polygon start at the same vertex, which has the limits of the polygon's
+// cell. The triangles of at most one polygon start at a vertex.
+struct SlabMesh {
+    std::vector<SlabVertex> vertices;
+    std::vector<Index> triangles; // three indices in `vertices` for each triangle
+
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return vertices.capacity() * sizeof(SlabVertex) + triangles.capacity() * sizeof(Index);
+    }
+};
+
+} // namespace ciel::color

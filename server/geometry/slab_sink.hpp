@@ -1,0 +1,40 @@
+// SlabSink: makes the slices of a volume from the cuts of a sweep (ciel/sweep_sinks.hpp). slab_boundary makes the
+// boundary of the volume. Any thread may call the functions. The results own their data.
+#pragma once
+
+#include "ciel/cell_limits.hpp"
+#include "ciel/sweep_sinks.hpp"
+#include "color/slab_mesh.hpp"
+
+namespace ciel::geometry {
+
+// The property on the whole mesh. Does not own the arrays. A cell is filled, which means a part of the volume, unless
+// its limits are no_limits.
+struct SlabProperty {
+    std::span<const float> value;                 // one for each mesh vertex
+    std::span<const Vec3f> gradient;              // one for each mesh vertex, per unit of length
+    std::span<const std::array<float, 2>> limits; // one for each cell (cell_limits)
+};
+
+// Sink for `sweep`. Leaves out cells that are not filled. Writes a point once for each block that has the point's edge.
+// Therefore the number of points depends on the block size. The polygons do not depend on it, but their triangle fans
+// may start at other corners.
+struct SlabSink {
+    SlabProperty property;
+
+    using Piece = color::SlabMesh;
+    using Out = color::SlabMesh;
+    void check(const TopologyCounts& counts) const;
+    void write(const BlockPolygons& cut, Piece& piece) const;
+    void join(std::span<const Piece* const> pieces, Out& out) const;
+};
+
+// Returns one flag for each cell: 1 if the cell is filled, else 0.
+[[nodiscard]] std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> limits);
+
+// Returns the polygons of `faces` as the boundary of a volume. `faces`: the surface around the filled cells
+// (threshold_surface, with CollapsedFaces::keep). Its points are mesh vertices. Throws Error when a vertex or a cell of
+// `faces` has no entry in an array of the property.
+[[nodiscard]] color::SlabMesh slab_boundary(const Surface& faces, const SlabProperty& property);
+
+} // namespace ciel::geometry
