@@ -93,10 +93,10 @@ def emit_types(contract: Contract) -> str:
     errors = "".join(f"    {name} = {code}, // {message}\n" for name, (code, message) in contract.errors.items())
     return (
         HEAD + "#include <array>\n#include <cstddef>\n#include <cstdint>\n#include <map>\n#include <nlohmann/json.hpp>\n"
-        "#include <optional>\n#include <string>\n#include <vector>\n\nnamespace ciel::protocol {\n\n"
+        "#include <optional>\n#include <string>\n#include <vector>\n\nnamespace server::protocol {\n\n"
         f"enum ErrorCode : int {{\n{errors}}};\n\n"
         + "\n".join(collect(contract).declarations)
-        + "\n} // namespace ciel::protocol\n"
+        + "\n} // namespace server::protocol\n"
     )
 
 
@@ -120,7 +120,7 @@ def emit_json(contract: Contract) -> str:
         "    static void to_json(json& j, const std::optional<T>& v) { v ? j = *v : j = nullptr; }\n"
         "    static void from_json(const json& j, std::optional<T>& v) {\n"
         "        if (j.is_null()) v.reset();\n        else v = j.get<T>();\n    }\n};\n} // namespace nlohmann\n\n",
-        "namespace ciel::protocol {\n\n",
+        "namespace server::protocol {\n\n",
     ]
     for name, fields in collect(contract).structures:
         unnamed = "" if fields else "/*v*/"
@@ -131,7 +131,7 @@ def emit_json(contract: Contract) -> str:
         out.append("    j = nlohmann::json::object();\n")
         out.extend(writes(one) for one in fields)
         out.append("}\n")
-    out.append("\n} // namespace ciel::protocol\n")
+    out.append("\n} // namespace server::protocol\n")
     return "".join(out)
 
 
@@ -142,8 +142,8 @@ def emit_methods(contract: Contract) -> str:
         for m in contract.methods
     )
     return HEAD + (
-        '#include "protocol/types.hpp"\n\nnamespace ciel::methods {\n\n'
-        "struct CallContext; // methods/call_context.hpp\n\n" + functions + "\n} // namespace ciel::methods\n"
+        '#include "protocol/types.hpp"\n\nnamespace server::methods {\n\n'
+        "struct CallContext; // methods/call_context.hpp\n\n" + functions + "\n} // namespace server::methods\n"
     )
 
 
@@ -154,14 +154,14 @@ def emit_table(contract: Contract) -> str:
     )
     return HEAD + (
         '#include "protocol/json.hpp"\n#include "protocol/methods.hpp"\n\n#include <string_view>\n\n'
-        "namespace ciel::methods {\n\n"
+        "namespace server::methods {\n\n"
         "struct Method {\n    std::string_view name;\n    bool slow; // x-slow: draws, extracts or exports\n"
         "    nlohmann::json (*call)(CallContext& context, const nlohmann::json& params);\n};\n\n"
         "template <class Params, auto function>\n"
         "nlohmann::json call(CallContext& context, const nlohmann::json& params) {\n"
         "    return nlohmann::json(function(context, params.get<Params>()));\n}\n\n"
         f"inline constexpr std::array<Method, {len(contract.methods)}> method_table{{{{\n{rows}}}}};\n\n"
-        "} // namespace ciel::methods\n"
+        "} // namespace server::methods\n"
     )
 
 
@@ -182,12 +182,12 @@ def emit_document(contract: Contract) -> str:
     literals = ", ".join(f'R"openrpc({part})openrpc"' for part in parts)
     words = ", ".join(f'"{stream}"' for stream in streams)
     return HEAD + (
-        "#include <array>\n#include <string_view>\n\nnamespace ciel::protocol {\n\n"
+        "#include <array>\n#include <string_view>\n\nnamespace server::protocol {\n\n"
         f"inline constexpr int major_version = {major}, minor_version = {minor};\n"
         f"inline constexpr std::array<std::string_view, {len(streams)}> streams{{{words}}}; // of a view\n"
         "// The text of openrpc.json, in parts.\n"
         f"inline constexpr std::array<std::string_view, {len(parts)}> document_parts{{{literals}}};\n\n"
-        "} // namespace ciel::protocol\n"
+        "} // namespace server::protocol\n"
     )
 
 

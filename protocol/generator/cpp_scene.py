@@ -201,10 +201,10 @@ def emit_types(contract: Contract) -> str:
     types = ", ".join(f'"{name}"' for name in structures.layer_types)
     return (
         HEAD + "#include <array>\n#include <cstddef>\n#include <cstdint>\n#include <optional>\n#include <string>\n"
-        "#include <variant>\n#include <vector>\n\nnamespace ciel::scene {\n\n"
+        "#include <variant>\n#include <vector>\n\nnamespace server::scene {\n\n"
         + "\n".join(structures.declared)
         + f"\ninline constexpr std::array layer_types{{{types}}};\n"
-        + "\n} // namespace ciel::scene\n"
+        + "\n} // namespace server::scene\n"
     )
 
 
@@ -254,10 +254,10 @@ void read_by_key(const nlohmann::json& j, const char* name, std::vector<T>& v, s
 
 def emit_readers(contract: Contract) -> str:
     return (
-        HEAD + '#include "protocol/scene.hpp"\n\n#include <nlohmann/json.hpp>\n\nnamespace ciel::scene {\n\n'
+        HEAD + '#include "protocol/scene.hpp"\n\n#include <nlohmann/json.hpp>\n\nnamespace server::scene {\n\n'
         + SUPPORT
         + "\n".join(collect(contract).readers)
-        + "\n} // namespace ciel::scene\n"
+        + "\n} // namespace server::scene\n"
     )
 
 

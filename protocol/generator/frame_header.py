@@ -65,7 +65,7 @@ def emit_cpp(header: Header) -> str:
 #include <array>
 #include <string>
 
-namespace ciel::wire {{
+namespace server::wire {{
 
 enum class FrameKind : std::uint8_t {{ {kinds} }};
 enum FrameFlags : std::uint16_t {{
@@ -116,7 +116,7 @@ inline void write_frame_header(const FrameHeader& header, std::span<std::uint8_t
     return header;
 }}
 
-}} // namespace ciel::wire
+}} // namespace server::wire
 """
 
 

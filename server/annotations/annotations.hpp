@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct Legend {
     std::string name, units;
@@ -47,4 +47,4 @@ struct AnnotatedPicture : Viewpoint {
 // Returns the Annotations::scale at which the font size is `pixels` pixels in a picture of this size.
 [[nodiscard]] double scale_for_text(int width, int height, double pixels);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 // In ems (font sizes). gap: from tick to number. apart: between two numbers. least_edge: shorter edges get no axis.
@@ -186,4 +186,4 @@ void lay_axes(Layout& layout, const AnnotatedPicture& picture) {
     for (AxisLayout& axis : axes) axis.write();
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -6,10 +6,10 @@
 #include <glm/matrix.hpp>
 #include <tuple>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 glm::dvec3 corner(const Viewpoint& viewpoint, int axis, bool upper, int second, bool second_upper, int third,
                   bool third_upper) {
@@ -122,4 +122,4 @@ std::vector<BoxEdge> axis_edges(const Viewpoint& viewpoint, double least) {
     return edges;
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct BoxEdge {
     int axis = 0;
@@ -41,4 +41,4 @@ private:
 // are left out. The result is empty if the eye is inside the box.
 [[nodiscard]] std::vector<BoxEdge> axis_edges(const Viewpoint& viewpoint, double least);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -6,17 +6,17 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-bool is_finite(const Vec3d& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool is_finite(const ciel::Vec3d& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 void check(const ViewCamera& camera) {
     if (!is_usable(camera))
-        fail("the camera cannot be used: give finite vectors, a field of view between 0 and 180 degrees and a "
-             "positive height");
+        ciel::fail("the camera cannot be used: give finite vectors, a field of view between 0 and 180 degrees and a "
+                   "positive height");
 }
 
 glm::dmat4 view_matrix(const ViewCamera& camera, const glm::dvec3& origin) {
@@ -83,7 +83,7 @@ ViewTransform view_transform(const Viewpoint& seen) {
     return transform;
 }
 
-ViewCamera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, double fov_degrees) {
+ViewCamera default_camera(ciel::Vec3d bounds_min, ciel::Vec3d bounds_max, double aspect, double fov_degrees) {
     constexpr double margin = 1.06;
     ViewCamera camera;
     camera.fov_degrees = fov_degrees;
@@ -113,4 +113,4 @@ ViewCamera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect, dou
     return camera;
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -5,11 +5,11 @@
 
 #include <glm/mat4x4.hpp>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 // A camera to draw with. All members have values, unlike those of scene::Camera, which is a part of the document.
 struct ViewCamera {
-    Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
+    ciel::Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
     double fov_degrees = 30;
     bool parallel = false;
     double parallel_height = 1; // of a parallel view: world units from the lower to the upper edge of the picture
@@ -21,9 +21,9 @@ struct ViewCamera {
 
 struct Viewpoint {
     int width = 0, height = 0; // pixels
-    Vec3d origin{};            // offsets are world coordinates minus this point
+    ciel::Vec3d origin{};      // offsets are world coordinates minus this point
     ViewCamera camera;
-    Vec3d bounds_min{}, bounds_max{}; // bounding box of the scene in world coordinates; sets the depth range
+    ciel::Vec3d bounds_min{}, bounds_max{}; // bounding box of the scene in world coordinates; sets the depth range
 };
 
 struct ViewTransform {
@@ -38,7 +38,7 @@ struct ViewTransform {
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
 // The camera shows the whole box with a small margin, also in a parallel view. `aspect`: width / height of the picture.
-[[nodiscard]] ViewCamera default_camera(Vec3d bounds_min, Vec3d bounds_max, double aspect,
+[[nodiscard]] ViewCamera default_camera(ciel::Vec3d bounds_min, ciel::Vec3d bounds_max, double aspect,
                                         double fov_degrees = ViewCamera{}.fov_degrees);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr double widest_caption = 0.45; // largest width of a caption, as a fraction of the picture's width
@@ -38,4 +38,4 @@ void lay_captions(Layout& layout, const Annotations& annotations) {
     }
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

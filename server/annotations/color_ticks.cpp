@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr int most_labels = 10; // largest number of labels at steps or powers of ten; more labels would overlap
@@ -113,4 +113,4 @@ std::vector<ColorTick> color_ticks(const color::ColorScale& scale, int most, int
     return std::move(marks.ticks);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -3,7 +3,7 @@
 
 #include "color/color_scale.hpp"
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct ColorTick {
     double value = 0;
@@ -24,4 +24,4 @@ struct ColorTick {
 [[nodiscard]] std::vector<ColorTick> color_ticks(const color::ColorScale& scale, int most = 6,
                                                  int most_marks = color::most_color_steps + 1);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

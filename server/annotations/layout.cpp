@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr double usual_height = 720;
@@ -145,4 +145,4 @@ Overlay lay_out(const AnnotatedPicture& picture, TextMeasure& measure) {
     return std::move(layout.overlay);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

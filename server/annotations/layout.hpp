@@ -5,7 +5,7 @@
 #include "annotations/overlay.hpp"
 #include "annotations/text_measure.hpp"
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct TextSize {
     int pixels = 0; // font size in pixels per em
@@ -77,4 +77,4 @@ void lay_axes(Layout& layout, const AnnotatedPicture& picture);
 
 [[nodiscard]] Overlay lay_out(const AnnotatedPicture& picture, TextMeasure& measure);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 // Lengths of the parts of a legend, in ems.
@@ -270,4 +270,4 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (next > 0 && next < legends) note_left_out(layout, below, legends - next);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr std::size_t most_listed = 2;
@@ -67,4 +67,4 @@ std::string legend_title(const std::string& array, const std::string& units, con
     return array + (pretty.empty() ? "" : " [" + pretty + "]") + times_power_of_ten(exponent_of(scale));
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

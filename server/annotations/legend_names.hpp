@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 // The members of a scene's layer that its name shows.
 struct NamedLayer {
     std::string type;                  // as in the scene
     bool contours = false;             // the name is that of the contour lines on the layer
     std::string array{};               // of an iso-surface
-    Vec3d origin{}, normal{};          // plane of a slice
+    ciel::Vec3d origin{}, normal{};    // plane of a slice
     std::vector<std::string> groups{}; // patches of a boundary; empty: all
 };
 
@@ -34,4 +34,4 @@ struct NamedLegend {
 [[nodiscard]] std::string legend_title(const std::string& array, const std::string& units,
                                        const color::ColorScale& scale);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

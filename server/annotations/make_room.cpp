@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr int usual_height = 720; // pixels, of the test picture, unless text has its smallest size
@@ -62,7 +62,7 @@ ViewCamera stepped_aside(const AnnotatedPicture& picture, double to_left, double
     const glm::dvec3 right(view[0].x, view[1].x, view[2].x);
     const glm::dvec3 up(view[0].y, view[1].y, view[2].y);
     ViewCamera camera = picture.camera;
-    const auto distance = [](const Vec3d& a, const Vec3d& b) {
+    const auto distance = [](const ciel::Vec3d& a, const ciel::Vec3d& b) {
         return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     };
     const double height =
@@ -121,4 +121,4 @@ ViewCamera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& te
     return clear_aside(judged, points, layout).value_or(picture.camera);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

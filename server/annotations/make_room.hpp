@@ -4,7 +4,7 @@
 #include "annotations/annotations.hpp"
 #include "annotations/text_measure.hpp"
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 // Returns the picture's camera, moved back until no edge of the bounds is under an annotation. If twice the distance is
 // not enough, as in a narrow picture, the camera and its target are also moved right or up. If this fails, too, the
@@ -12,4 +12,4 @@ namespace ciel::annotations {
 // if there is no font.
 [[nodiscard]] ViewCamera clear_of_annotations(const AnnotatedPicture& picture, TextMeasure& text);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

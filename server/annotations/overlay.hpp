@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 using Ink = std::array<float, 4>; // RGB and opacity
 
@@ -76,4 +76,4 @@ struct Overlay {
     Ink halo{}; // color of the outline around letters and strokes, which makes them visible on any background
 };
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 std::optional<std::pair<double, double>> part_inside(const Box& box, const PicturePoint& a, const PicturePoint& b) {
     double from = 0, to = 1;
@@ -23,4 +23,4 @@ std::optional<std::pair<double, double>> part_inside(const Box& box, const Pictu
     return std::pair(from, to);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct FontMetrics { // pixels, all positive
     int ascent = 0, descent = 0;
@@ -18,4 +18,4 @@ public:
     [[nodiscard]] virtual int width(std::string_view utf8, int pixels) = 0; // pixels
 };
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -152,4 +152,4 @@ std::string pretty_units(const std::string& units) {
     return out;
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::annotations {
+namespace server::annotations {
 
 struct Tick {
     double value = 0;
@@ -32,4 +32,4 @@ struct Scale {
 // Returns units with superscripts, for example "m²/s²" for "m^2/s^2". Importers write units in the second form.
 [[nodiscard]] std::string pretty_units(const std::string& units);
 
-} // namespace ciel::annotations
+} // namespace server::annotations

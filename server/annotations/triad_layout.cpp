@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::annotations {
+namespace server::annotations {
 namespace {
 
 constexpr double arm = 2.2, reach = 3.4; // ems from the center to the arrow tips and to the outer sides of the letters
@@ -63,4 +63,4 @@ void lay_triad(Layout& layout, const AnnotatedPicture& picture) {
     for (const Arm& one : arms_of(picture)) draw_arm(layout, one, center);
 }
 
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 nlohmann::json camera_of(const std::string& text) {
@@ -67,4 +67,4 @@ scene::CheckedScene CameraOptions::stand_back(const scene::CheckedScene& checked
         {seen.position, seen.target, seen.up, seen.fov_degrees, seen.parallel, seen.parallel_height});
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 struct CameraOptions {
     std::optional<std::string> camera;
@@ -29,4 +29,4 @@ struct CameraOptions {
                                                  geometry::ViewSize size, const geometry::BoundingBox& box) const;
 };
 
-} // namespace ciel::app
+} // namespace server::app

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 constexpr const char* points_form = "AT=#rrggbb,AT=#rrggbb[,...]";
@@ -95,4 +95,4 @@ void ColorOptions::apply_to(nlohmann::json& color) const {
     if (symmetric) color["symmetric"] = true;
 }
 
-} // namespace ciel::app
+} // namespace server::app

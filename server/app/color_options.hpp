@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 struct ColorOptions {
     std::optional<std::string> array, map, points, range, nan, below, above;
@@ -25,4 +25,4 @@ struct ColorOptions {
 // Throws UsageError if `name` is not a color map. The error lists the color maps.
 void check_map(const std::string& option, const std::string& name);
 
-} // namespace ciel::app
+} // namespace server::app

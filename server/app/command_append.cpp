@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 using store::Dataset;
@@ -37,10 +37,10 @@ struct File {
 void check_size(const File& file, const store::PlannedArray& planned) {
     const auto components = static_cast<std::size_t>(planned.info.components);
     if (file.values.shape[0] == planned.tuples && file.components() == components) return;
-    throw Error(file.path + ": has " + std::to_string(file.values.shape[0]) + " x " +
-                std::to_string(file.components()) + " values; '" + planned.info.name + "' must have " +
-                std::to_string(planned.tuples) + " x " + std::to_string(components) +
-                ", in the order of the imported file");
+    throw ciel::Error(file.path + ": has " + std::to_string(file.values.shape[0]) + " x " +
+                      std::to_string(file.components()) + " values; '" + planned.info.name + "' must have " +
+                      std::to_string(planned.tuples) + " x " + std::to_string(components) +
+                      ", in the order of the imported file");
 }
 
 // Shows a misspelt name, because it creates a new array, and a forgotten array, because it is not written.
@@ -66,7 +66,7 @@ int append_files(const Options& options) {
     for (const std::string& argument : options.arrays) {
         const auto equals = argument.rfind('=');
         if (equals == std::string::npos || equals == 0)
-            throw Error("--array '" + argument + "' is not of the form NAME=FILE.npy");
+            throw ciel::Error("--array '" + argument + "' is not of the form NAME=FILE.npy");
         const std::string path = argument.substr(equals + 1);
         files.push_back({path, store::read_npy(path)});
         wanted.push_back({argument.substr(0, equals), std::nullopt, files.back().values.values.has_doubles()});
@@ -103,4 +103,4 @@ void add_append(CLI::App& app, Run& run) {
     });
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -11,7 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 using nlohmann::json;
@@ -92,15 +92,15 @@ void write_report(const std::string& output, const json& report) {
 }
 
 int run_command(const BenchCommand& command) {
-    if (command.threads > 0) set_thread_count(command.threads);
+    if (command.threads > 0) ciel::set_thread_count(command.threads);
     const bench::Case data = bench::open_case(command.dataset, command.array);
     const double cells = data.mesh.cell_count();
     std::printf("%s, %s at time %g, %u threads\n", data.dataset->info().name.c_str(), data.array.c_str(), data.time,
-                thread_count());
+                ciel::thread_count());
     json report{{"dataset", data.dataset->info().name},
                 {"array", data.array},
                 {"time", data.time},
-                {"threads", thread_count()},
+                {"threads", ciel::thread_count()},
                 {"version", CIEL_VERSION},
                 {"cells", data.mesh.cell_count()},
                 {"tables", json::array()}};
@@ -142,4 +142,4 @@ void add_bench(CLI::App& app, Run& run) {
     command->callback([&run, bench] { run = [bench] { return run_command(*bench); }; });
 }
 
-} // namespace ciel::app
+} // namespace server::app

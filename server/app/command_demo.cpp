@@ -8,7 +8,7 @@
 #include <memory>
 #include <unistd.h>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 void show_progress(double share, const char* what) {
@@ -46,4 +46,4 @@ void add_demo(CLI::App& app, Run& run) {
     });
 }
 
-} // namespace ciel::app
+} // namespace server::app

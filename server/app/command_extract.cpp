@@ -18,7 +18,7 @@
 #include <sstream>
 #include <utility>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 struct ExtractCommand {
@@ -43,7 +43,7 @@ std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawa
     return flat ? geometry::separated(*sound) : sound;
 }
 
-std::vector<wire::NamedValues> values_of(const Surface& surface, const std::vector<std::string>& scalars,
+std::vector<wire::NamedValues> values_of(const ciel::Surface& surface, const std::vector<std::string>& scalars,
                                          store::LoadedDataset& loaded, std::size_t step) {
     std::vector<wire::NamedValues> all;
     for (const std::string& scalar : scalars) {
@@ -100,7 +100,7 @@ void tell_left_out(const scene::CheckedScene& checked, const std::vector<std::st
 wire::SurfaceFormat format_of(const std::string& output) {
     try {
         return wire::surface_format(lower_case_extension(output));
-    } catch (const Error& error) {
+    } catch (const ciel::Error& error) {
         throw UsageError("-o " + output + ": " + error.what());
     }
 }
@@ -116,13 +116,13 @@ int run_command(const ExtractCommand& extract) {
     for (const geometry::Drawable& drawable : geometry->drawables) {
         if (!drawable.polygons()) continue;
         const auto shape = shape_for(drawable, extract.colors, geometry->step, *loaded);
-        const Surface& surface = shape->surface;
+        const ciel::Surface& surface = shape->surface;
         joined.add(surface, values_of(surface, extract.colors, *loaded, geometry->step),
                    geometry::places_of(surface, *geometry, *loaded->dataset()));
     }
     std::ostringstream bytes;
     const bool is_moved = extract.from_origin || wire::has_floats(format);
-    const Vec3d origin = is_moved ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
+    const ciel::Vec3d origin = is_moved ? wire::file_origin(geometry->first_mesh_bounds) : ciel::Vec3d{};
     const wire::ExportedCounts written = wire::write_surface(
         format, {joined.surface(), geometry->origin, joined.values(), extract.triangles, origin, joined.places()},
         bytes);
@@ -131,7 +131,7 @@ int run_command(const ExtractCommand& extract) {
     tell_left_out(checked, extract.colors, geometry->step);
     if (written.polygons == 0) std::cerr << "ciel: " << why_empty(checked, *geometry) << '\n';
     std::printf("wrote %s: %zu polygons, %zu vertices\n", extract.output.c_str(), written.polygons, written.vertices);
-    if (origin != Vec3d{} || extract.from_origin)
+    if (origin != ciel::Vec3d{} || extract.from_origin)
         std::printf("the coordinates are relative to the origin %s\n", wire::origin_text(origin).c_str());
     return 0;
 }
@@ -160,4 +160,4 @@ void add_extract(CLI::App& app, Run& run) {
     command->callback([&run, extract] { run = [extract] { return run_command(*extract); }; });
 }
 
-} // namespace ciel::app
+} // namespace server::app

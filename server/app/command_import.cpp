@@ -8,7 +8,7 @@
 #include <iostream>
 #include <memory>
 
-namespace ciel::app {
+namespace server::app {
 
 namespace {
 
@@ -84,4 +84,4 @@ void add_import(CLI::App& app, Run& run) {
     command->callback([&run, import] { run = [import] { return run_command(*import); }; });
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 using nlohmann::json;
@@ -295,4 +295,4 @@ void add_info(CLI::App& app, Run& run) {
     });
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -25,7 +25,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 constexpr std::array annotation_names{"legend", "triad", "axes", "time", "dataset"};
@@ -60,15 +60,15 @@ geometry::ViewSize parse_size(const std::string& text) {
 
 nlohmann::json read_scene_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(path + " cannot be read; name a readable scene file with --scene");
+    if (!file) throw ciel::Error(path + " cannot be read; name a readable scene file with --scene");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     try {
         return scene::read_json(text);
     } catch (const scene::TwiceNamed& error) {
-        throw Error(path + ": " + error.what());
+        throw ciel::Error(path + ": " + error.what());
     } catch (const nlohmann::json::exception& error) {
         const std::string reason = error.what(); // "[json.exception...] parse error at line 2..."
-        throw Error(path + " is not JSON: " + reason.substr(std::min(reason.size(), reason.find("] ") + 2)));
+        throw ciel::Error(path + " is not JSON: " + reason.substr(std::min(reason.size(), reason.find("] ") + 2)));
     }
 }
 
@@ -118,8 +118,8 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
     document = scene::merge_patch(nlohmann::json::object(), document); // drops null members
     if (!document.contains("dataset")) document["dataset"] = dataset;
     if (document["dataset"] != dataset)
-        throw Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() + ", not of \"" +
-                    dataset + "\"; render the dataset of the scene, or change the scene");
+        throw ciel::Error(render.scene_file + " is a scene of the dataset " + document["dataset"].dump() +
+                          ", not of \"" + dataset + "\"; render the dataset of the scene, or change the scene");
     if (render.scene.time) document["time"] = *render.scene.time;
     return document;
 }
@@ -187,7 +187,7 @@ int run_command(const RenderCommand& render) {
     render::Renderer renderer(backend);
     renderer.draw(frames::picture_of(*geometry, shown, size), image);
     for (const std::string& remark : frames::remarks_on(*geometry, renderer))
-        std::cerr << "ciel: " << printable(remark) << '\n';
+        std::cerr << "ciel: " << ciel::printable(remark) << '\n';
     std::vector<std::uint8_t> png;
     wire::encode_png(image.width, image.height, image.rgb, png);
     store::replace_file(std::filesystem::absolute(render.output), std::as_bytes(std::span(png)));
@@ -238,4 +238,4 @@ void add_render(CLI::App& app, Run& run) {
     command->callback([&run, render] { run = [render] { return run_command(*render); }; });
 }
 
-} // namespace ciel::app
+} // namespace server::app

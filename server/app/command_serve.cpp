@@ -20,7 +20,7 @@
 #include <iostream>
 #include <spdlog/spdlog.h>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,7 +54,8 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     view.clear();
     signals.end();
     const auto failed = [](const importing::Servable& each) { return !each.problem.empty(); };
-    if (!servable.empty() && std::all_of(servable.begin(), servable.end(), failed)) throw Error(servable[0].problem);
+    if (!servable.empty() && std::all_of(servable.begin(), servable.end(), failed))
+        throw ciel::Error(servable[0].problem);
     return servable;
 }
 
@@ -86,8 +87,8 @@ std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
     if (!std::getline(stream, token))
-        throw Error("the token file " + file.string() +
-                    " cannot be read or is empty; name a readable file whose first line is the token");
+        throw ciel::Error("the token file " + file.string() +
+                          " cannot be read or is empty; name a readable file whose first line is the token");
     while (!token.empty() && std::isspace(static_cast<unsigned char>(token.back())) != 0) token.pop_back();
     std::error_code ignored;
     const auto others = fs::perms::group_read | fs::perms::others_read;
@@ -102,7 +103,7 @@ void complete_token(ServeOptions& options) {
     if (!options.token_file.empty()) token = token_in(options.token_file);
     if (const char* given = std::getenv("CIEL_TOKEN"); given != nullptr && token.empty()) {
         token = given;
-        if (token.empty()) throw Error("CIEL_TOKEN is empty; give it a long random text, or unset it");
+        if (token.empty()) throw ciel::Error("CIEL_TOKEN is empty; give it a long random text, or unset it");
     }
 }
 
@@ -144,7 +145,7 @@ int serve(ServeOptions& options) {
                        options.log_format == "json" ? logging::LogFormat::json : logging::LogFormat::text);
     complete_token(options);
     const bool token_is_given = !options.gateway.token.empty();
-    set_thread_count(options.threads);
+    ciel::set_thread_count(options.threads);
     if (options.gateway.webclient.empty()) options.gateway.webclient = find_webclient();
     if (options.gateway.webclient.empty())
         spdlog::warn("the web client was not found; name the folder of the web client with --webclient");
@@ -239,4 +240,4 @@ void add_serve(CLI::App& app, Run& run) {
     command->callback([options, &run] { run = [options] { return serve(*options); }; });
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -9,15 +9,15 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 // Returns the exit code of the process: 0 means done, 1 failed, 2 wrong usage, 3 done with data left out.
 using Run = std::function<int()>;
 
 // Thrown for invalid options, before a command has any effect.
-class UsageError : public Error {
+class UsageError : public ciel::Error {
 public:
-    using Error::Error;
+    using ciel::Error::Error;
 };
 
 void add_append(CLI::App& app, Run& run);
@@ -29,4 +29,4 @@ void add_info(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_serve(CLI::App& app, Run& run);
 
-} // namespace ciel::app
+} // namespace server::app

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 std::shared_ptr<sessions::Connection> connection_of(gateway::Client client) {
@@ -77,4 +77,4 @@ void EngineService::drain() { server_.drain(); }
 
 void EngineService::give_up() { server_.give_up(); }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -4,7 +4,7 @@
 #include "engine/server.hpp"
 #include "gateway/service.hpp"
 
-namespace ciel::app {
+namespace server::app {
 
 // Does not own `server`. The server must outlive this object and all its peers.
 class EngineService final : public gateway::Service {
@@ -26,4 +26,4 @@ private:
     engine::Server& server_;
 };
 
-} // namespace ciel::app
+} // namespace server::app

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 constexpr int width = 30;
@@ -67,7 +67,7 @@ void CancelOnSignal::restore() {
 // Restores the handlers first, so that no signal is lost: a signal after restore() ends the program.
 void CancelOnSignal::end() {
     restore();
-    if (cancelled_flag) throw Error("a signal stopped the import; no dataset was served");
+    if (cancelled_flag) throw ciel::Error("a signal stopped the import; no dataset was served");
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace ciel::app {
+namespace server::app {
 
 // Shows a progress bar if stderr is a terminal. Otherwise prints a line to `out` at each tenth.
 class ImportView {
@@ -44,4 +44,4 @@ private:
     bool installed_ = true;
 };
 
-} // namespace ciel::app
+} // namespace server::app

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 bool has_polygons(const nlohmann::json& layer) {
@@ -171,4 +171,4 @@ void LayerOptions::apply(nlohmann::json& layers) const {
         throw UsageError("--contours applies to slices only; give --slice or --plane");
 }
 
-} // namespace ciel::app
+} // namespace server::app

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 struct LayerOptions {
     bool surface = false, edges = false, flat = false;
@@ -40,4 +40,4 @@ private:
     void shape_volumes(nlohmann::json& layers) const;
 };
 
-} // namespace ciel::app
+} // namespace server::app

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-namespace ciel::app {
+namespace server::app {
 
 void LightingOptions::add_to(CLI::App& command) {
     const auto strength = [&](const char* option, std::optional<double>& value, const char* what) {
@@ -45,4 +45,4 @@ nlohmann::json LightingOptions::patch() const {
     return {{"lighting", std::move(lighting)}};
 }
 
-} // namespace ciel::app
+} // namespace server::app

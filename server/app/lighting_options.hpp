@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 struct LightingOptions {
     bool unlit = false, ambient_occlusion = false;
@@ -19,4 +19,4 @@ struct LightingOptions {
     [[nodiscard]] nlohmann::json patch() const;
 };
 
-} // namespace ciel::app
+} // namespace server::app

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 const char* type_name(limits::LimitRow::Unit unit) {
@@ -32,7 +32,7 @@ void add_limits(CLI::App& command, limits::Limits& limits) {
         const auto set = [&limits, &row](const std::string& text) {
             try {
                 limits.*row.member = limits::parse_limit(row, text);
-            } catch (const Error& error) {
+            } catch (const ciel::Error& error) {
                 throw CLI::ValidationError(limits::option_of(row), error.what());
             }
         };
@@ -44,4 +44,4 @@ void add_limits(CLI::App& command, limits::Limits& limits) {
     }
 }
 
-} // namespace ciel::app
+} // namespace server::app

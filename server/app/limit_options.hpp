@@ -4,13 +4,13 @@
 namespace CLI {
 class App;
 }
-namespace ciel::limits {
+namespace server::limits {
 struct Limits;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 // Adds the options to `command`. `limits` is set when `command` is parsed, and must outlive `command`.
 void add_limits(CLI::App& command, limits::Limits& limits);
 
-} // namespace ciel::app
+} // namespace server::app

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int failed = 1, wrong_usage = 2;
 
-using AddCommand = void (*)(CLI::App& app, ciel::app::Run& run);
+using AddCommand = void (*)(CLI::App& app, server::app::Run& run);
 
 // The subcommands, in the order in which --help lists them.
 const std::vector<AddCommand> commands{
-    ciel::app::add_import,  ciel::app::add_info,   ciel::app::add_append, ciel::app::add_demo,
-    ciel::app::add_extract, ciel::app::add_render, ciel::app::add_serve,  ciel::app::add_bench,
+    server::app::add_import,  server::app::add_info,   server::app::add_append, server::app::add_demo,
+    server::app::add_extract, server::app::add_render, server::app::add_serve,  server::app::add_bench,
 };
 
 std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
@@ -42,7 +42,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a b
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done with cells left out.");
-    ciel::app::Run run;
+    server::app::Run run;
     for (const auto add : commands) add(app, run);
 
     try {
@@ -52,7 +52,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a b
     }
     try {
         return run();
-    } catch (const ciel::app::UsageError& error) {
+    } catch (const server::app::UsageError& error) {
         return fail(error.what(), wrong_usage);
     } catch (const std::exception& error) {
         return fail(error.what(), failed);

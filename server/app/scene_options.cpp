@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace ciel::app {
+namespace server::app {
 namespace {
 
 constexpr std::size_t field_cache_bytes = std::size_t{1} << 30;
@@ -91,9 +91,9 @@ void ExtractionOptions::add_to(CLI::App& command) {
         ->capture_default_str();
 }
 
-Extraction ExtractionOptions::chosen() const {
-    return {algorithm == "propagation" ? Algorithm::propagation : Algorithm::signatures,
-            decider == "asymptotic" ? Decider::asymptotic : Decider::isolate_high};
+ciel::Extraction ExtractionOptions::chosen() const {
+    return {algorithm == "propagation" ? ciel::Algorithm::propagation : ciel::Algorithm::signatures,
+            decider == "asymptotic" ? ciel::Decider::asymptotic : ciel::Decider::isolate_high};
 }
 
 void SceneOptions::check_time() const {
@@ -132,8 +132,8 @@ scene::Scene parse_scene(const nlohmann::json& document) {
         return scene::parse(document);
     } catch (const scene::Invalid& error) {
         const std::string reason = error.what(); // a schema error already begins with the path
-        const std::string path = printable(error.path);
-        throw Error("the scene cannot be shown: " + (reason.starts_with(path) ? "" : path + ": ") + reason);
+        const std::string path = ciel::printable(error.path);
+        throw ciel::Error("the scene cannot be shown: " + (reason.starts_with(path) ? "" : path + ": ") + reason);
     }
 }
 
@@ -141,11 +141,12 @@ scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::Loade
     try {
         return {std::move(scene), std::move(loaded)};
     } catch (const scene::Invalid& error) {
-        throw Error(printable(error.path) + ": " + error.what());
+        throw ciel::Error(ciel::printable(error.path) + ": " + error.what());
     }
 }
 
-std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked, Extraction extraction) {
+std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked,
+                                                        ciel::Extraction extraction) {
     return geometry::SceneGeometry(extraction).update(checked);
 }
 
@@ -180,4 +181,4 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
     }
 }
 
-} // namespace ciel::app
+} // namespace server::app

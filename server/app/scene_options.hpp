@@ -12,13 +12,13 @@ namespace CLI {
 class App;
 }
 
-namespace ciel::app {
+namespace server::app {
 
 struct ExtractionOptions {
     std::string algorithm = "signatures", decider = "isolate-high";
 
     void add_to(CLI::App& command);
-    [[nodiscard]] Extraction chosen() const;
+    [[nodiscard]] ciel::Extraction chosen() const;
 };
 
 struct SceneOptions {
@@ -42,7 +42,7 @@ struct SceneOptions {
 // Throws Error if the scene names something that the dataset does not have.
 [[nodiscard]] scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
 [[nodiscard]] std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked,
-                                                                      Extraction extraction);
+                                                                      ciel::Extraction extraction);
 
 // Returns `time` itself if the dataset has no steps. Prints a note to stderr if the result differs from `time`.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);
@@ -52,4 +52,4 @@ struct SceneOptions {
 // Parses "a,b,c" as finite numbers. Throws UsageError on other text; the error names the option.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text);
 
-} // namespace ciel::app
+} // namespace server::app

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
@@ -18,8 +18,8 @@ std::string first_that_varies(const store::Dataset& dataset) {
     for (const store::ArrayInfo& array : dataset.info().arrays)
         for (const store::Step& step : dataset.steps())
             if (array.association == store::Association::point && varies(step, array.name)) return array.name;
-    throw Error("dataset '" + dataset.info().name +
-                "' has no array on points whose values differ, so no surface can be cut; choose another dataset");
+    throw ciel::Error("dataset '" + dataset.info().name +
+                      "' has no array on points whose values differ, so no surface can be cut; choose another dataset");
 }
 
 // The later step comes first. Throws Error when there is no such step.
@@ -28,8 +28,8 @@ std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::st
     for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)
         if (varies(dataset.steps()[step], array)) found.push_back(step);
     if (found.empty())
-        throw Error("array '" + array +
-                    "' has the same value everywhere, so no surface can be cut; choose another array");
+        throw ciel::Error("array '" + array +
+                          "' has the same value everywhere, so no surface can be cut; choose another array");
     return found;
 }
 
@@ -59,11 +59,11 @@ Case open_case(const std::string& path, const std::string& array) {
     const bool same_mesh = steps.size() > 1 && data.dataset->steps()[steps[1]].mesh == step.mesh;
     data.changed = same_mesh ? loaded.scalar_values(data.array, steps[1]) : grown(data.values);
     data.topology = loaded.topology(step.mesh);
-    data.cell_fits = std::make_shared<CellFits>(*data.topology);
+    data.cell_fits = std::make_shared<ciel::CellFits>(*data.topology);
     return data;
 }
 
-std::uint64_t triangles_of(const Surface& surface) {
+std::uint64_t triangles_of(const ciel::Surface& surface) {
     return surface.polygon_vertex.size() - 2 * surface.polygon_cell.size();
 }
 
@@ -74,10 +74,10 @@ std::vector<double> values_between(double low, double high, std::size_t count) {
     return values;
 }
 
-Field field_of(const Case& data, const store::Values& values) {
-    Field field(*data.topology, values, values.keep_alive());
+ciel::Field field_of(const Case& data, const store::Values& values) {
+    ciel::Field field(*data.topology, values, values.keep_alive());
     field.set_cell_fits(data.cell_fits);
     return field;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

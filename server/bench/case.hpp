@@ -5,7 +5,7 @@
 #include "ciel/extract.hpp"
 #include "store/loaded.hpp"
 
-namespace ciel::bench {
+namespace server::bench {
 
 // Input of all tables: a scalar of a dataset, at the last step at which the values of its array are not all equal.
 struct Case {
@@ -14,13 +14,13 @@ struct Case {
     std::string path;                             // path of the dataset; one benchmark opens the dataset again
     std::string array;
     double time = 0;
-    FaceMeshView mesh;
+    ciel::FaceMeshView mesh;
     store::Values values;
     // The scalar at the previous step at which the values of its array are not all equal, if that step has the same
     // mesh. Otherwise `values` times 1.01.
     store::Values changed;
-    std::shared_ptr<const Topology> topology;
-    std::shared_ptr<CellFits> cell_fits; // gradient fits that the fields of field_of share
+    std::shared_ptr<const ciel::Topology> topology;
+    std::shared_ptr<ciel::CellFits> cell_fits; // gradient fits that the fields of field_of share
 };
 
 // If `array` is empty, selects the first point array that varies. Throws Error when the scalar is missing or constant.
@@ -34,9 +34,9 @@ struct Case {
 [[nodiscard]] Table frames_table(const Case& data); // from a change of the scene to an encoded picture
 [[nodiscard]] Table volume_table(const Case& data); // pictures of a volume
 
-[[nodiscard]] std::uint64_t triangles_of(const Surface& surface);
+[[nodiscard]] std::uint64_t triangles_of(const ciel::Surface& surface);
 // Returns `count` equally spaced values between `low` and `high`; neither end is included.
 [[nodiscard]] std::vector<double> values_between(double low, double high, std::size_t count);
-[[nodiscard]] Field field_of(const Case& data, const store::Values& values);
+[[nodiscard]] ciel::Field field_of(const Case& data, const store::Values& values);
 
-} // namespace ciel::bench
+} // namespace server::bench

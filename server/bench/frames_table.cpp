@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
@@ -93,7 +93,7 @@ public:
     // A `share` of 1 is half a turn.
     void turn(scene::Scene& scene, double share) const {
         const store::MeshInfo& mesh = data_.dataset->info().meshes.front();
-        Vec3d low{}, high{};
+        ciel::Vec3d low{}, high{};
         for (std::size_t k = 0; k < 3; ++k) {
             low[k] = mesh.bounds[2 * k];
             high[k] = mesh.bounds[2 * k + 1];
@@ -142,7 +142,7 @@ private:
 
     const Case& data_;
     scene::Scene scene_;
-    geometry::SceneGeometry geometry_{Extraction{}};
+    geometry::SceneGeometry geometry_{ciel::Extraction{}};
     render::Renderer renderer_{render::Backend::automatic};
     wire::PngStream png_stream_;
     wire::JpegStream jpeg_stream_;
@@ -196,4 +196,4 @@ Table frames_table(const Case& data) {
     return table;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
@@ -54,4 +54,4 @@ Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
     return row;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -1,18 +1,18 @@
 #include "bench/case.hpp"
 #include "store/mesh_counts.hpp"
 
-namespace ciel::bench {
+namespace server::bench {
 
 Table memory_table(const Case& data) {
-    const TopologyCounts& counts = data.topology->counts();
+    const ciel::TopologyCounts& counts = data.topology->counts();
     const auto half_edges = static_cast<double>(counts.half_edges);
     const auto topology_bytes = static_cast<double>(store::record_bytes(*data.topology));
 
-    const Field field = field_of(data, data.values);
-    Query query(*data.topology, data.mesh);
+    const ciel::Field field = field_of(data, data.values);
+    ciel::Query query(*data.topology, data.mesh);
     query.set_field(field);
     const auto [low, high] = field.range();
-    Surface surface;
+    ciel::Surface surface;
     for (const double nu : values_between(low, high, 9)) (void)query.extract(nu, false, surface);
 
     Table table{"memory", {}, {}};
@@ -33,4 +33,4 @@ Table memory_table(const Case& data) {
     return table;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
@@ -12,17 +12,17 @@ constexpr std::size_t slice_count = 100;
 
 class Slices {
 public:
-    Slices(const Case& data, Algorithm algorithm)
+    Slices(const Case& data, ciel::Algorithm algorithm)
         : values_(converted(data.values, false)), query_(*data.topology, data.mesh, algorithm) {}
 
-    std::uint64_t draw(const Field& distance) {
+    std::uint64_t draw(const ciel::Field& distance) {
         query_.set_field(distance);
         const auto [low, high] = distance.range();
         std::uint64_t triangles = 0;
         for (const double nu : values_between(low, high, slice_count)) {
             (void)query_.extract(nu, false, surface_);
             property_.resize(surface_.points.size());
-            interpolate(surface_.points, values_.floats(), 1, property_);
+            ciel::interpolate(surface_.points, values_.floats(), 1, property_);
             triangles += triangles_of(surface_);
         }
         return triangles;
@@ -30,8 +30,8 @@ public:
 
 private:
     store::Values values_; // as floats
-    Query query_;
-    Surface surface_;
+    ciel::Query query_;
+    ciel::Surface surface_;
     std::vector<float> property_;
 };
 
@@ -39,25 +39,25 @@ class OnePass {
 public:
     explicit OnePass(const Case& data) : data_(data), values_(converted(data.values, false)) {}
 
-    std::uint64_t draw(const Field& distance) {
+    std::uint64_t draw(const ciel::Field& distance) {
         const auto [low, high] = distance.range();
-        sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count),
-              SliceSink{values_.floats()}, buffers_, slices_);
+        ciel::sweep(*data_.topology, data_.mesh, distance, values_between(low, high, slice_count),
+                    ciel::SliceSink{values_.floats()}, buffers_, slices_);
         std::uint64_t triangles = 0;
-        for (const SliceSink::Out& slice : slices_) triangles += slice.triangles.size() / 3;
+        for (const ciel::SliceSink::Out& slice : slices_) triangles += slice.triangles.size() / 3;
         return triangles;
     }
 
 private:
     const Case& data_;
     store::Values values_; // as floats
-    SweepBuffers<SliceSink> buffers_;
-    std::vector<SliceSink::Out> slices_;
+    ciel::SweepBuffers<ciel::SliceSink> buffers_;
+    std::vector<ciel::SliceSink::Out> slices_;
 };
 
 // Screen-aligned rows make a new field in each run, because each turn of the camera changes the direction.
-Field distance_along(const Case& data, Vec3d normal) {
-    return field_of(data, store::Values(plane_distance(data.mesh, data.mesh.surface_origin, normal)));
+ciel::Field distance_along(const Case& data, ciel::Vec3d normal) {
+    return field_of(data, store::Values(ciel::plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }
 
 } // namespace
@@ -65,15 +65,15 @@ Field distance_along(const Case& data, Vec3d normal) {
 Table slices_table(const Case& data) {
     Table table{"slices", {}, {}};
     const double part = 1 / std::sqrt(3.0);
-    const Vec3d box{1, 0, 0}, screen{part, part, part};
-    const Field kept = distance_along(data, box);
-    for (const auto& [algorithm, name] : {std::pair{Algorithm::naive, "naive"},
-                                          {Algorithm::propagation, "propagation"},
-                                          {Algorithm::signatures, "signatures"}}) {
+    const ciel::Vec3d box{1, 0, 0}, screen{part, part, part};
+    const ciel::Field kept = distance_along(data, box);
+    for (const auto& [algorithm, name] : {std::pair{ciel::Algorithm::naive, "naive"},
+                                          {ciel::Algorithm::propagation, "propagation"},
+                                          {ciel::Algorithm::signatures, "signatures"}}) {
         Slices slices(data, algorithm);
         table.rows.push_back(measure(std::string("100 box-aligned, ") + name, [&] { return slices.draw(kept); }));
         table.rows.push_back(measure(std::string("100 screen-aligned, ") + name, [&] {
-            const Field distance = distance_along(data, screen);
+            const ciel::Field distance = distance_along(data, screen);
             return slices.draw(distance);
         }));
     }
@@ -84,4 +84,4 @@ Table slices_table(const Case& data) {
     return table;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
 class Surfaces {
 public:
-    Surfaces(const Case& data, Algorithm algorithm, const char* name)
+    Surfaces(const Case& data, ciel::Algorithm algorithm, const char* name)
         : data_(data), name_(name), field_(field_of(data, data.values)), query_(*data.topology, data.mesh, algorithm) {
         query_.set_field(field_);
         low_ = field_.range()[0];
@@ -95,7 +95,7 @@ private:
         bool other = false;
         table.rows.push_back(measure(named("a changed field, one surface, normals"), [&] {
             other = !other;
-            Field changed = field_of(data_, other ? data_.changed : data_.values);
+            ciel::Field changed = field_of(data_, other ? data_.changed : data_.values);
             query_.set_field(changed);
             field_ = std::move(changed);
             return extract(nu);
@@ -112,7 +112,7 @@ private:
     template <class Number>
     void add_moved_mesh(std::vector<Number> positions, Table& table) {
         const double nu = at(0.5);
-        FaceMeshView moved = data_.mesh;
+        ciel::FaceMeshView moved = data_.mesh;
         moved.positions = positions;
         Number shift = 1e-3F;
         table.rows.push_back(measure(
@@ -132,9 +132,9 @@ private:
 
     const Case& data_;
     const char* name_;
-    Field field_;
-    Query query_;
-    Surface surface_;
+    ciel::Field field_;
+    ciel::Query query_;
+    ciel::Surface surface_;
     float low_ = 0, high_ = 0;
 };
 
@@ -142,10 +142,10 @@ private:
 
 Table surfaces_table(const Case& data) {
     Table table{"surfaces", {}, {}};
-    Surfaces(data, Algorithm::naive, "naive").add_rows(table);
-    Surfaces(data, Algorithm::propagation, "propagation").add_rows(table);
-    Surfaces(data, Algorithm::signatures, "signatures").add_rows(table);
+    Surfaces(data, ciel::Algorithm::naive, "naive").add_rows(table);
+    Surfaces(data, ciel::Algorithm::propagation, "propagation").add_rows(table);
+    Surfaces(data, ciel::Algorithm::signatures, "signatures").add_rows(table);
     return table;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

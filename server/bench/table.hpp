@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::bench {
+namespace server::bench {
 
 // In seconds. low and high are the quartiles, or the minimum and maximum of fewer than five runs.
 struct Spread {
@@ -51,4 +51,4 @@ struct Table {
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -9,12 +9,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
-Vec3d array_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
+ciel::Vec3d array_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 class Screen {
 public:
@@ -23,13 +23,13 @@ public:
         const annotations::ViewTransform transform = annotations::view_transform(frame);
         to_clip_ = transform.projection * transform.view;
     }
-    [[nodiscard]] double area(const Vec3f& a, const Vec3f& b, const Vec3f& c) const {
+    [[nodiscard]] double area(const ciel::Vec3f& a, const ciel::Vec3f& b, const ciel::Vec3f& c) const {
         const glm::dvec2 from = at(a), one = at(b) - from, other = at(c) - from;
         return std::abs(one.x * other.y - one.y * other.x) / 2;
     }
 
 private:
-    [[nodiscard]] glm::dvec2 at(const Vec3f& point) const {
+    [[nodiscard]] glm::dvec2 at(const ciel::Vec3f& point) const {
         const glm::dvec4 clip = to_clip_ * glm::dvec4(point[0], point[1], point[2], 1);
         return half_ * glm::dvec2(clip.x, clip.y) / clip.w;
     }
@@ -38,18 +38,18 @@ private:
 };
 
 color::SlabMesh boundary_of(const Case& data, const geometry::SlabProperty& property) {
-    const BlockBoxes boxes = block_boxes(*data.topology, data.mesh.positions);
+    const ciel::BlockBoxes boxes = ciel::block_boxes(*data.topology, data.mesh.positions);
     const std::vector<std::uint8_t> filled = geometry::filled_cells(property.limits);
-    return geometry::slab_boundary(threshold_surface(*data.topology, data.mesh, boxes, filled, CollapsedFaces::keep),
-                                   property);
+    return geometry::slab_boundary(
+        ciel::threshold_surface(*data.topology, data.mesh, boxes, filled, ciel::CollapsedFaces::keep), property);
 }
 
 } // namespace
 
 VolumePictures::VolumePictures(const Case& data)
     : data_(data), values_(converted(data.values, false)),
-      gradients_(vertex_gradients(*data.topology, data.mesh, data.values)),
-      limits_(cell_limits(*data.topology, values_.floats())),
+      gradients_(ciel::vertex_gradients(*data.topology, data.mesh, data.values)),
+      limits_(ciel::cell_limits(*data.topology, values_.floats())),
       boundary_(boundary_of(data, {values_.floats(), gradients_, limits_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.surface_origin;
@@ -69,16 +69,17 @@ VolumePictures::VolumePictures(const Case& data)
     volume_.identity = 1;
 }
 
-std::uint64_t VolumePictures::cut(const Vec3d& normal) {
-    const Field planes = field_of(data_, store::Values(plane_distance(data_.mesh, data_.mesh.surface_origin, normal)));
+std::uint64_t VolumePictures::cut(const ciel::Vec3d& normal) {
+    const ciel::Field planes =
+        field_of(data_, store::Values(ciel::plane_distance(data_.mesh, data_.mesh.surface_origin, normal)));
     volume_.normal = normal;
     volume_.first = planes.range()[0];
     volume_.thickness = (double{planes.range()[1]} - planes.range()[0]) / slice_count;
     std::vector<double> places;
     for (std::size_t i = 0; i < slice_count; ++i)
         places.push_back(volume_.first + (static_cast<double>(i) + 0.5) * volume_.thickness);
-    (void)sweep(*data_.topology, data_.mesh, planes, places,
-                geometry::SlabSink{{values_.floats(), gradients_, limits_}}, slices_);
+    (void)ciel::sweep(*data_.topology, data_.mesh, planes, places,
+                      geometry::SlabSink{{values_.floats(), gradients_, limits_}}, slices_);
     volume_.slices = slices_;
     volume_.revision = ++revision_;
     std::uint64_t triangles = 0;
@@ -108,7 +109,7 @@ void VolumePictures::turn_back() {
     frame_.camera = annotations::default_camera(frame_.bounds_min, frame_.bounds_max, 1);
 }
 
-Vec3d VolumePictures::view_direction() const {
+ciel::Vec3d VolumePictures::view_direction() const {
     return array_of(glm::normalize(vector_of(frame_.camera.target) - vector_of(frame_.camera.position)));
 }
 
@@ -133,4 +134,4 @@ double covered_share(std::span<const std::uint8_t> rgb) {
     return 3.0 * static_cast<double>(covered) / static_cast<double>(rgb.size());
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

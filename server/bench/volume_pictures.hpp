@@ -5,7 +5,7 @@
 #include "color/slab_mesh.hpp"
 #include "render/renderer.hpp"
 
-namespace ciel::bench {
+namespace server::bench {
 
 // Draws pictures of 1024 x 1024 pixels that show the whole mesh. Use the object on one thread only, because it has an
 // OpenGL context. The case must outlive the object.
@@ -17,7 +17,7 @@ public:
     explicit VolumePictures(const Case& data);
 
     // Cuts new slices perpendicular to `normal`, a unit vector. Returns the number of triangles of all slices.
-    std::uint64_t cut(const Vec3d& normal);
+    std::uint64_t cut(const ciel::Vec3d& normal);
     std::uint64_t cut_across_view() { return cut(view_direction()); }
     // in_bytes: the next pictures blend slices with 8 bits per channel instead of floats (render::Volume::in_bytes).
     void add_up_in_bytes(bool in_bytes) { volume_.in_bytes = in_bytes; }
@@ -26,7 +26,7 @@ public:
     void turn(double degrees); // turns the camera about its target, around its up vector
     void turn_back();          // sets the default camera
 
-    [[nodiscard]] Vec3d view_direction() const;
+    [[nodiscard]] ciel::Vec3d view_direction() const;
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
@@ -37,7 +37,7 @@ public:
 private:
     const Case& data_;
     store::Values values_; // as floats
-    std::vector<Vec3f> gradients_;
+    std::vector<ciel::Vec3f> gradients_;
     std::vector<std::array<float, 2>> limits_;
     color::SlabMesh boundary_;
     std::vector<color::SlabMesh> slices_;
@@ -51,4 +51,4 @@ private:
 // Returns the share of the pixels that are not black, 0 to 1. rgb: three bytes per pixel.
 [[nodiscard]] double covered_share(std::span<const std::uint8_t> rgb);
 
-} // namespace ciel::bench
+} // namespace server::bench

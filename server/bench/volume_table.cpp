@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::bench {
+namespace server::bench {
 
 namespace {
 
@@ -29,7 +29,7 @@ void add_figures(Table& table, VolumePictures& pictures, const std::string& of, 
 Table volume_table(const Case& data) {
     Table table{"volume", {}, {}};
     VolumePictures pictures(data);
-    const Vec3d box{0, 1, 0};
+    const ciel::Vec3d box{0, 1, 0};
     table.rows.push_back(measure("cut box-aligned", [&] { return pictures.cut(box); }));
     const render::Volume& volume = pictures.volume();
     const double loss = geometry::largest_loss(volume.opacity_points, volume.unit_length,
@@ -73,4 +73,4 @@ Table volume_table(const Case& data) {
     return table;
 }
 
-} // namespace ciel::bench
+} // namespace server::bench

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 ColorTable decoded(const NamedColors& named) {
@@ -46,9 +46,9 @@ std::size_t color_map_index(const std::string& name) {
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     std::string known;
     for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
-    fail("there is no color map '" + name + "'; there are " + known);
+    ciel::fail("there is no color map '" + name + "'; there are " + known);
 }
 
 const ColorTable& color_map(const std::string& name) { return all_tables()[color_map_index(name)]; }
 
-} // namespace ciel::color
+} // namespace server::color

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::color {
+namespace server::color {
 
 using ColorTable = std::array<std::array<std::uint8_t, 3>, 256>; // sRGB, from the lowest value to the highest
 
@@ -16,4 +16,4 @@ using ColorTable = std::array<std::array<std::uint8_t, 3>, 256>; // sRGB, from t
 [[nodiscard]] std::size_t color_map_index(const std::string& name);
 [[nodiscard]] const ColorTable& color_map(const std::string& name);
 
-} // namespace ciel::color
+} // namespace server::color

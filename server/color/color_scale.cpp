@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
@@ -111,4 +111,4 @@ Rgb8 color_of(const ColorScale& scale, double value) {
     return inner_color(scale, std::clamp(place_of(scale, value), 0.0, 1.0));
 }
 
-} // namespace ciel::color
+} // namespace server::color

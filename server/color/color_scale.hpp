@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::color {
+namespace server::color {
 
 using Rgb8 = std::array<std::uint8_t, 3>; // sRGB
 
@@ -67,4 +67,4 @@ struct ColorLimits {
 // at the middle of the scale.
 [[nodiscard]] bool has_width(const ColorScale& scale);
 
-} // namespace ciel::color
+} // namespace server::color

@@ -17,7 +17,7 @@ set(CIEL_COLOR_TABLES ${CMAKE_CURRENT_BINARY_DIR}/color_tables.cpp)
 file(CONFIGURE OUTPUT ${CIEL_COLOR_TABLES} @ONLY CONTENT [[
 #include "color/color_tables.hpp"
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 constexpr NamedColors tables[] = {
 @rows@};
@@ -25,5 +25,5 @@ constexpr NamedColors tables[] = {
 
 std::span<const NamedColors> color_tables() { return tables; }
 
-} // namespace ciel::color
+} // namespace server::color
 ]])

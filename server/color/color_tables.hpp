@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace ciel::color {
+namespace server::color {
 
 struct NamedColors {
     std::string_view name;
@@ -13,4 +13,4 @@ struct NamedColors {
 };
 [[nodiscard]] std::span<const NamedColors> color_tables();
 
-} // namespace ciel::color
+} // namespace server::color

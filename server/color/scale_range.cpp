@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 constexpr double largest_of_range = 4e37; // greatest end of a range; 1 / (twice this number) is not subnormal
@@ -35,4 +35,4 @@ bool is_shown_by(const RangeChoice& choice, std::array<double, 2> data) {
     return !choice.log || choice.symmetric || choice.given || data[1] > 0;
 }
 
-} // namespace ciel::color
+} // namespace server::color

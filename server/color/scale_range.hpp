@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-namespace ciel::color {
+namespace server::color {
 
 // The members of a scene's coloring that decide the range.
 struct RangeChoice {
@@ -22,4 +22,4 @@ struct RangeChoice {
 // Returns false if a logarithmic scale takes its range from data without a value above zero.
 [[nodiscard]] bool is_shown_by(const RangeChoice& choice, std::array<double, 2> data);
 
-} // namespace ciel::color
+} // namespace server::color

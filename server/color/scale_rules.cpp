@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 // Upper limit of 1 / width. For a subnormal width, 1 / width is infinite, and 0 times infinity is NaN.
@@ -64,4 +64,4 @@ ScaleRules scale_rules(const ColorScale& scale) {
     return rules;
 }
 
-} // namespace ciel::color
+} // namespace server::color

@@ -4,7 +4,7 @@
 
 #include "color/color_scale.hpp"
 
-namespace ciel::color {
+namespace server::color {
 
 struct ScaleRules {
     // To be subtracted from the values. Values of a small range far from 0 then keep their digits as floats.
@@ -15,4 +15,4 @@ struct ScaleRules {
 [[nodiscard]] float origin_of(const ColorScale& scale);
 [[nodiscard]] ScaleRules scale_rules(const ColorScale& scale);
 
-} // namespace ciel::color
+} // namespace server::color

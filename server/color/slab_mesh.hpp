@@ -9,12 +9,12 @@
 #include <array>
 #include <vector>
 
-namespace ciel::color {
+namespace server::color {
 
 struct SlabVertex {
-    Vec3f position; // offset from the mesh's surface_origin
-    float value;    // value of the property
-    Vec3f gradient; // gradient of the property, per unit of length
+    ciel::Vec3f position; // offset from the mesh's surface_origin
+    float value;          // value of the property
+    ciel::Vec3f gradient; // gradient of the property, per unit of length
     // [min, max] of the property in one cell: the cell of the polygon whose triangles all start at this vertex. Unused
     // in vertices at which no polygon's triangles start.
     std::array<float, 2> limits;
@@ -24,11 +24,11 @@ struct SlabVertex {
 // cell. The triangles of at most one polygon start at a vertex.
 struct SlabMesh {
     std::vector<SlabVertex> vertices;
-    std::vector<Index> triangles; // three indices in `vertices` for each triangle
+    std::vector<ciel::Index> triangles; // three indices in `vertices` for each triangle
 
     [[nodiscard]] std::size_t memory_bytes() const {
-        return vertices.capacity() * sizeof(SlabVertex) + triangles.capacity() * sizeof(Index);
+        return vertices.capacity() * sizeof(SlabVertex) + triangles.capacity() * sizeof(ciel::Index);
     }
 };
 
-} // namespace ciel::color
+} // namespace server::color

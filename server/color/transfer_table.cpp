@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 using Color = std::array<double, 4>; // R, G and B times extinction, then extinction
@@ -104,4 +104,4 @@ TransferTable make_transfer_table(const ColorScale& scale, const OpacityPoints& 
     return table;
 }
 
-} // namespace ciel::color
+} // namespace server::color

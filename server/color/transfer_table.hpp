@@ -3,7 +3,7 @@
 
 #include "color/color_scale.hpp"
 
-namespace ciel::color {
+namespace server::color {
 
 // Mean color and extinction over intervals of values. The texel in column c and row r is for one interval. The middle
 // of the interval is (c + 0.5) / columns, and its width is r / (rows - 1), both as fractions of the table's extent. The
@@ -40,4 +40,4 @@ using OpacityPoints = std::vector<std::array<double, 2>>;
 // Returns the opacity at a position: linear between the points, constant outside them, 0 without points.
 [[nodiscard]] double opacity_at(const OpacityPoints& points, double place);
 
-} // namespace ciel::color
+} // namespace server::color

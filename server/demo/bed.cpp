@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 // The distance from the last plane to the first new plane is step * growth.
@@ -48,7 +48,7 @@ CellSoup hexahedra(const Bed& bed) {
         for (const double y : bed.y)
             for (const double x : bed.x) soup.points.push_back({x, y, z});
     const auto point = [&](std::size_t i, std::size_t j, std::size_t k) {
-        return static_cast<Index>(i + bed.x.size() * (j + bed.y.size() * k));
+        return static_cast<ciel::Index>(i + bed.x.size() * (j + bed.y.size() * k));
     };
     for (std::size_t k = 0; k + 1 < bed.z.size(); ++k)
         for (std::size_t j = 0; j + 1 < bed.y.size(); ++j)
@@ -57,11 +57,11 @@ CellSoup hexahedra(const Bed& bed) {
                 const std::array corners{
                     point(i, j, k),     point(i + 1, j, k),     point(i + 1, j + 1, k),     point(i, j + 1, k),
                     point(i, j, k + 1), point(i + 1, j, k + 1), point(i + 1, j + 1, k + 1), point(i, j + 1, k + 1)};
-                append_standard_faces(CellType::hexahedron, corners, soup.face_offset, soup.face_point);
-                soup.cell_types.push_back(static_cast<std::uint8_t>(CellType::hexahedron));
+                ciel::append_standard_faces(ciel::CellType::hexahedron, corners, soup.face_offset, soup.face_point);
+                soup.cell_types.push_back(static_cast<std::uint8_t>(ciel::CellType::hexahedron));
                 soup.cell_offset.push_back(soup.face_offset.size() - 1);
             }
     return soup;
 }
 
-} // namespace ciel::demo
+} // namespace server::demo

@@ -4,7 +4,7 @@
 
 #include "demo/cell_soup.hpp"
 
-namespace ciel::demo {
+namespace server::demo {
 
 struct Bed {
     // coarseness: factor on the length of cells. The size of the box hardly depends on the coarseness.
@@ -26,4 +26,4 @@ struct Bed {
 // these seeds and their images form the wall.
 [[nodiscard]] CellSoup voronoi_cells(const Bed& bed);
 
-} // namespace ciel::demo
+} // namespace server::demo

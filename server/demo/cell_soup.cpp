@@ -4,27 +4,27 @@
 #include <cmath>
 #include <numeric>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 constexpr double tolerance = 1e-9;
 // Points of the lattice have different coordinates along this direction, so each point is compared with few others.
-constexpr Vec3d generic_direction{0.57735026919, 0.32135, 0.75068};
+constexpr ciel::Vec3d generic_direction{0.57735026919, 0.32135, 0.75068};
 
-double along(const Vec3d& p) {
+double along(const ciel::Vec3d& p) {
     return p[0] * generic_direction[0] + p[1] * generic_direction[1] + p[2] * generic_direction[2];
 }
 
-bool same(const Vec3d& a, const Vec3d& b) {
+bool same(const ciel::Vec3d& a, const ciel::Vec3d& b) {
     return std::abs(a[0] - b[0]) <= tolerance && std::abs(a[1] - b[1]) <= tolerance &&
            std::abs(a[2] - b[2]) <= tolerance;
 }
 
-std::vector<Index> representatives(const std::vector<Vec3d>& points) {
-    std::vector<std::pair<double, Index>> order(points.size());
-    for (Index i = 0; i < points.size(); ++i) order[i] = {along(points[i]), i};
+std::vector<ciel::Index> representatives(const std::vector<ciel::Vec3d>& points) {
+    std::vector<std::pair<double, ciel::Index>> order(points.size());
+    for (ciel::Index i = 0; i < points.size(); ++i) order[i] = {along(points[i]), i};
     std::sort(order.begin(), order.end());
-    std::vector<Index> result(points.size());
+    std::vector<ciel::Index> result(points.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto [place, point] = order[i];
         result[point] = point;
@@ -40,7 +40,7 @@ std::vector<Index> representatives(const std::vector<Vec3d>& points) {
 } // namespace
 
 void CellSoup::add(const CellSoup& other) {
-    const auto points_before = static_cast<Index>(points.size());
+    const auto points_before = static_cast<ciel::Index>(points.size());
     const std::uint64_t faces_before = face_offset.size() - 1, corners_before = face_point.size();
     points.insert(points.end(), other.points.begin(), other.points.end());
     cell_types.insert(cell_types.end(), other.cell_types.begin(), other.cell_types.end());
@@ -48,16 +48,16 @@ void CellSoup::add(const CellSoup& other) {
         cell_offset.push_back(other.cell_offset[c] + faces_before);
     for (std::size_t f = 1; f < other.face_offset.size(); ++f)
         face_offset.push_back(other.face_offset[f] + corners_before);
-    for (const Index point : other.face_point) face_point.push_back(point + points_before);
+    for (const ciel::Index point : other.face_point) face_point.push_back(point + points_before);
 }
 
 WeldedCells weld(const CellSoup& soup) {
-    const std::vector<Index> representative = representatives(soup.points);
+    const std::vector<ciel::Index> representative = representatives(soup.points);
     WeldedCells welded;
-    std::vector<Index> vertex(soup.points.size(), none);
+    std::vector<ciel::Index> vertex(soup.points.size(), ciel::none);
     for (std::size_t i = 0; i < soup.points.size(); ++i) {
         if (representative[i] != i) continue;
-        vertex[i] = static_cast<Index>(welded.positions.size() / 3);
+        vertex[i] = static_cast<ciel::Index>(welded.positions.size() / 3);
         for (const double x : soup.points[i]) welded.positions.push_back(static_cast<float>(x));
     }
     welded.cell_types = soup.cell_types;
@@ -65,7 +65,7 @@ WeldedCells weld(const CellSoup& soup) {
         for (std::uint64_t face = soup.cell_offset[cell]; face < soup.cell_offset[cell + 1]; ++face) {
             const std::size_t begin = welded.face_vertex.size();
             for (std::uint64_t at = soup.face_offset[face]; at < soup.face_offset[face + 1]; ++at) {
-                const Index v = vertex[representative[soup.face_point[at]]];
+                const ciel::Index v = vertex[representative[soup.face_point[at]]];
                 if (welded.face_vertex.size() == begin || welded.face_vertex.back() != v)
                     welded.face_vertex.push_back(v);
             }
@@ -81,4 +81,4 @@ WeldedCells weld(const CellSoup& soup) {
     return welded;
 }
 
-} // namespace ciel::demo
+} // namespace server::demo

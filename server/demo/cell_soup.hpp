@@ -3,14 +3,14 @@
 
 #include "ciel/assemble.hpp"
 
-namespace ciel::demo {
+namespace server::demo {
 
 struct CellSoup {
-    std::vector<Vec3d> points;
+    std::vector<ciel::Vec3d> points;
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0};
     std::vector<std::uint64_t> face_offset{0};
-    std::vector<Index> face_point;
+    std::vector<ciel::Index> face_point;
 
     void add(const CellSoup& other);
 };
@@ -19,9 +19,9 @@ struct WeldedCells {
     std::vector<float> positions;
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0}, face_offset{0};
-    std::vector<Index> face_vertex;
+    std::vector<ciel::Index> face_vertex;
 
-    [[nodiscard]] PolyhedraView view() const {
+    [[nodiscard]] ciel::PolyhedraView view() const {
         return {{}, positions, cell_types, cell_offset, face_offset, face_vertex};
     }
 };
@@ -29,4 +29,4 @@ struct WeldedCells {
 // Merges points whose coordinates differ by at most 1e-9: voro++ rounds. Leaves out collapsed edges and faces.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
-} // namespace ciel::demo
+} // namespace server::demo

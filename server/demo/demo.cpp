@@ -11,7 +11,7 @@
 #include <array>
 #include <numeric>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 constexpr std::size_t steps = 20;
@@ -21,11 +21,11 @@ enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
 // Compares coordinates exactly, because corners on a side have the exact coordinate of the side.
-Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sides) {
+Patch patch_of(const ciel::FaceMesh& mesh, ciel::Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
         bool on_side = true;
-        for (const Index vertex : view.loop(face))
+        for (const ciel::Index vertex : view.loop(face))
             on_side &= mesh.positions[3 * std::size_t{vertex} + static_cast<std::size_t>(side / 2)] ==
                        sides[static_cast<std::size_t>(side)];
         if (on_side) return static_cast<Patch>(side);
@@ -33,7 +33,7 @@ Patch patch_of(const FaceMesh& mesh, Index face, const std::array<float, 6>& sid
     return cylinder;
 }
 
-std::vector<store::NamedGroup> name_groups(const FaceMesh& mesh, const Bed& bed) {
+std::vector<store::NamedGroup> name_groups(const ciel::FaceMesh& mesh, const Bed& bed) {
     std::array<float, 6> sides{};
     int side = 0;
     for (const double at : {bed.x.front(), bed.x.back(), bed.y.front(), bed.y.back(), bed.z.front(), bed.z.back()})
@@ -41,12 +41,12 @@ std::vector<store::NamedGroup> name_groups(const FaceMesh& mesh, const Bed& bed)
     std::vector<store::NamedGroup> groups;
     groups.reserve(std::size(patch_names) + 2);
     for (const char* name : patch_names) groups.push_back({store::Group::Of::faces, name, {}});
-    for (Index face = 0; face < mesh.owner.size(); ++face)
-        if (mesh.neighbour[face] == none) groups[patch_of(mesh, face, sides)].ids.push_back(face);
+    for (ciel::Index face = 0; face < mesh.owner.size(); ++face)
+        if (mesh.neighbour[face] == ciel::none) groups[patch_of(mesh, face, sides)].ids.push_back(face);
     store::NamedGroup voronoi{store::Group::Of::cells, "voronoi", {}},
         hexahedra{store::Group::Of::cells, "hexahedra", {}};
-    for (Index cell = 0; cell < mesh.cell_types.size(); ++cell) {
-        const bool is_hexahedron = mesh.cell_types[cell] == static_cast<std::uint8_t>(CellType::hexahedron);
+    for (ciel::Index cell = 0; cell < mesh.cell_types.size(); ++cell) {
+        const bool is_hexahedron = mesh.cell_types[cell] == static_cast<std::uint8_t>(ciel::CellType::hexahedron);
         (is_hexahedron ? hexahedra : voronoi).ids.push_back(cell);
     }
     groups.push_back(std::move(voronoi));
@@ -54,11 +54,11 @@ std::vector<store::NamedGroup> name_groups(const FaceMesh& mesh, const Bed& bed)
     return groups;
 }
 
-std::vector<bool> wall_vertices(const FaceMesh& mesh, const store::NamedGroup& wall) {
+std::vector<bool> wall_vertices(const ciel::FaceMesh& mesh, const store::NamedGroup& wall) {
     const auto view = mesh.view();
     std::vector<bool> on_wall(mesh.positions.size() / 3);
-    for (const Index face : wall.ids)
-        for (const Index vertex : view.loop(face)) on_wall[vertex] = true;
+    for (const ciel::Index face : wall.ids)
+        for (const ciel::Index vertex : view.loop(face)) on_wall[vertex] = true;
     return on_wall;
 }
 
@@ -66,13 +66,13 @@ struct Fields {
     std::vector<float> velocity, vorticity, tracer;
 };
 
-void compute(const FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_wall, const Dye& dye, double time,
+void compute(const ciel::FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_wall, const Dye& dye, double time,
              Fields& fields) {
     const std::size_t count = mesh.positions.size() / 3;
     fields.velocity.resize(3 * count);
     fields.vorticity.resize(count);
     fields.tracer.resize(count);
-    parallel_for(count, vertices_per_task, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(count, vertices_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double x = mesh.positions[3 * i], y = mesh.positions[3 * i + 1], z = mesh.positions[3 * i + 2];
             const double phase = time + span_phase(z, bed.z.back());
@@ -87,18 +87,18 @@ void compute(const FaceMesh& mesh, const Bed& bed, const std::vector<bool>& on_w
     });
 }
 
-FaceMesh make_mesh(const Bed& bed) {
+ciel::FaceMesh make_mesh(const Bed& bed) {
     CellSoup soup = voronoi_cells(bed);
     soup.add(hexahedra(bed));
     const WeldedCells welded = weld(soup);
-    Assembled assembled = assemble(welded.view());
+    ciel::Assembled assembled = ciel::assemble(welded.view());
     if (!assembled.report.bad_cells.empty() || assembled.report.inverted_cells > 0)
-        throw Error("the demo's mesh has cells that do not close; report the failure with the version of voro++");
+        throw ciel::Error("the demo's mesh has cells that do not close; report the failure with the version of voro++");
     return std::move(assembled.mesh);
 }
 
-store::DatasetHeader header_of(const FaceMesh& mesh) {
-    const TopologyCounts counts = Topology(mesh.view()).counts();
+store::DatasetHeader header_of(const ciel::FaceMesh& mesh) {
+    const ciel::TopologyCounts counts = ciel::Topology(mesh.view()).counts();
     return {
         "ciel demo",
         "cylinder radii",
@@ -115,12 +115,12 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
                 const std::function<void(double share, const char* what)>& progress) {
     progress(0, "Voronoi cells and hexahedra");
     const Bed bed(coarseness);
-    const FaceMesh mesh = make_mesh(bed);
+    const ciel::FaceMesh mesh = make_mesh(bed);
     store::Writer writer(directory, header_of(mesh), overwrite);
     progress(0.3, "writing the mesh");
     const auto groups = name_groups(mesh, bed);
     // Original ids are ids in an imported file. The demo imports no file, so they equal the ids in the dataset.
-    std::vector<Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
+    std::vector<ciel::Index> ids(std::max(mesh.positions.size() / 3, mesh.cell_types.size()));
     std::iota(ids.begin(), ids.end(), 0U);
     writer.add_mesh(mesh, std::span(ids).first(mesh.positions.size() / 3), std::span(ids).first(mesh.cell_types.size()),
                     groups);
@@ -145,4 +145,4 @@ void write_demo(const std::filesystem::path& directory, bool overwrite, int coar
     progress(1, "done");
 }
 
-} // namespace ciel::demo
+} // namespace server::demo

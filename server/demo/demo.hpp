@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace ciel::demo {
+namespace server::demo {
 
 inline constexpr int most_coarseness = 4; // larger cells do not fit between the cylinder and the hexahedra
 
@@ -15,4 +15,4 @@ inline constexpr int most_coarseness = 4; // larger cells do not fit between the
 void write_demo(const std::filesystem::path& directory, bool overwrite, int coarseness,
                 const std::function<void(double share, const char* what)>& progress);
 
-} // namespace ciel::demo
+} // namespace server::demo

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 constexpr double spacing = 0.08;
@@ -37,7 +37,7 @@ Dye::Dye(Extent extent)
     const std::size_t nodes = nx_ * ny_;
     constexpr double dt = 1.0 / phases;
     std::vector<std::vector<std::array<float, 2>>> departures(phases);
-    parallel_for(phases, 1, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(phases, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t phase = begin; phase < end; ++phase) {
             const Flow after(static_cast<double>(phase + 1) * dt), between((static_cast<double>(phase) + 0.5) * dt);
             departures[phase].resize(nodes);
@@ -64,7 +64,7 @@ std::array<float, 2> Dye::node(std::size_t index) const {
 void Dye::step(const std::vector<std::array<float, 2>>& departure, const std::vector<float>& from,
                std::vector<float>& to) const {
     std::vector<float> carried(from.size());
-    parallel_for(from.size(), nodes_per_task, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(from.size(), nodes_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto [x, y] = node(i);
             carried[i] = std::max(static_cast<float>(source(x, y)), sample(from, departure[i][0], departure[i][1]));
@@ -78,7 +78,7 @@ void Dye::step(const std::vector<std::array<float, 2>>& departure, const std::ve
 }
 
 void Dye::spread(const std::vector<float>& from, std::vector<float>& to) const {
-    parallel_for(from.size(), nodes_per_task, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(from.size(), nodes_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t column = i % nx_;
             const bool rim = column == 0 || column + 1 == nx_ || i < nx_ || i + nx_ >= from.size();
@@ -118,4 +118,4 @@ float Dye::at(double x, double y, double u, double v, double time) const {
     return std::max(static_cast<float>(carried), static_cast<float>(source(x, y)));
 }
 
-} // namespace ciel::demo
+} // namespace server::demo

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace ciel::demo {
+namespace server::demo {
 
 class Dye {
 public:
@@ -30,4 +30,4 @@ private:
     std::vector<std::vector<float>> planes_; // for each phase: the concentration at each node
 };
 
-} // namespace ciel::demo
+} // namespace server::demo

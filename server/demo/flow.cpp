@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 constexpr double u0 = 10;        // speed of the free stream, in radii per period
@@ -63,4 +63,4 @@ FlowSample Flow::at(double x, double y) const {
 
 double span_phase(double z, double span) { return phase_swing * std::sin(2 * std::numbers::pi * z / span); }
 
-} // namespace ciel::demo
+} // namespace server::demo

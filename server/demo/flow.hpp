@@ -17,7 +17,7 @@
 #include <array>
 #include <vector>
 
-namespace ciel::demo {
+namespace server::demo {
 
 struct FlowSample {
     double u = 0, v = 0; // velocity; the spanwise component is zero
@@ -40,4 +40,4 @@ private:
 // Returns the time in periods by which the flow at height z is ahead of the flow at z = 0.
 [[nodiscard]] double span_phase(double z, double span);
 
-} // namespace ciel::demo
+} // namespace server::demo

@@ -8,14 +8,14 @@
 
 #include <functional>
 
-namespace ciel::engine {
+namespace server::engine {
 
 struct EngineServices : sessions::SessionServices {
-    Extraction extraction;
+    ciel::Extraction extraction;
     FrameWorkers& workers;
     Metrics& metrics;
     // Frees geometry of unused sessions if little memory is left (Sessions::make_room). Call it without a lock.
     std::function<void()> make_room;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 float elapsed_ms(Clock::time_point since) {
@@ -106,4 +106,4 @@ void show_frame(View& view, Worker& worker, bool still) {
     }
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -7,7 +7,7 @@
 #include <locale>
 #include <sstream>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 void family(std::ostream& out, const char* name, const char* type, const char* help) {
@@ -142,4 +142,4 @@ std::string Metrics::text(const Gauges& gauges) const {
     return out.str();
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

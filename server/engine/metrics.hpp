@@ -10,7 +10,7 @@
 #include <ostream>
 #include <string>
 
-namespace ciel::engine {
+namespace server::engine {
 
 struct FrameTimes { // milliseconds
     double wait = 0, extract = 0, draw = 0, encode = 0;
@@ -65,4 +65,4 @@ private:
     std::map<int, std::uint64_t> errors_;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

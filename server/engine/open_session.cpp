@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::engine {
+namespace server::engine {
 
 OpenSession::OpenSession(std::string id, const EngineServices& services,
                          std::shared_ptr<const sessions::SceneVersion> first, const sessions::UndoRedoSteps& steps)
@@ -49,4 +49,4 @@ void OpenSession::release_idle_geometry(Clock::time_point unused_since) {
     if (lock && surface_bytes_ > 0 && is_idle_since(unused_since)) forget_surfaces();
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

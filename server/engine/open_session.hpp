@@ -11,7 +11,7 @@
 #include <stop_token>
 #include <string>
 
-namespace ciel::engine {
+namespace server::engine {
 
 // Thread-safe. All views and calls share one geometry. Its parts that a new version does not change are kept.
 class OpenSession final : public sessions::Session {
@@ -41,4 +41,4 @@ private:
     std::atomic<std::size_t> surface_bytes_{0}; // bytes charged to surfaces_; read without geometry_mutex_
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 // Fields of /proc/self/stat (proc_pid_stat(5)) after the second, a name in parentheses that may contain blanks.
@@ -84,4 +84,4 @@ void write_process_figures(std::ostream& out) {
     write(out, "process_threads", "gauge", "Number of OS threads in the process.", field(fields, threads));
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -4,9 +4,9 @@
 
 #include <ostream>
 
-namespace ciel::engine {
+namespace server::engine {
 
 // Writes the text exposition format 0.0.4. Leaves out values that the system does not provide. Thread-safe.
 void write_process_figures(std::ostream& out);
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <set>
 
-namespace ciel::engine {
+namespace server::engine {
 
 namespace {
 
@@ -131,7 +131,7 @@ struct Server::State {
         try {
             const auto opened = catalog.open(dataset)->dataset();
             note.times->assign(opened->steps().times().begin(), opened->steps().times().end());
-        } catch (const Error&) {
+        } catch (const ciel::Error&) {
             // The dataset was removed or is damaged. Clients are notified. Sessions keep the data that they have.
             connections.send_all(sessions::notification_text(note));
             return;
@@ -259,4 +259,4 @@ void Server::drain() {
     drain_frames();
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -14,17 +14,17 @@
 #include <stop_token>
 #include <string>
 
-namespace ciel::limits {
+namespace server::limits {
 class Memory; // limits/memory.hpp
 }
 
-namespace ciel::engine {
+namespace server::engine {
 
 struct ServerOptions {
     std::vector<std::filesystem::path> data;
     std::optional<store::FileAccess> file_access; // nullopt: chosen by the file system of each dataset
     render::Backend backend = render::Backend::automatic;
-    Extraction extraction;
+    ciel::Extraction extraction;
     unsigned render_workers = 1;
     int still_samples = frames::default_still_samples; // per pixel
     bool allow_append = false;                         // clients may append steps if they have the token
@@ -89,4 +89,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 // 128 random bits, because a client that guesses the id of a session may change the scene.
@@ -214,4 +214,4 @@ std::vector<std::shared_ptr<OpenSession>> Sessions::all() const {
     return list;
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

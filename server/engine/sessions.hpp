@@ -4,7 +4,7 @@
 #include "engine/open_session.hpp"
 #include "engine/view.hpp"
 
-namespace ciel::engine {
+namespace server::engine {
 
 // The caller that opens or closes a session. It is written to the log.
 struct Caller {
@@ -59,4 +59,4 @@ private:
     bool stopped_ = false;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <random>
 
-namespace ciel::engine {
+namespace server::engine {
 
 struct Uploads::Upload {
     struct Array {
@@ -49,18 +49,19 @@ std::uint64_t megabytes(std::uint64_t bytes) { return (bytes + (1 << 20) - 1) >>
 
 void check_own(const std::string& name, const store::Dataset& dataset) {
     if (!store::input_of_copy(dataset.directory()).empty())
-        throw Error("dataset " + printable(name) +
-                    " is a copy that `ciel serve` makes again when the source file changes, so appended steps would be "
-                    "lost; make a dataset with `ciel import` and serve that dataset");
+        throw ciel::Error(
+            "dataset " + ciel::printable(name) +
+            " is a copy that `ciel serve` makes again when the source file changes, so appended steps would be "
+            "lost; make a dataset with `ciel import` and serve that dataset");
 }
 
 void check_disk(const std::string& name, const store::Dataset& dataset, std::uint64_t needed) {
     std::error_code error;
     const std::uint64_t free = std::filesystem::space(dataset.directory(), error).available;
     if (!error && needed > free)
-        throw Error("the disk of " + printable(name) + " has " + std::to_string(free >> 20) +
-                    " MB free and the step needs " + std::to_string(megabytes(needed)) +
-                    " MB while it is uploaded; free some space");
+        throw ciel::Error("the disk of " + ciel::printable(name) + " has " + std::to_string(free >> 20) +
+                          " MB free and the step needs " + std::to_string(megabytes(needed)) +
+                          " MB while it is uploaded; free some space");
 }
 
 // Clients must not learn paths of the server.
@@ -98,7 +99,8 @@ wire::UploadId upload_id(const std::string& text) {
     };
     const bool is_id = text.size() == 2 * id.size() && text.find_first_not_of("0123456789abcdef") == std::string::npos;
     if (!is_id)
-        throw limits::NotFound("there is no upload " + printable(text) + "; append.begin returns the id of an upload");
+        throw limits::NotFound("there is no upload " + ciel::printable(text) +
+                               "; append.begin returns the id of an upload");
     for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::uint8_t>(digit(2 * i) << 4 | digit(2 * i + 1));
     return id;
 }
@@ -173,17 +175,17 @@ std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
     const auto upload = find(piece.upload);
     const std::lock_guard lock(upload->mutex);
     if (piece.array >= upload->arrays.size())
-        throw Error("the upload has no array " + std::to_string(piece.array) + "; give a number less than " +
-                    std::to_string(upload->arrays.size()));
+        throw ciel::Error("the upload has no array " + std::to_string(piece.array) + "; give a number less than " +
+                          std::to_string(upload->arrays.size()));
     Upload::Array& array = upload->arrays[piece.array];
     if (piece.offset > array.received)
-        throw Error("array '" + array.name + "' has " + std::to_string(array.received) +
-                    " bytes so far; a piece at byte " + std::to_string(piece.offset) +
-                    " would leave a gap; send the bytes before the piece first");
+        throw ciel::Error("array '" + array.name + "' has " + std::to_string(array.received) +
+                          " bytes so far; a piece at byte " + std::to_string(piece.offset) +
+                          " would leave a gap; send the bytes before the piece first");
     if (piece.bytes.size() > array.bytes - piece.offset)
-        throw Error("array '" + array.name + "' has " + std::to_string(array.bytes) + " bytes; a piece of " +
-                    std::to_string(piece.bytes.size()) + " bytes at byte " + std::to_string(piece.offset) +
-                    " is too long; end the piece at the end of the array");
+        throw ciel::Error("array '" + array.name + "' has " + std::to_string(array.bytes) + " bytes; a piece of " +
+                          std::to_string(piece.bytes.size()) + " bytes at byte " + std::to_string(piece.offset) +
+                          " is too long; end the piece at the end of the array");
     upload->file->write(array.begin + piece.offset, std::as_bytes(piece.bytes));
     array.received = std::max(array.received, piece.offset + piece.bytes.size());
     return array.received;
@@ -195,8 +197,8 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
     const std::lock_guard lock(upload->mutex);
     for (const Upload::Array& array : upload->arrays)
         if (array.received < array.bytes)
-            throw Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
-                        std::to_string(array.bytes) + " bytes; send the rest, then commit");
+            throw ciel::Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
+                              std::to_string(array.bytes) + " bytes; send the rest, then commit");
     limits::Memory::Charge held(memory_, limits::Held::uploads);
     held.change(upload->commit_bytes);
     store::Values values; // of one array at a time
@@ -214,10 +216,10 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
         const std::lock_guard of_all(mutex_);
         open_.erase(id);
         return {upload->dataset, upload->loaded, done.step, upload->time};
-    } catch (const Error& error) {
+    } catch (const ciel::Error& error) {
         const std::lock_guard of_all(mutex_);
         upload->heard = Clock::now();
-        throw Error(without_directory(error.what(), *dataset));
+        throw ciel::Error(without_directory(error.what(), *dataset));
     }
 }
 
@@ -248,4 +250,4 @@ std::uint64_t Uploads::bytes() const {
     return bytes;
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -11,7 +11,7 @@
 #include <functional>
 #include <mutex>
 
-namespace ciel::engine {
+namespace server::engine {
 
 using wire::UploadId;
 [[nodiscard]] std::string to_text(const wire::UploadId& id);                // 32 hexadecimal digits
@@ -67,4 +67,4 @@ private:
     std::map<wire::UploadId, std::shared_ptr<Upload>> open_;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

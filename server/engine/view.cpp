@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 constexpr std::chrono::milliseconds quiet{150};    // time from the last change or frame to a still picture
@@ -263,4 +263,4 @@ std::optional<double> View::grid_of_new(frames::ContentKey key, double needed) {
     return grid_;
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -14,7 +14,7 @@
 #include <memory>
 #include <stop_token>
 
-namespace ciel::engine {
+namespace server::engine {
 
 enum class Stream { image, geometry };
 using wire::MovingCodec; // codec of interactive pictures; a still picture is always a PNG
@@ -119,4 +119,4 @@ private:
     std::vector<std::string> missing_;                     // layers of the last frame with values that are not finite
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

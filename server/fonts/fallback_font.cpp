@@ -3,7 +3,7 @@
 #include <fontconfig/fontconfig.h>
 #include <memory>
 
-namespace ciel::fonts {
+namespace server::fonts {
 namespace {
 
 template <auto destroy>
@@ -52,4 +52,4 @@ std::optional<FontFile> fallback_font(char32_t character) {
     return FontFile{reinterpret_cast<const char*>(file), index};
 }
 
-} // namespace ciel::fonts
+} // namespace server::fonts

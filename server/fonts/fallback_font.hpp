@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace ciel::fonts {
+namespace server::fonts {
 
 struct FontFile {
     std::filesystem::path path;
@@ -14,4 +14,4 @@ struct FontFile {
 // Returns the outline font that has the character and is most similar to DejaVu Sans, or nullopt. Thread-safe.
 [[nodiscard]] std::optional<FontFile> fallback_font(char32_t character);
 
-} // namespace ciel::fonts
+} // namespace server::fonts

@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace ciel::fonts {
+namespace server::fonts {
 namespace {
 
 constexpr FT_Int32 load_flags = FT_LOAD_TARGET_LIGHT; // hints only vertically, so that letters keep their shapes
@@ -71,9 +71,10 @@ struct Font::State {
 
     explicit State(const std::filesystem::path& file) {
         if (!open(file, 0))
-            throw Error("titles, axes and legends cannot be drawn: the font " + file.filename().string() +
-                        " cannot be read on the server; install the package fonts-dejavu-core there, or leave out "
-                        "titles, axes and legends");
+            throw ciel::Error(
+                "titles, axes and legends cannot be drawn: the font " + file.filename().string() +
+                " cannot be read on the server; install the package fonts-dejavu-core there, or leave out "
+                "titles, axes and legends");
         library.check(FT_Stroker_New(library.library(), &stroker), "outline its glyphs", file);
     }
     // Returns false if the file is not a readable font. Throws std::bad_alloc if memory is exhausted.
@@ -190,4 +191,4 @@ GlyphImage Font::draw(std::uint32_t glyph, int pixels) {
     return image;
 }
 
-} // namespace ciel::fonts
+} // namespace server::fonts

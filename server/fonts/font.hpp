@@ -12,7 +12,7 @@
 
 struct FT_FaceRec_; // FreeType's type of a font face
 
-namespace ciel::fonts {
+namespace server::fonts {
 
 struct PlacedGlyph {
     std::uint32_t glyph = 0; // for Font::draw; 0 is the box for a character that no font has
@@ -58,4 +58,4 @@ private:
 // Malformed sequences become U+FFFD (Unicode 15, 3.9).
 [[nodiscard]] std::u32string decode_utf8(std::string_view text);
 
-} // namespace ciel::fonts
+} // namespace server::fonts

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace ciel::fonts {
+namespace server::fonts {
 namespace {
 
 FreeType& owner(FT_Memory memory) { return *static_cast<FreeType*>(memory->user); }
@@ -82,7 +82,7 @@ FT_Face FreeType::open(const std::filesystem::path& file, int index) {
 void FreeType::check(FT_Error error, const char* what, const std::filesystem::path& file) {
     if (error == 0) return;
     throw_if_out_of_memory();
-    throw Error("the font " + file.filename().string() + ": FreeType cannot " + what);
+    throw ciel::Error("the font " + file.filename().string() + ": FreeType cannot " + what);
 }
 
-} // namespace ciel::fonts
+} // namespace server::fonts

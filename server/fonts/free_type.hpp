@@ -9,7 +9,7 @@
 #include FT_FREETYPE_H
 #include FT_SYSTEM_H
 
-namespace ciel::fonts {
+namespace server::fonts {
 
 class FreeType {
 public:
@@ -45,4 +45,4 @@ private:
     std::vector<Mapping> files_; // must outlive the faces
 };
 
-} // namespace ciel::fonts
+} // namespace server::fonts

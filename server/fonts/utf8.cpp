@@ -1,7 +1,7 @@
 // Decodes UTF-8 as in Unicode 15, section 3.9: each maximal subpart of an ill-formed sequence becomes one U+FFFD.
 #include "fonts/font.hpp"
 
-namespace ciel::fonts {
+namespace server::fonts {
 namespace {
 
 constexpr char32_t replacement = 0xFFFD;
@@ -43,4 +43,4 @@ std::u32string decode_utf8(std::string_view text) {
     return out;
 }
 
-} // namespace ciel::fonts
+} // namespace server::fonts

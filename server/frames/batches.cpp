@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace ciel::frames {
+namespace server::frames {
 
 namespace {
 
@@ -30,7 +30,7 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {
-        const Surface& surface = drawable.shape->surface;
+        const ciel::Surface& surface = drawable.shape->surface;
         wire::Primitives mesh;
         mesh.layer = drawable.layer;
         mesh.positions = surface.positions;
@@ -73,4 +73,4 @@ ContentKey content_of(const geometry::Geometry& geometry) {
     return key.dump();
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -5,7 +5,7 @@
 #include "wire/batches/geometry_batch.hpp"
 #include "wire/frame_header.hpp"
 
-namespace ciel::frames {
+namespace server::frames {
 
 // Identifies the content of a geometry frame. The camera is not part of it, so that turning the camera sends no frame.
 using ContentKey = std::string;
@@ -18,4 +18,4 @@ using ContentKey = std::string;
 // Keys are equal if and only if the messages on the same grid have the same polygons and colors.
 [[nodiscard]] ContentKey content_of(const geometry::Geometry& geometry);
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 using std::chrono::seconds;
@@ -110,4 +110,4 @@ void CongestionWindow::grow(std::size_t bytes) {
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -9,7 +9,7 @@
 #include <deque>
 #include <optional>
 
-namespace ciel::frames {
+namespace server::frames {
 
 // CongestionWindow is deterministic: it reads no clock. It is not thread-safe.
 class CongestionWindow {
@@ -77,4 +77,4 @@ private:
     bool held_back_ = false, doubles_ = true;
 };
 
-} // namespace ciel::frames
+} // namespace server::frames

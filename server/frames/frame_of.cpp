@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 struct Background {
@@ -95,4 +95,4 @@ render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedS
     return frame;
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

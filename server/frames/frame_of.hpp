@@ -4,11 +4,11 @@
 #include "render/renderer.hpp"
 #include "scene/checked_scene.hpp"
 
-namespace ciel::frames {
+namespace server::frames {
 
 // Returns a frame without annotations. `geometry` must outlive it. The default camera of a scene without camera leaves
 // room for annotations (annotations/make_room.hpp). Throws Error if the font is not installed.
 [[nodiscard]] render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked, int width,
                                      int height, int samples);
 
-} // namespace ciel::frames
+} // namespace server::frames

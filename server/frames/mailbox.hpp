@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace ciel::frames {
+namespace server::frames {
 
 // A Mailbox is not thread-safe; its owner locks it.
 template <class T>
@@ -19,4 +19,4 @@ private:
     std::optional<T> slot_;
 };
 
-} // namespace ciel::frames
+} // namespace server::frames

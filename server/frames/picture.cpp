@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 void widen_lines(render::Frame& frame, double times) {
@@ -88,4 +88,4 @@ void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame) {
     wire::write_frame_header(header, bytes);
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -9,7 +9,7 @@
 #include "wire/frame_header.hpp"
 #include "wire/pictures/picture_stream.hpp"
 
-namespace ciel::frames {
+namespace server::frames {
 
 inline constexpr int default_still_samples = 4; // samples per pixel of a still picture, for smooth edges
 
@@ -34,4 +34,4 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
 // Writes the frame number into a finished message. The number is known only when the frame is sent.
 void number_frame(std::vector<std::uint8_t>& message, std::uint32_t frame);
 
-} // namespace ciel::frames
+} // namespace server::frames

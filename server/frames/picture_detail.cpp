@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 struct Level {
@@ -49,4 +49,4 @@ void PictureDetail::sent(wire::MovingCodec codec, std::size_t bytes, double maki
     }
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace ciel::frames {
+namespace server::frames {
 
 // PictureDetail is deterministic. It is not thread-safe.
 class PictureDetail {
@@ -27,4 +27,4 @@ private:
     unsigned too_long_ = 0, fitting_ = 0;
 };
 
-} // namespace ciel::frames
+} // namespace server::frames

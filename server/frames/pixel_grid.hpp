@@ -5,7 +5,7 @@
 #include "geometry/geometry.hpp"
 #include "geometry/view_size.hpp"
 
-namespace ciel::frames {
+namespace server::frames {
 
 // Returns the grid step that this camera needs, a power of two in length units. It is at most a quarter of a pixel at
 // the nearest visible triangle, line or point, so that rounding moves no point by more than 0.22 pixels. It is at most
@@ -24,4 +24,4 @@ namespace ciel::frames {
 [[nodiscard]] double nearest_pixel(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                                    const geometry::ViewSize& size);
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 constexpr double most_pixels = 1280.0 * 720.0, fewest_pixels = 320.0 * 180.0;
@@ -29,4 +29,4 @@ void PreviewSize::took(geometry::ViewSize view, double milliseconds) {
     }
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -4,7 +4,7 @@
 
 #include "geometry/view_size.hpp"
 
-namespace ciel::frames {
+namespace server::frames {
 
 // PreviewSize is not thread-safe.
 class PreviewSize {
@@ -17,4 +17,4 @@ private:
     int halvings_ = 0, slow_ = 0; // slow_: slow pictures in a row; a single picture may have waited for shaders
 };
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 constexpr int size = 32;
@@ -24,8 +24,8 @@ bool is_test_picture(const render::Image& image) {
 
 TestPictureResult draw_test_picture(render::Renderer& renderer) {
     // The triangle covers the middle of the picture, but not its corners.
-    const std::vector<Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
-    const std::vector<Index> indices{0, 1, 2};
+    const std::vector<ciel::Vec3f> positions{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
+    const std::vector<ciel::Index> indices{0, 1, 2};
     render::Frame frame;
     frame.width = frame.height = size;
     frame.camera = {{0, -4, 0}, {0, 0, 0}, {0, 0, 1}, 45, false, 1};
@@ -55,11 +55,11 @@ TestPictureResult draw_test_picture(render::Renderer& renderer) {
     frame.samples = 4;
     try {
         renderer.check_memory(frame);
-    } catch (const Error& error) {
+    } catch (const ciel::Error& error) {
         result.passed = false;
         result.problem = error.what();
     }
     return result;
 }
 
-} // namespace ciel::frames
+} // namespace server::frames

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ciel::frames {
+namespace server::frames {
 
 struct TestPictureResult {
     bool passed = false; // the pixels are right, and the memory is enough
@@ -17,4 +17,4 @@ struct TestPictureResult {
 [[nodiscard]] TestPictureResult draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 
-} // namespace ciel::frames
+} // namespace server::frames

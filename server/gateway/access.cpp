@@ -9,7 +9,7 @@
 #include <cstring>
 #include <sys/random.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 bool listed(const std::vector<std::string>& names, std::string_view name) {
@@ -118,8 +118,8 @@ bool is_handshake_key(std::string_view header) {
 std::string generate_token() {
     std::array<unsigned char, 16> bytes{};
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        throw Error(std::string("the system gave no random bytes for a token (") + std::strerror(errno) +
-                    "); set the token with --token");
+        throw ciel::Error(std::string("the system gave no random bytes for a token (") + std::strerror(errno) +
+                          "); set the token with --token");
     std::string token;
     for (const auto byte : bytes) {
         token += "0123456789abcdef"[byte >> 4];
@@ -134,7 +134,7 @@ void check_token_form(const std::string& token) {
                c == '~';
     };
     if (token.size() < 8 || !std::all_of(token.begin(), token.end(), allowed))
-        throw Error("the token is not valid; give at least 8 characters, each a letter, a digit or one of -._~");
+        throw ciel::Error("the token is not valid; give at least 8 characters, each a letter, a digit or one of -._~");
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct AccessRules {
     bool loopback = true; // if true, Host must be a local name or one of allowed_hosts
@@ -55,4 +55,4 @@ inline constexpr std::string_view subprotocol = "ciel.v1";
 // Throws Error unless the token has at least 8 characters, all valid without quoting in a URL, a header and a cookie.
 void check_token_form(const std::string& token);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

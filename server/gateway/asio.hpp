@@ -15,7 +15,7 @@
 
 #include <string>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -28,4 +28,4 @@ asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     co_return co_await asio::co_spawn(workers, std::move(task), asio::use_awaitable);
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

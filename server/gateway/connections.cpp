@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 Connections::Ticket::~Ticket() {
     const std::lock_guard lock(connections_.mutex_);
     connections_.entries_.erase(id_);
@@ -95,4 +95,4 @@ void Connections::drain_all() {
     for (const auto& drain : drains) drain();
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct ConnectionRules {
     std::size_t most = 128;
@@ -94,4 +94,4 @@ private:
     Entries entries_;
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // Use it only on its stream's executor. It must not outlive the stream, and must be stopped before the stream is moved.
 class Deadline {
@@ -41,4 +41,4 @@ private:
     bool passed_ = false;
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -2,7 +2,7 @@
 
 #include "gateway/header_text.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 bool is_chunked(std::string_view coding) { return same_ignoring_case(coding, "chunked"); }
@@ -23,4 +23,4 @@ Framing framing_of(std::string_view transfer_encoding) {
     }
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

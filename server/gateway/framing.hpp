@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 enum class Framing {
     readable,       // chunked is the only coding
@@ -15,4 +15,4 @@ enum class Framing {
 // `transfer_encoding`: all Transfer-Encoding lines of the request, at least one, joined by commas.
 [[nodiscard]] Framing framing_of(std::string_view transfer_encoding);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -13,7 +13,7 @@
 #include <spdlog/spdlog.h>
 #include <thread>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -134,4 +134,4 @@ int serve(Service& service, const GatewayOptions& options, const std::function<v
     return gateway.run(on_listening);
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct GatewayOptions {
     std::string host = "127.0.0.1";
@@ -43,4 +43,4 @@ struct Listening {
 // with code 1001 without waiting for answers. At the end, clients that do not read are disconnected.
 int serve(Service& service, const GatewayOptions& options, const std::function<void(const Listening&)>& on_listening);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

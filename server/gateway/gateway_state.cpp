@@ -7,7 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 constexpr rlim_t enough_files = 65536; // with a higher limit, child programs that close all descriptors would be slow
@@ -42,4 +42,4 @@ GatewayState::GatewayState(Service& service_, const GatewayOptions& options, Acc
       access(std::move(access_)), files(options.webclient.empty() ? StaticFiles() : StaticFiles(options.webclient)),
       connections(rules_of(service_.limits())), proxies(options.trusted_proxies), most_files(raised_file_limit()) {}
 
-} // namespace ciel::gateway
+} // namespace server::gateway

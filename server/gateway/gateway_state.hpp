@@ -13,7 +13,7 @@
 #include <array>
 #include <atomic>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct Counters { // values that GET /metrics shows
     std::atomic<std::uint64_t> connections{0}, refused_connections{0}, websockets_open{0};
@@ -40,4 +40,4 @@ struct GatewayState {
     std::atomic<std::uint64_t> next_connection_id{1};
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

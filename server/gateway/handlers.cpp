@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 constexpr const char* no_client_page = "<!doctype html><meta charset=\"utf-8\"><title>CIEL</title><h1>CIEL</h1><p>The "
@@ -110,4 +110,4 @@ void add_common_headers(const GatewayState& state, const Request& request, Respo
     }
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

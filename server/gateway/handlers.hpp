@@ -5,7 +5,7 @@
 #include "gateway/http_message.hpp"
 #include "gateway/target.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 [[nodiscard]] Response websocket_expected(GatewayState& state, const Request& request, const Target& target);
 [[nodiscard]] Response healthz(GatewayState& state, const Request& request, const Target& target);
@@ -16,4 +16,4 @@ namespace ciel::gateway {
 // Adds the security headers to a response, and the CORS headers if the request's origin is one of AccessRules::origins.
 void add_common_headers(const GatewayState& state, const Request& request, Response& response);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <sys/socket.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 PeerState state_of_peer(asio::ip::tcp::socket& socket) {
     char next = 0;
@@ -13,4 +13,4 @@ PeerState state_of_peer(asio::ip::tcp::socket& socket) {
     return none_yet ? PeerState::waits : PeerState::hung_up;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -3,7 +3,7 @@
 
 #include "gateway/asio.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 enum class PeerState { waits, sends, hung_up };
 
@@ -11,4 +11,4 @@ enum class PeerState { waits, sends, hung_up };
 // another thread can read the bytes before this call.
 [[nodiscard]] PeerState state_of_peer(asio::ip::tcp::socket& socket);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

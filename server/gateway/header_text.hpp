@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 [[nodiscard]] inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -29,4 +29,4 @@ bool any_part(std::string_view text, char separator, const Visit& visit) {
     return false;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -1,6 +1,6 @@
 #include "gateway/http_message.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 Response sentence(unsigned status, std::string text) {
     Response response;
@@ -19,4 +19,4 @@ Response json(unsigned status, std::string text) {
     return response;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

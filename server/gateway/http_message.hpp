@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct Request {
     std::string method; // such as "GET"; HEAD is answered like GET, but without the body
@@ -39,4 +39,4 @@ struct Response {
 [[nodiscard]] Response sentence(unsigned status, std::string text);
 [[nodiscard]] Response json(unsigned status, std::string text);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -8,7 +8,7 @@
 #include <array>
 #include <boost/beast/http/error.hpp>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 namespace http = boost::beast::http;
@@ -100,4 +100,4 @@ std::string http_date(std::time_t time) {
            two(utc.tm_hour) + ":" + two(utc.tm_min) + ":" + two(utc.tm_sec) + " GMT";
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

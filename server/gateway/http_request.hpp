@@ -9,7 +9,7 @@
 #include <ctime>
 #include <optional>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
@@ -28,4 +28,4 @@ using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>
 // Formats a time for an HTTP header: "Sun, 06 Nov 1994 08:49:37 GMT" (RFC 9110, 5.6.7).
 [[nodiscard]] std::string http_date(std::time_t time);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -18,7 +18,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <spdlog/spdlog.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 namespace http = beast::http;
@@ -353,4 +353,4 @@ asio::awaitable<void> http_session(ConnectionStart start, GatewayState& state, a
     co_await session.run();
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // The current drain or cut handler of a connection; empty when none is needed. Runs on the connection's executor. A
 // drain handler is called up to three times. After the first call the connection may finish its answers, after the
@@ -24,4 +24,4 @@ struct ConnectionStart {
 // Runs on the socket's executor, which must be a strand. Returns without throwing when the connection has ended.
 asio::awaitable<void> http_session(ConnectionStart start, GatewayState& state, asio::thread_pool& workers);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <spdlog/spdlog.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 using asio::ip::tcp;
@@ -78,7 +78,8 @@ asio::ip::address resolve_host(const std::string& host) {
     error_code error;
     const auto found = resolver.resolve(host, "", error);
     if (error || found.empty())
-        throw Error("the host " + host + " cannot be resolved (" + error.message() + "); name an address with --host");
+        throw ciel::Error("the host " + host + " cannot be resolved (" + error.message() +
+                          "); name an address with --host");
     return found.begin()->endpoint().address();
 }
 
@@ -93,13 +94,14 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
     if (!error) acceptor.bind(endpoint, error);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error == asio::error::address_in_use)
-        throw Error(
+        throw ciel::Error(
             name +
             " is in use by another program; end that program, or choose another port with --port (0: any free port)");
     if (error == asio::error::access_denied)
-        throw Error(name + " cannot be bound by this user; choose a port above 1023 with --port");
+        throw ciel::Error(name + " cannot be bound by this user; choose a port above 1023 with --port");
     if (error)
-        throw Error(name + " cannot be bound (" + error.message() + "); name an address of this machine with --host");
+        throw ciel::Error(name + " cannot be bound (" + error.message() +
+                          "); name an address of this machine with --host");
     return acceptor;
 }
 
@@ -126,4 +128,4 @@ asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_conte
     }
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,7 +4,7 @@
 #include "gateway/asio.hpp"
 #include "gateway/gateway_state.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // Returns the first address of the host. Throws Error if the host cannot be resolved.
 [[nodiscard]] asio::ip::address resolve_host(const std::string& host);
@@ -16,4 +16,4 @@ namespace ciel::gateway {
 asio::awaitable<void> accept_connections(asio::ip::tcp::acceptor& acceptor, asio::io_context& io, GatewayState& state,
                                          asio::thread_pool& workers);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 constexpr unsigned established = 1;
@@ -119,4 +119,4 @@ asio::awaitable<bool> PeerOwners::is_own_user(asio::ip::tcp::endpoint peer, asio
     co_return is_own;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

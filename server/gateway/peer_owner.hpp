@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct SocketRow {
     std::string_view local, remote; // in the form of socket_name()
@@ -70,4 +70,4 @@ private:
     OwnSockets sockets_; // used on the thread of reader_ only
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

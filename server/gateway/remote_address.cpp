@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 namespace ip = asio::ip;
@@ -32,8 +32,8 @@ TrustedProxies::TrustedProxies(const std::vector<std::string>& ranges) {
         else
             v4_.push_back(ip::make_network_v4(is_single ? range + "/32" : range, error));
         if (error)
-            throw Error(range +
-                        " is not an IP address or a range of addresses; give one such as 10.0.0.7 or 172.30.0.0/16");
+            throw ciel::Error(
+                range + " is not an IP address or a range of addresses; give one such as 10.0.0.7 or 172.30.0.0/16");
     }
 }
 
@@ -70,4 +70,4 @@ ip::address without_mapping(const ip::address& address) {
                                                              : address;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

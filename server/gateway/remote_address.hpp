@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // Addresses of proxies whose X-Forwarded-For is used.
 class TrustedProxies {
@@ -34,4 +34,4 @@ private:
 // Converts an IPv4-mapped IPv6 address (::ffff:0:0/96) to IPv4. Returns other addresses unchanged.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -3,7 +3,7 @@
 #include "gateway/handlers.hpp"
 #include "logging/log.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 constexpr std::array<Route, 6> table{{
@@ -129,4 +129,4 @@ Response respond(GatewayState& state, const Request& request, const Resolved& re
     return response;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 using Handler = Response (*)(GatewayState& state, const Request& request, const Target& target);
 
@@ -35,4 +35,4 @@ struct Resolved {
 // Adds the common headers. If the handler throws, the answer has status 500.
 [[nodiscard]] Response respond(GatewayState& state, const Request& request, const Resolved& resolved);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -6,7 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <optional>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 // Used on the stream's executor only.
@@ -60,4 +60,4 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     co_return response;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,11 +4,11 @@
 #include "gateway/gateway_state.hpp"
 #include "gateway/http_message.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // Await on the stream's executor, while nothing else reads from the stream. If the peer closes its side before the
 // answer, slow methods are cancelled and answer with an error.
 [[nodiscard]] asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token,
                                                  GatewayState& state, asio::thread_pool& workers);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

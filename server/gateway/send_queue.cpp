@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 SendQueue::SendQueue(std::size_t most_bytes, limits::Memory& memory, std::function<void()> on_push)
     : on_push_(std::move(on_push)), share_(most_bytes / 2), held_(memory, limits::Held::unsent) {}
@@ -26,7 +26,7 @@ void SendQueue::push_text(std::string text) {
 
 void SendQueue::push_frame(FrameBytes bytes) {
     const wire::FrameHeader header = wire::read_frame_header(*bytes);
-    if (header.payload_bytes != header.whole_bytes) throw Error("a frame was given to the send queue in pieces");
+    if (header.payload_bytes != header.whole_bytes) throw ciel::Error("a frame was given to the send queue in pieces");
     const std::lock_guard lock(mutex_);
     if (!on_push_ || overflowed_) return;
     if (header.kind == wire::FrameKind::image || (header.flags & wire::first_of_frame) != 0)
@@ -111,4 +111,4 @@ std::uint64_t SendQueue::dropped_frames() const {
     return dropped_;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
@@ -80,4 +80,4 @@ private:
     bool overflowed_ = false;
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

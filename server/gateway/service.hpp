@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // A WebSocket sets all three callbacks; an HTTP POST sets none. They never block and may be called from any thread
 // until the Client is destroyed. On a slow socket, a newer frame replaces older frames.
@@ -73,4 +73,4 @@ public:
     virtual void give_up() = 0;      // cancels running calls, so that drain() returns soon; does not block
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <zlib.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 constexpr std::size_t size_limit = 64 << 20;
@@ -101,8 +101,8 @@ StaticFiles::StaticFiles(const std::filesystem::path& root) {
     std::error_code failure;
     const fs::path base = fs::canonical(root, failure);
     if (failure || !fs::is_directory(base))
-        throw Error("the web client's folder " + root.string() +
-                    " cannot be read; build the web client, or name its folder with --webclient");
+        throw ciel::Error("the web client's folder " + root.string() +
+                          " cannot be read; build the web client, or name its folder with --webclient");
     std::size_t total = 0;
     for (const auto& entry : fs::recursive_directory_iterator(base)) {
         if (!entry.is_regular_file(failure)) continue;
@@ -111,7 +111,7 @@ StaticFiles::StaticFiles(const std::filesystem::path& root) {
         StaticFile file;
         file.content.assign(std::istreambuf_iterator<char>(stream), {});
         if ((total += file.content.size()) > size_limit)
-            throw Error(
+            throw ciel::Error(
                 root.string() +
                 " holds more than 64 MiB and is not a web client; name the folder of the web client with --webclient");
         const fs::path relative = entry.path().lexically_relative(base);
@@ -163,4 +163,4 @@ Response file_response(const StaticFile& file, std::string_view if_none_match, s
     return response;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct StaticFile {
     std::string content, mime, etag;
@@ -39,4 +39,4 @@ private:
 [[nodiscard]] Response file_response(const StaticFile& file, std::string_view if_none_match,
                                      std::string_view accept_encoding);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 int hex_digit(char c) {
@@ -77,14 +77,14 @@ std::string normal_prefix(const std::string& prefix) {
                std::string_view("-._~/").find(c) != std::string_view::npos;
     };
     if (!std::all_of(prefix.begin(), prefix.end(), allowed))
-        throw Error("the prefix \"" + prefix + "\" may contain only letters, digits and -._~/; change --prefix");
+        throw ciel::Error("the prefix \"" + prefix + "\" may contain only letters, digits and -._~/; change --prefix");
     std::string result = prefix;
     while (result.ends_with('/')) result.pop_back();
     if (!result.empty() && result.front() != '/') result.insert(result.begin(), '/');
     for (const std::string_view removed : {"//", "/./", "/../"}) // browsers and proxies remove such parts
         if ((result + '/').find(removed) != std::string::npos)
-            throw Error("the prefix \"" + prefix +
-                        "\" must not have an empty part or the parts . and ..; change --prefix");
+            throw ciel::Error("the prefix \"" + prefix +
+                              "\" must not have an empty part or the parts . and ..; change --prefix");
     return result;
 }
 
@@ -94,4 +94,4 @@ std::string_view below_prefix(std::string_view path, std::string_view prefix) {
     return rest.empty() || rest.front() == '/' ? rest : path;
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 struct Target {
     std::string path; // decoded once, begins with '/'
@@ -28,4 +28,4 @@ struct Target {
 // must then be redirected to the prefix with a slash, or relative links break.
 [[nodiscard]] std::string_view below_prefix(std::string_view path, std::string_view prefix);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -13,7 +13,7 @@
 #include <sys/socket.h>
 #include <utility>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 namespace websocket = beast::websocket;
@@ -278,4 +278,4 @@ asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest up
     co_await session->run(std::move(upgrade), std::move(client), std::move(on_drain));
 }
 
-} // namespace ciel::gateway
+} // namespace server::gateway

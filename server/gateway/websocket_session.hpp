@@ -6,10 +6,10 @@
 #include "gateway/http_request.hpp"
 #include "gateway/http_session.hpp"
 
-namespace ciel::gateway {
+namespace server::gateway {
 
 // The caller sets remote, user and has_token of `client`. Returns when the connection, its calls and writes have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
                                         GatewayState& state, asio::thread_pool& workers);
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 constexpr double margin_of_side = 0.01;      // tolerance at a side, as a fraction of the domain's extent
@@ -66,7 +66,7 @@ std::vector<MeasuredPatch> patches_of(const store::Dataset& dataset, const store
     std::vector<MeasuredPatch> patches;
     for (const store::Group& group : dataset.groups(step.mesh)) {
         if (group.of != store::Group::Of::faces || group.ids.empty()) continue;
-        const FacesSize size = store::size_of_faces(dataset, step, group);
+        const ciel::FacesSize size = store::size_of_faces(dataset, step, group);
         patches.push_back({group.name, {size.low, size.high}, size.area, group.ids.size(), group.facts.type});
     }
     return patches;
@@ -103,4 +103,4 @@ BoundingBox box_around(std::span<const MeasuredPatch> patches) {
     return box;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

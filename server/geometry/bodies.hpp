@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // A patch of the boundary with its size.
 struct MeasuredPatch {
@@ -31,4 +31,4 @@ struct MeasuredPatch {
 // REQUIRES: at least one patch.
 [[nodiscard]] BoundingBox box_around(std::span<const MeasuredPatch> patches);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 
-namespace ciel::geometry {
+namespace server::geometry {
+
+using ciel::operator-;
+
 namespace {
 
 // About 50 times the rounding error of positions, and about 1/50 of a pixel in a large picture.
@@ -17,7 +20,7 @@ constexpr double double_slack = 1e-12; // slack of positions that are doubles, a
 // A finite float beyond any mesh. With an infinite offset, a graphics card would drop everything.
 constexpr double farthest = 1e30;
 
-double diagonal(const Geometry& geometry) { return length(geometry.bounds_max - geometry.bounds_min); }
+double diagonal(const Geometry& geometry) { return ciel::length(geometry.bounds_max - geometry.bounds_min); }
 
 template <class F>
 void for_planes(const scene::CheckedScene& checked, F&& f) {
@@ -26,23 +29,23 @@ void for_planes(const scene::CheckedScene& checked, F&& f) {
 }
 
 // A piece that is not thicker than clip_slack has no volume, but the caps on both of its sides would be drawn.
-bool leave_a_sheet_at_most(const std::vector<HalfSpace>& planes, const Geometry& geometry) {
+bool leave_a_sheet_at_most(const std::vector<ciel::HalfSpace>& planes, const Geometry& geometry) {
     if (planes.empty()) return false;
     const double slack = clip_slack(geometry);
-    const std::vector<Vec3d> corners = corners_of_cut_box(geometry, planes);
-    return std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+    const std::vector<ciel::Vec3d> corners = corners_of_cut_box(geometry, planes);
+    return std::any_of(planes.begin(), planes.end(), [&](const ciel::HalfSpace& plane) {
         return std::all_of(corners.begin(), corners.end(),
-                           [&](const Vec3d& corner) { return distance(plane, corner) <= slack; });
+                           [&](const ciel::Vec3d& corner) { return distance(plane, corner) <= slack; });
     });
 }
 
 } // namespace
 
-std::vector<HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry) {
-    std::vector<HalfSpace> planes;
+std::vector<ciel::HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry) {
+    std::vector<ciel::HalfSpace> planes;
     for_planes(checked, [&](const scene::ClipLayer& clip) {
         const scene::Plane plane = plane_of(clip);
-        HalfSpace kept;
+        ciel::HalfSpace kept;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             kept.normal[axis] = -plane.normal[axis];
             kept.offset += plane.normal[axis] * (plane.origin[axis] - geometry.origin[axis]);
@@ -67,21 +70,22 @@ double clip_slack(const Geometry& geometry) { return slack_of_diagonal * diagona
 std::vector<std::array<float, 4>> shader_planes(const Geometry& geometry) {
     std::vector<std::array<float, 4>> planes;
     const double slack = clip_slack(geometry);
-    for (const HalfSpace& plane : geometry.clip)
+    for (const ciel::HalfSpace& plane : geometry.clip)
         planes.push_back({static_cast<float>(plane.normal[0]), static_cast<float>(plane.normal[1]),
                           static_cast<float>(plane.normal[2]), static_cast<float>(plane.offset + slack)});
     return planes;
 }
 
-ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::span<const Vec3d> places) {
-    std::vector<HalfSpace> planes = geometry.clip;
+ciel::ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable, std::span<const ciel::Vec3d> places) {
+    std::vector<ciel::HalfSpace> planes = geometry.clip;
     double slack = clip_slack(geometry);
     if (!places.empty()) {
-        for (HalfSpace& plane : planes) plane.offset -= dot(plane.normal, geometry.origin);
+        for (ciel::HalfSpace& plane : planes) plane.offset -= ciel::dot(plane.normal, geometry.origin);
         // Only for doubles: with float positions, the points of caps are off their planes by the rounding of floats.
-        if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + length(geometry.origin));
+        if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + ciel::length(geometry.origin));
     }
-    return clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack, places);
+    return ciel::clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack,
+                              places);
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -4,11 +4,11 @@
 #include "ciel/clip_surface.hpp"
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns the kept half-spaces of the visible clip layers, in drawing order, relative to the geometry's origin.
 // If nothing thicker than clip_slack remains of the bounding box, returns one half-space that keeps nothing.
-[[nodiscard]] std::vector<HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry);
+[[nodiscard]] std::vector<ciel::HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry);
 // The pointers are valid as long as `checked`.
 [[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::CheckedScene& checked);
 
@@ -20,7 +20,7 @@ namespace ciel::geometry {
 
 // Returns a drawable's polygons, clipped by the planes of `geometry`, with their scalars. `places`: the result of
 // places_of() for the drawable's surface; the function then clips in doubles. If `places` is empty, it clips in floats.
-[[nodiscard]] ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable,
-                                     std::span<const Vec3d> places = {});
+[[nodiscard]] ciel::ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable,
+                                           std::span<const ciel::Vec3d> places = {});
 
-} // namespace ciel::geometry
+} // namespace server::geometry

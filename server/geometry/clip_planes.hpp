@@ -3,23 +3,23 @@
 
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 class ClipPlanes {
 public:
     explicit ClipPlanes(const Geometry& geometry);
 
     [[nodiscard]] bool cuts() const { return !planes_.empty(); }
-    [[nodiscard]] bool keeps(const Vec3f& point) const;
+    [[nodiscard]] bool keeps(const ciel::Vec3f& point) const;
     // Returns the corners of the remaining part (Sutherland and Hodgman 1974); empty if all is cut away.
-    [[nodiscard]] std::vector<Vec3d> rest_of(std::vector<Vec3d> corners) const;
-    [[nodiscard]] const std::vector<HalfSpace>& planes() const { return planes_; }
+    [[nodiscard]] std::vector<ciel::Vec3d> rest_of(std::vector<ciel::Vec3d> corners) const;
+    [[nodiscard]] const std::vector<ciel::HalfSpace>& planes() const { return planes_; }
 
 private:
-    std::vector<HalfSpace> planes_;
+    std::vector<ciel::HalfSpace> planes_;
 };
 
-[[nodiscard]] double distance(const HalfSpace& half, const Vec3d& point);
-[[nodiscard]] Vec3d wide(const Vec3f& point);
+[[nodiscard]] double distance(const ciel::HalfSpace& half, const ciel::Vec3d& point);
+[[nodiscard]] ciel::Vec3d wide(const ciel::Vec3f& point);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 color::RangeChoice choice_of(const scene::Coloring& coloring) {
@@ -53,4 +53,4 @@ nlohmann::json json_of(const color::ColorScale& scale) {
     return members;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // `data_range`: range of the array at the shown step.
 [[nodiscard]] color::ColorScale color_scale_of(const scene::Coloring& coloring, std::array<double, 2> data_range);
@@ -16,4 +16,4 @@ namespace ciel::geometry {
 // As in a scene's coloring. Leaves out map, range and members with default values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

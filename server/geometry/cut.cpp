@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace ciel::geometry {
+namespace server::geometry {
 std::uint64_t unique_number() {
     static std::atomic<std::uint64_t> last{0};
     return ++last;
@@ -43,15 +43,15 @@ double origin_of(const store::Values& values) {
 } // namespace
 
 store::Values Painted::flat_scalars(store::LoadedDataset& loaded) const {
-    const Surface& surface = flat->surface;
+    const ciel::Surface& surface = flat->surface;
     const auto dataset = loaded.dataset();
     const store::Association association = association_of(*dataset, array);
     const auto values = loaded.stored_scalar(array, step, association);
     if (association == store::Association::cell) return flat_values(surface, values->of(surface.polygon_cell));
     const std::uint64_t on_boundary = dataset->info().meshes[dataset->steps()[step].mesh].boundary_faces;
-    std::vector<Index> numbers = surface.polygon_face;
-    for (Index& number : numbers)
-        if (number >= on_boundary) number = none;
+    std::vector<ciel::Index> numbers = surface.polygon_face;
+    for (ciel::Index& number : numbers)
+        if (number >= on_boundary) number = ciel::none;
     return flat_values(surface, values->of(numbers));
 }
 
@@ -89,7 +89,7 @@ void Painted::paint(const std::shared_ptr<const Shape>& new_shape, const std::st
 void Outlined::follow(const std::shared_ptr<const Shape>& new_shape) {
     if (edges && shape == new_shape) return;
     shape = new_shape;
-    edges = std::make_shared<const std::vector<Index>>(polygon_edges(shape->surface));
+    edges = std::make_shared<const std::vector<ciel::Index>>(ciel::polygon_edges(shape->surface));
     revision = unique_number();
 }
 
@@ -105,14 +105,14 @@ void Contoured::follow(const std::shared_ptr<const Shape>& shape, const std::str
     made->lines = true;
     auto& positions = made->surface.positions;
     std::vector<double> value_at_points;
-    if (!colored) positions = contour_lines(sound->surface, at_points, new_values);
+    if (!colored) positions = ciel::contour_lines(sound->surface, at_points, new_values);
     for (std::size_t i = 0; colored && i < new_values.size(); ++i) {
-        const auto of_value = contour_lines(sound->surface, at_points, std::span(&new_values[i], 1));
+        const auto of_value = ciel::contour_lines(sound->surface, at_points, std::span(&new_values[i], 1));
         positions.insert(positions.end(), of_value.begin(), of_value.end());
         value_at_points.resize(positions.size(), new_values[i]);
     }
     made->indices.resize(made->surface.positions.size());
-    std::iota(made->indices.begin(), made->indices.end(), Index{0});
+    std::iota(made->indices.begin(), made->indices.end(), ciel::Index{0});
     of = shape;
     array = new_array;
     step = new_step;
@@ -127,7 +127,7 @@ std::size_t Contoured::memory_bytes() const {
     return (lines ? bytes_of(*lines) : 0) + (scalars ? scalars->size_bytes() : 0);
 }
 
-void Cut::use_field(const std::string& name, store::ScalarField new_field, Extraction extraction) {
+void Cut::use_field(const std::string& name, store::ScalarField new_field, ciel::Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
     field_name.clear(); // stays empty if anything below throws
@@ -147,7 +147,7 @@ bool Cut::extract(double new_nu, bool new_normals, const std::stop_token& stop) 
     shape = nullptr;
     auto made = shapes->take();
     if (!query->extract(new_nu, new_normals, made->surface, stop)) return false;
-    triangulate(made->surface, made->indices);
+    ciel::triangulate(made->surface, made->indices);
     nu = new_nu;
     normals = new_normals;
     shape = std::move(made);
@@ -170,4 +170,4 @@ std::size_t Boundary::memory_bytes() const {
     return (own ? bytes_of(*shape) : 0) + painted.memory_bytes() + outlined.memory_bytes() + cells.size();
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 [[nodiscard]] std::uint64_t unique_number(); // never 0, and never the same twice
 
@@ -47,10 +47,10 @@ private:
 // The edges of one shape's polygons. They are searched again only when the shape changes.
 struct Outlined {
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const std::vector<Index>> edges;
+    std::shared_ptr<const std::vector<ciel::Index>> edges;
     std::uint64_t identity = unique_number(), revision = 0;
 
-    [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(Index) : 0; }
+    [[nodiscard]] std::size_t memory_bytes() const { return edges ? edges->size() * sizeof(ciel::Index) : 0; }
     void follow(const std::shared_ptr<const Shape>& new_shape);
     void forget() { *this = {}; } // call when the edges are not shown
 };
@@ -75,7 +75,7 @@ struct Contoured {
 struct Cut {
     store::ScalarField field;
     std::string field_name;
-    std::optional<Query> query;
+    std::optional<ciel::Query> query;
     double nu = 0;
     bool normals = false;
     std::shared_ptr<ShapePool> shapes = ShapePool::make();
@@ -84,7 +84,7 @@ struct Cut {
     Outlined outlined;
     Contoured contoured;
 
-    void use_field(const std::string& name, store::ScalarField new_field, Extraction extraction);
+    void use_field(const std::string& name, store::ScalarField new_field, ciel::Extraction extraction);
     // Returns false if `stop` was requested; the next call then extracts again.
     bool extract(double new_nu, bool new_normals, const std::stop_token& stop);
     void show(std::shared_ptr<const Shape> made, double at_nu); // replaces the extracted shape; `made` has no normals
@@ -106,13 +106,14 @@ struct Boundary {
 // Returns the faces of the patches `groups` that belong to kept cells. Without groups, returns the boundary of the kept
 // cells. Positions are relative to `origin`. `kept`: one flag per cell; if it is empty, all cells are kept.
 // polygon_face of the result: the number of the face, or `none` for a face inside the mesh that has no number.
-[[nodiscard]] Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const Vec3d& origin,
-                                       const std::vector<std::string>& groups, std::span<const std::uint8_t> kept);
-[[nodiscard]] std::shared_ptr<const Shape> triangles_shape(Surface&& surface);
+[[nodiscard]] ciel::Surface boundary_surface(store::LoadedDataset& loaded, std::size_t step, const ciel::Vec3d& origin,
+                                             const std::vector<std::string>& groups,
+                                             std::span<const std::uint8_t> kept);
+[[nodiscard]] std::shared_ptr<const Shape> triangles_shape(ciel::Surface&& surface);
 // `angle`: if set, only the edges at which the boundary bends by more than this many degrees.
-[[nodiscard]] std::shared_ptr<const Shape> edges_shape(Surface&& boundary, std::optional<double> angle);
+[[nodiscard]] std::shared_ptr<const Shape> edges_shape(ciel::Surface&& boundary, std::optional<double> angle);
 // Returns every `thinned`-th vertex of the boundary as a point.
-[[nodiscard]] std::shared_ptr<const Shape> points_shape(const Surface& boundary, std::size_t thinned);
-[[nodiscard]] std::shared_ptr<const Shape> outline_shape(Vec3d minimum, Vec3d maximum, Vec3d origin);
+[[nodiscard]] std::shared_ptr<const Shape> points_shape(const ciel::Surface& boundary, std::size_t thinned);
+[[nodiscard]] std::shared_ptr<const Shape> outline_shape(ciel::Vec3d minimum, ciel::Vec3d maximum, ciel::Vec3d origin);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

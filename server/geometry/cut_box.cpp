@@ -6,25 +6,25 @@
 #include <cmath>
 #include <optional>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
-std::optional<Vec3d> meet(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c) {
-    const auto cross = [](const Vec3d& u, const Vec3d& v) {
-        return Vec3d{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+std::optional<ciel::Vec3d> meet(const ciel::HalfSpace& a, const ciel::HalfSpace& b, const ciel::HalfSpace& c) {
+    const auto cross = [](const ciel::Vec3d& u, const ciel::Vec3d& v) {
+        return ciel::Vec3d{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     };
-    const Vec3d bc = cross(b.normal, c.normal);
-    const Vec3d ca = cross(c.normal, a.normal);
-    const Vec3d ab = cross(a.normal, b.normal);
+    const ciel::Vec3d bc = cross(b.normal, c.normal);
+    const ciel::Vec3d ca = cross(c.normal, a.normal);
+    const ciel::Vec3d ab = cross(a.normal, b.normal);
     const double volume = a.normal[0] * bc[0] + a.normal[1] * bc[1] + a.normal[2] * bc[2];
     if (!(std::abs(volume) > 1e-9)) return {};
-    Vec3d point{};
+    ciel::Vec3d point{};
     for (std::size_t k = 0; k < 3; ++k) point[k] = -(a.offset * bc[k] + b.offset * ca[k] + c.offset * ab[k]) / volume;
     return point;
 }
 
-std::vector<HalfSpace> unit_length(std::vector<HalfSpace> planes) {
-    for (HalfSpace& plane : planes) {
+std::vector<ciel::HalfSpace> unit_length(std::vector<ciel::HalfSpace> planes) {
+    for (ciel::HalfSpace& plane : planes) {
         const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
         for (double& component : plane.normal) component /= length;
         plane.offset /= length;
@@ -35,30 +35,30 @@ std::vector<HalfSpace> unit_length(std::vector<HalfSpace> planes) {
 } // namespace
 
 // A corner is a point at which three planes meet and that lies on the kept side of all other planes.
-std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting) {
-    std::vector<HalfSpace> planes = unit_length(cutting);
+std::vector<ciel::Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<ciel::HalfSpace>& cutting) {
+    std::vector<ciel::HalfSpace> planes = unit_length(cutting);
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const double low = geometry.bounds_min[k] - geometry.origin[k];
         const double high = geometry.bounds_max[k] - geometry.origin[k];
         size = std::max({size, std::abs(low), std::abs(high)});
-        Vec3d inward{};
+        ciel::Vec3d inward{};
         inward[k] = 1;
         planes.push_back({inward, -low});
         inward[k] = -1;
         planes.push_back({inward, high});
     }
-    std::vector<Vec3d> corners;
+    std::vector<ciel::Vec3d> corners;
     const double rounding = 1e-9 * size;
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             for (std::size_t k = 0; k < j; ++k)
                 if (const auto corner = meet(planes[i], planes[j], planes[k]);
-                    corner && std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+                    corner && std::all_of(planes.begin(), planes.end(), [&](const ciel::HalfSpace& plane) {
                         return distance(plane, *corner) >= -rounding;
                     }))
                     corners.push_back(*corner);
     return corners;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -3,9 +3,10 @@
 
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Offsets from the geometry's origin, possibly with duplicates. `cutting`: clip planes, with normals of any length.
-[[nodiscard]] std::vector<Vec3d> corners_of_cut_box(const Geometry& geometry, const std::vector<HalfSpace>& cutting);
+[[nodiscard]] std::vector<ciel::Vec3d> corners_of_cut_box(const Geometry& geometry,
+                                                          const std::vector<ciel::HalfSpace>& cutting);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 using nlohmann::json;
@@ -78,10 +78,10 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);
-    std::vector<Index> items;
+    std::vector<ciel::Index> items;
     for (std::size_t first = 0; first < values.size(); first += stride)
         for (std::size_t i = first; i < std::min(first + run, values.size()); ++i)
-            items.push_back(static_cast<Index>(i));
+            items.push_back(static_cast<ciel::Index>(i));
     std::vector<double> sample;
     for (const double value : values.of(items))
         if (std::isfinite(value)) sample.push_back(value);
@@ -111,12 +111,12 @@ double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, s
 json camera_of(const BoundingBox& box, std::optional<std::size_t> thin) {
     annotations::ViewCamera camera = annotations::default_camera(box.low, box.high, default_aspect);
     if (thin) {
-        const Vec3d& target = camera.target;
+        const ciel::Vec3d& target = camera.target;
         const double distance =
             std::hypot(camera.position[0] - target[0], camera.position[1] - target[1], camera.position[2] - target[2]);
         camera.position = target;
         camera.position[*thin] += *thin == 1 ? -distance : distance;
-        camera.up = *thin == 2 ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+        camera.up = *thin == 2 ? ciel::Vec3d{0, 1, 0} : ciel::Vec3d{0, 0, 1};
     }
     return {{"position", camera.position}, {"target", camera.target}, {"up", camera.up}, {"fov", camera.fov_degrees}};
 }
@@ -283,4 +283,4 @@ DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name
     return shown;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

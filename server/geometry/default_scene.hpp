@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document; // has a camera, unless the dataset has no step
@@ -23,4 +23,4 @@ struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json
 // the mesh.
 [[nodiscard]] DefaultScene default_scene(store::LoadedDataset& loaded, const std::string& name);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace ciel::geometry {
+namespace server::geometry {
+
+using ciel::operator-;
+
 namespace {
 
 // In units of the height of the view. 2^-24 of this distance is 1/30 of a pixel of a picture with 2160 rows.
@@ -13,16 +16,16 @@ constexpr double reach = 256;
 
 double view_height(const annotations::ViewCamera& camera) {
     if (camera.parallel) return camera.parallel_height;
-    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * length(camera.target - camera.position);
+    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) * ciel::length(camera.target - camera.position);
 }
 
 } // namespace
 
-Vec3d drawing_origin(const Vec3d& middle, const Vec3d& last, const annotations::ViewCamera& camera) {
+ciel::Vec3d drawing_origin(const ciel::Vec3d& middle, const ciel::Vec3d& last, const annotations::ViewCamera& camera) {
     const double far = reach * view_height(camera);
-    for (const Vec3d& origin : {middle, last})
-        if (length(camera.target - origin) <= far) return origin;
+    for (const ciel::Vec3d& origin : {middle, last})
+        if (ciel::length(camera.target - origin) <= far) return origin;
     return camera.target;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

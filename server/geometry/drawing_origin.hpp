@@ -5,10 +5,11 @@
 #include "annotations/camera.hpp"
 #include "ciel/types.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns `middle`, the middle of the mesh, if floats relative to it are precise to 1/30 of a pixel at the camera's
 // target; else `last`, the result of the last call, if `last` is as precise; else the camera's target.
-[[nodiscard]] Vec3d drawing_origin(const Vec3d& middle, const Vec3d& last, const annotations::ViewCamera& camera);
+[[nodiscard]] ciel::Vec3d drawing_origin(const ciel::Vec3d& middle, const ciel::Vec3d& last,
+                                         const annotations::ViewCamera& camera);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

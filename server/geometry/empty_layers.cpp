@@ -7,17 +7,18 @@
 
 #include <algorithm>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
-    const std::span<const Index> indices = drawable.indices();
+    const std::span<const ciel::Index> indices = drawable.indices();
     if (indices.empty() || !cutter.cuts()) return !indices.empty();
     const auto& positions = drawable.shape->surface.positions;
-    if (std::any_of(indices.begin(), indices.end(), [&](Index i) { return cutter.keeps(positions[i]); })) return true;
+    if (std::any_of(indices.begin(), indices.end(), [&](ciel::Index i) { return cutter.keeps(positions[i]); }))
+        return true;
     const std::size_t corners = drawable.corners();
     for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
-        std::vector<Vec3d> piece;
+        std::vector<ciel::Vec3d> piece;
         for (std::size_t k = 0; k < corners; ++k) piece.push_back(wide(positions[indices[i + k]]));
         if (!cutter.rest_of(std::move(piece)).empty()) return true;
     }
@@ -27,11 +28,12 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
 // Tests each plane alone: several planes that remove all vertices may leave a part in the middle of a cell.
 bool is_seen(const color::SlabMesh& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
-    return !vertices.empty() && std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const HalfSpace& plane) {
-        return std::any_of(vertices.begin(), vertices.end(), [&](const color::SlabVertex& vertex) {
-            return distance(plane, wide(vertex.position)) >= 0;
-        });
-    });
+    return !vertices.empty() &&
+           std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const ciel::HalfSpace& plane) {
+               return std::any_of(vertices.begin(), vertices.end(), [&](const color::SlabVertex& vertex) {
+                   return distance(plane, wide(vertex.position)) >= 0;
+               });
+           });
 }
 
 std::string range_text(const std::array<double, 2>& range) {
@@ -143,4 +145,4 @@ std::string why_text(EmptyLayer::Why why) {
     return names.at(static_cast<std::size_t>(why));
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

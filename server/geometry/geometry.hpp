@@ -12,27 +12,27 @@
 #include <string>
 #include <vector>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Positions are offsets from Geometry::origin. Points of a boundary surface are mesh vertices: a == b.
 struct Shape {
-    Surface surface;
-    std::vector<Index> indices; // three per triangle, two per line, one per point
+    ciel::Surface surface;
+    std::vector<ciel::Index> indices; // three per triangle, two per line, one per point
     bool lines = false, points = false;
 };
 
 struct Drawable { // one iso-value, slice, boundary surface or outline of a layer, or the edges of its polygons
     std::string layer;
     std::shared_ptr<const Shape> shape;
-    std::shared_ptr<const std::vector<Index>> edges; // drawn instead of the shape's own indices, two per line
-    float line_width = 1.5F;                         // pixels
-    std::optional<store::Values> scalars;            // one per surface vertex; nullopt if the color is solid
-    double scalar_origin = 0;                        // subtracted from double scalars to draw them as floats
-    std::string array;                               // of the scalars
-    std::string units;                               // of the array; empty if not known
-    std::vector<std::string> legend_lines;           // more lines for the legend, about the array at this step
-    color::ColorScale scale;                         // of the scalars
-    bool missing = false;                            // true if some scalars are NaN or infinite
+    std::shared_ptr<const std::vector<ciel::Index>> edges; // drawn instead of the shape's own indices, two per line
+    float line_width = 1.5F;                               // pixels
+    std::optional<store::Values> scalars;                  // one per surface vertex; nullopt if the color is solid
+    double scalar_origin = 0;                              // subtracted from double scalars to draw them as floats
+    std::string array;                                     // of the scalars
+    std::string units;                                     // of the array; empty if not known
+    std::vector<std::string> legend_lines;                 // more lines for the legend, about the array at this step
+    color::ColorScale scale;                               // of the scalars
+    bool missing = false;                                  // true if some scalars are NaN or infinite
     bool all_left_out = false;                       // all polygons are left out: no cell is sound (sound_shape.hpp)
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1}; // alpha: the layer's opacity
     bool lit = true;
@@ -45,7 +45,7 @@ struct Drawable { // one iso-value, slice, boundary surface or outline of a laye
     [[nodiscard]] bool is_on_surface() const { return edges != nullptr || contours; } // on the layer's surface
     [[nodiscard]] bool polygons() const { return !lines() && !points(); }
     [[nodiscard]] std::size_t corners() const { return lines() ? 2 : points() ? 1 : 3; } // of each primitive
-    [[nodiscard]] std::span<const Index> indices() const { return edges ? *edges : shape->indices; }
+    [[nodiscard]] std::span<const ciel::Index> indices() const { return edges ? *edges : shape->indices; }
 };
 
 struct Slabs; // volume_cut.hpp
@@ -77,7 +77,7 @@ struct EmptyLayer { // a visible layer that shows nothing
 [[nodiscard]] std::string why_text(EmptyLayer::Why why); // name in protocol/openrpc.json
 
 struct BoundingBox { // in the dataset's coordinates
-    Vec3d low{}, high{};
+    ciel::Vec3d low{}, high{};
     bool operator==(const BoundingBox&) const = default;
 };
 
@@ -85,9 +85,9 @@ struct BoundingBox { // in the dataset's coordinates
 struct Geometry {
     std::vector<Drawable> drawables;     // visible layers, in drawing order
     std::vector<VolumeDrawable> volumes; // visible volumes, in drawing order
-    std::vector<HalfSpace> clip;         // relative to `origin`; drawables and volumes are stored unclipped (clip.hpp)
-    Vec3d origin{}; // the middle of the mesh, or a point near the camera's target (drawing_origin.hpp)
-    Vec3d bounds_min{}, bounds_max{};
+    std::vector<ciel::HalfSpace> clip;   // relative to `origin`; drawables and volumes are stored unclipped (clip.hpp)
+    ciel::Vec3d origin{}; // the middle of the mesh, or a point near the camera's target (drawing_origin.hpp)
+    ciel::Vec3d bounds_min{}, bounds_max{};
     bool double_positions = false;             // whether the mesh has double positions
     std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, at every step: x0, x1, y0, y1, z0, z1
     double time = 0;                           // of the step shown
@@ -104,4 +104,4 @@ struct Geometry {
 // Throws store::NotWritten if `lacking` is not empty: a surface file cannot contain a remark.
 void require_complete(const Geometry& geometry);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

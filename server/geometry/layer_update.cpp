@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace ciel::geometry {
+namespace server::geometry {
 std::array<double, 2> range_of(const store::Dataset& dataset, const std::string& scalar, std::size_t step) {
     const store::ScalarName name = store::parse_scalar(dataset, scalar);
     const auto& arrays = dataset.steps()[step].arrays;
@@ -158,4 +158,4 @@ Drawable& LayerUpdate::add_lines(const std::shared_ptr<const Shape>& shape, cons
     return out.drawables.back();
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,10 +6,10 @@
 #include "geometry/volume_cut.hpp"
 #include "scene/rules.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 struct LayerUpdate {
-    Extraction extraction;
+    ciel::Extraction extraction;
     const std::shared_ptr<store::LoadedDataset>& loaded;
     std::shared_ptr<store::Dataset> dataset;
     const std::stop_token& stop;
@@ -91,4 +91,4 @@ private:
 // Returns "U:magnitude" for "U" if U is a vector. Returns other names unchanged.
 [[nodiscard]] std::string full_name(const store::Dataset& dataset, const std::string& scalar);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 // `largest`: upper bound of the mesh's coordinates; rounding errors are proportional to it.
@@ -67,7 +67,7 @@ double LayerUpdate::use_plane(Cut& cut, const scene::Plane& plane) {
 const scene::ClipLayer* LayerUpdate::cap_at(const scene::SliceLayer& slice) const {
     const scene::Plane plane = plane_of(slice);
     const auto found = std::ranges::find_if(caps, [&](const scene::ClipLayer* clip) {
-        return coincide(plane, plane_of(*clip), diagonal() + length(out.origin));
+        return coincide(plane, plane_of(*clip), diagonal() + ciel::length(out.origin));
     });
     return found == caps.end() ? nullptr : *found;
 }
@@ -76,7 +76,7 @@ bool LayerUpdate::cut_along(Cut& cut, double nu) const {
     const auto side = side_at(nu, cut.field);
     if (!side) return cut.extract(nu, false, stop);
     if (cut.shape && cut.nu == *side && !cut.normals) return true;
-    Surface faces = side_surface(cut.field, *side);
+    ciel::Surface faces = side_surface(cut.field, *side);
     if (faces.polygon_cell.empty()) return cut.extract(*side, false, stop);
     cut.show(triangles_shape(std::move(faces)), *side);
     return true;
@@ -121,4 +121,4 @@ void LayerUpdate::add_contours(Contoured& contoured, const std::shared_ptr<const
     color(lines, *contours->coloring, layer);
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

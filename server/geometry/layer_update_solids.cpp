@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
                                        const std::vector<std::uint8_t>& cells) {
     if (cells.empty()) return cut;
-    return triangles_shape(polygons_of_cells(cut->surface, cells));
+    return triangles_shape(ciel::polygons_of_cells(cut->surface, cells));
 }
 
 // Arrays on patches have values only on the boundary. Therefore the color comes from the inner array of the same name.
@@ -45,14 +45,15 @@ std::vector<std::uint8_t> LayerUpdate::cells_of(const scene::Threshold& threshol
         std::vector<std::uint8_t> in_range;
         const auto values = loaded->stored_scalar(threshold.array, out.step, store::Association::cell);
         in_range.reserve(values->size());
-        values->for_pieces([&](ValuesView piece) {
-            const auto of_piece = cells_in_range(piece, threshold.range);
+        values->for_pieces([&](ciel::ValuesView piece) {
+            const auto of_piece = ciel::cells_in_range(piece, threshold.range);
             in_range.insert(in_range.end(), of_piece.begin(), of_piece.end());
         });
         return in_range;
     }
-    auto kept = cells_in_range(*loaded->scalar(threshold.array, out.step).field, threshold.range,
-                               threshold.keep == scene::Threshold::Keep::any ? InRange::any : InRange::all);
+    auto kept =
+        ciel::cells_in_range(*loaded->scalar(threshold.array, out.step).field, threshold.range,
+                             threshold.keep == scene::Threshold::Keep::any ? ciel::InRange::any : ciel::InRange::all);
     if (const auto sound = loaded->sound_cells(threshold.array, out.step))
         for (std::size_t cell = 0; cell < kept.size(); ++cell) kept[cell] = kept[cell] & sound->kept[cell];
     return kept;
@@ -134,8 +135,9 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::PointsLayer
     if (kept == nullptr) return true;
     const std::size_t before = kept->memory_bytes();
     if (!kept->shape) {
-        const Surface vertices = all ? loaded->vertices_of_cells(out.step, kept->cells, out.origin)
-                                     : boundary_surface(*loaded, out.step, out.origin, points.groups, kept->cells);
+        const ciel::Surface vertices =
+            all ? loaded->vertices_of_cells(out.step, kept->cells, out.origin)
+                : boundary_surface(*loaded, out.step, out.origin, points.groups, kept->cells);
         kept->points = vertices.positions.size();
         kept->thinned = std::max<std::size_t>(1, (kept->points + points.most - 1) / points.most);
         kept->shape = points_shape(vertices, kept->thinned);
@@ -162,4 +164,4 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::OutlineLaye
     return true;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer& volume) {
     VolumeCut& kept = volumes[layer.id];
@@ -15,7 +15,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::VolumeLayer
         leave_out(layer, missing);
         return true;
     }
-    const Vec3d normal = slab_normal(slabs_across, camera, moving);
+    const ciel::Vec3d normal = slab_normal(slabs_across, camera, moving);
     const store::ScalarField planes = drawn(loaded->plane(out.step, out.origin, normal));
     const std::string place = plane_name(normal, step());
     const auto [low, high] = planes.field->range();
@@ -69,4 +69,4 @@ double LayerUpdate::diagonal() const {
                       out.bounds_max[2] - out.bounds_min[2]);
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

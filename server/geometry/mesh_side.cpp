@@ -7,14 +7,14 @@
 #include <cmath>
 #include <limits>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 // The error of a double distance comes from the coordinates from which the distance was computed.
 double rounding(const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
     if (!distances.has_double_positions()) return 1e-6 * (high - low);
-    const double coordinate = length(distances.surface_origin()) + std::max(std::abs(low), std::abs(high));
+    const double coordinate = ciel::length(distances.surface_origin()) + std::max(std::abs(low), std::abs(high));
     return 16 * std::numeric_limits<double>::epsilon() * coordinate;
 }
 
@@ -31,8 +31,8 @@ std::optional<double> side_at(double nu, const store::ScalarField& distances) {
     return {};
 }
 
-Surface side_surface(const store::ScalarField& distances, double nu) {
+ciel::Surface side_surface(const store::ScalarField& distances, double nu) {
     return distances.boundary_at(nu, rounding(distances));
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // If the plane at `nu` lies in a side of the mesh, up to rounding, returns the value at which the mesh must be cut;
 // else returns nothing. `distances`: field of distances along the normal. At the lower side, the result is the next
@@ -15,6 +15,6 @@ namespace ciel::geometry {
 [[nodiscard]] std::optional<double> side_at(double nu, const store::ScalarField& distances);
 
 // `nu`: a result of side_at. The surface is empty if the mesh ends there in an edge or a point.
-[[nodiscard]] Surface side_surface(const store::ScalarField& distances, double nu);
+[[nodiscard]] ciel::Surface side_surface(const store::ScalarField& distances, double nu);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -2,10 +2,11 @@
 
 #include "store/mesh_questions.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
-std::vector<Vec3d> places_of(const Surface& surface, const Geometry& geometry, const store::Dataset& dataset) {
+std::vector<ciel::Vec3d> places_of(const ciel::Surface& surface, const Geometry& geometry,
+                                   const store::Dataset& dataset) {
     return store::positions_of(dataset, dataset.steps()[geometry.step], surface.points);
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

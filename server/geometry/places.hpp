@@ -4,10 +4,10 @@
 
 #include "geometry/geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns one position per vertex of a surface of `geometry`. `dataset`: the dataset that `geometry` shows.
-[[nodiscard]] std::vector<Vec3d> places_of(const Surface& surface, const Geometry& geometry,
-                                           const store::Dataset& dataset);
+[[nodiscard]] std::vector<ciel::Vec3d> places_of(const ciel::Surface& surface, const Geometry& geometry,
+                                                 const store::Dataset& dataset);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -4,7 +4,7 @@
 #include "annotations/ticks.hpp"
 #include "scene/rules.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 template <class Shown>
@@ -81,4 +81,4 @@ annotations::Annotations annotations_of(const Geometry& geometry, const scene::C
     return annotations;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

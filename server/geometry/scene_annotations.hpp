@@ -4,7 +4,7 @@
 #include "annotations/annotations.hpp"
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Has one legend for each array and color scale that visible layers use, in drawing order. Legends of the same array
 // name their layers. A layer that shows nothing has a legend only with `all_layers`, so that a view does not jump while
@@ -13,4 +13,4 @@ enum class LegendsOf { what_is_seen, all_layers };
 [[nodiscard]] annotations::Annotations annotations_of(const Geometry& geometry, const scene::CheckedScene& checked,
                                                       LegendsOf legends = LegendsOf::what_is_seen);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

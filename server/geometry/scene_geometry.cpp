@@ -12,11 +12,11 @@
 #include <cmath>
 #include <set>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
-Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
-Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
+ciel::Vec3d low(const store::MeshInfo& mesh) { return {mesh.bounds[0], mesh.bounds[2], mesh.bounds[4]}; }
+ciel::Vec3d high(const store::MeshInfo& mesh) { return {mesh.bounds[1], mesh.bounds[3], mesh.bounds[5]}; }
 
 // A scene without a time has the time 0 and gets no remark.
 void remark_on_time(double wanted, Geometry& geometry) {
@@ -29,10 +29,10 @@ void remark_on_time(double wanted, Geometry& geometry) {
 } // namespace
 
 void require_complete(const Geometry& geometry) {
-    if (!geometry.lacking.empty()) throw store::NotWritten(printable(geometry.lacking.front()));
+    if (!geometry.lacking.empty()) throw store::NotWritten(ciel::printable(geometry.lacking.front()));
 }
 
-SceneGeometry::SceneGeometry(Extraction extraction) : extraction_(extraction) {}
+SceneGeometry::SceneGeometry(ciel::Extraction extraction) : extraction_(extraction) {}
 SceneGeometry::~SceneGeometry() = default;
 SceneGeometry::SceneGeometry(SceneGeometry&&) noexcept = default;
 SceneGeometry& SceneGeometry::operator=(SceneGeometry&&) noexcept = default;
@@ -47,7 +47,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
         loaded_ = loaded;
     }
     const auto& dataset = checked.dataset();
-    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append a step");
+    if (dataset->steps().empty()) throw ciel::Error(dataset->info().name + " has no time step yet; append a step");
 
     auto geometry = std::make_shared<Geometry>();
     geometry->step = dataset->step_at(scene.time);
@@ -132,4 +132,4 @@ std::size_t SceneGeometry::memory_bytes() const {
     return bytes;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -8,7 +8,7 @@
 #include <map>
 #include <stop_token>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 struct Cut; // cut.hpp
 struct Boundary;
@@ -20,7 +20,7 @@ using LayersMade = std::function<void(std::size_t done, std::size_t of)>;
 // Not thread-safe.
 class SceneGeometry {
 public:
-    explicit SceneGeometry(Extraction extraction);
+    explicit SceneGeometry(ciel::Extraction extraction);
     ~SceneGeometry();
     SceneGeometry(SceneGeometry&&) noexcept;
     SceneGeometry& operator=(SceneGeometry&&) noexcept;
@@ -38,12 +38,12 @@ private:
     void forget_all();
     void forget_all_but(const scene::CheckedScene& checked);
 
-    Extraction extraction_;
+    ciel::Extraction extraction_;
     std::shared_ptr<store::LoadedDataset> loaded_;
-    Vec3d origin_{}; // origin of all kept shapes
+    ciel::Vec3d origin_{}; // origin of all kept shapes
     std::map<Key, Cut> cuts_;
     std::map<Key, Boundary> boundaries_;
     std::map<std::string, VolumeCut> volumes_; // by layer
 };
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -1,13 +1,14 @@
 #include "geometry/shape_pool.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 std::size_t bytes_of(const Shape& shape) {
-    const Surface& s = shape.surface;
-    return (s.positions.capacity() + s.normals.capacity()) * sizeof(Vec3f) + s.points.capacity() * sizeof(EdgePoint) +
+    const ciel::Surface& s = shape.surface;
+    return (s.positions.capacity() + s.normals.capacity()) * sizeof(ciel::Vec3f) +
+           s.points.capacity() * sizeof(ciel::EdgePoint) +
            (s.polygon_offset.capacity() + s.polygon_vertex.capacity() + s.polygon_cell.capacity() +
             s.polygon_face.capacity() + shape.indices.capacity()) *
-               sizeof(Index);
+               sizeof(ciel::Index);
 }
 
 std::shared_ptr<Shape> ShapePool::take() {
@@ -35,4 +36,4 @@ std::size_t ShapePool::memory_bytes() const {
     return kept_ ? bytes_of(*kept_) : 0;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

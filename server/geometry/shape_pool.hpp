@@ -5,7 +5,7 @@
 
 #include <mutex>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Thread-safe. A shape returns to the pool when its last owner releases it. The pool keeps at most one shape.
 class ShapePool : public std::enable_shared_from_this<ShapePool> {
@@ -26,4 +26,4 @@ private:
 
 [[nodiscard]] std::size_t bytes_of(const Shape& shape);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

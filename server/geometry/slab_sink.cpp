@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 using color::SlabMesh;
 using color::SlabVertex;
@@ -20,10 +20,10 @@ public:
         taken_.assign(out.vertices.size(), 0);
     }
 
-    void add(std::span<const Index> loop, const std::array<float, 2>& limits) {
+    void add(std::span<const ciel::Index> loop, const std::array<float, 2>& limits) {
         if (loop.size() < 3) return;
         const std::size_t corner = best_corner(loop), n = loop.size();
-        const Index apex = own(loop[corner]);
+        const ciel::Index apex = own(loop[corner]);
         out_.vertices[apex].limits = limits;
         for (std::size_t i = 1; i + 1 < n; ++i)
             out_.triangles.insert(out_.triangles.end(), {apex, loop[(corner + i) % n], loop[(corner + i + 1) % n]});
@@ -31,14 +31,14 @@ public:
 
 private:
     // The first vertex of a fan has the limits of one cell; therefore two fans cannot share it.
-    [[nodiscard]] Index own(Index point) {
+    [[nodiscard]] ciel::Index own(ciel::Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;
             return point;
         }
         const SlabVertex copy = out_.vertices[point];
         out_.vertices.push_back(copy);
-        return static_cast<Index>(out_.vertices.size() - 1);
+        return static_cast<ciel::Index>(out_.vertices.size() - 1);
     }
 
     [[nodiscard]] static std::vector<std::uint8_t>& taken_of_this_thread() {
@@ -47,9 +47,9 @@ private:
     }
 
     // Prefers a corner without reversed triangles. A reversed triangle overlaps others, which are then blended twice.
-    [[nodiscard]] std::size_t best_corner(std::span<const Index> loop) const {
+    [[nodiscard]] std::size_t best_corner(std::span<const ciel::Index> loop) const {
         if (loop.size() == 3) return free_corner(loop);
-        const Vec3d normal = area_of(loop);
+        const ciel::Vec3d normal = area_of(loop);
         std::size_t best = 0;
         double best_worst = -std::numeric_limits<double>::infinity();
         const std::size_t step = std::max<std::size_t>(1, loop.size() / 64); // makes the time linear in the corners
@@ -64,30 +64,31 @@ private:
         return best;
     }
 
-    [[nodiscard]] std::size_t free_corner(std::span<const Index> loop) const {
-        const auto found = std::ranges::find_if(loop, [&](Index p) { return taken_[p] == 0; });
+    [[nodiscard]] std::size_t free_corner(std::span<const ciel::Index> loop) const {
+        const auto found = std::ranges::find_if(loop, [&](ciel::Index p) { return taken_[p] == 0; });
         return found == loop.end() ? 0 : static_cast<std::size_t>(found - loop.begin());
     }
 
-    [[nodiscard]] Vec3d to(Index from, Index point) const {
-        return arm(out_.vertices[from].position, out_.vertices[point].position);
+    [[nodiscard]] ciel::Vec3d to(ciel::Index from, ciel::Index point) const {
+        return ciel::arm(out_.vertices[from].position, out_.vertices[point].position);
     }
-    [[nodiscard]] Vec3d area_of(std::span<const Index> loop) const {
-        Vec3d sum{};
+    [[nodiscard]] ciel::Vec3d area_of(std::span<const ciel::Index> loop) const {
+        ciel::Vec3d sum{};
         for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-            const Vec3d piece = cross(to(loop[0], loop[i]), to(loop[0], loop[i + 1]));
+            const ciel::Vec3d piece = ciel::cross(to(loop[0], loop[i]), to(loop[0], loop[i + 1]));
             for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += piece[axis];
         }
         return sum;
     }
-    [[nodiscard]] double worst_area(std::span<const Index> loop, const Vec3d& normal, std::size_t corner) const {
+    [[nodiscard]] double worst_area(std::span<const ciel::Index> loop, const ciel::Vec3d& normal,
+                                    std::size_t corner) const {
         const std::size_t n = loop.size();
         // The tolerance, 1e-6 of the polygon's area, accepts a sliver that only rounding has reversed.
-        double worst = 1e-5 * dot(normal, normal);
+        double worst = 1e-5 * ciel::dot(normal, normal);
         for (std::size_t i = 1; i + 1 < n; ++i)
-            worst = std::min(worst, 1e-6 * dot(normal, normal) +
-                                        dot(normal, cross(to(loop[corner], loop[(corner + i) % n]),
-                                                          to(loop[corner], loop[(corner + i + 1) % n]))));
+            worst = std::min(worst, 1e-6 * ciel::dot(normal, normal) +
+                                        ciel::dot(normal, ciel::cross(to(loop[corner], loop[(corner + i) % n]),
+                                                                      to(loop[corner], loop[(corner + i + 1) % n]))));
         return worst;
     }
 
@@ -97,19 +98,19 @@ private:
 
 bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
 
-Vec3f lerp(const Vec3f& a, const Vec3f& b, double t) {
+ciel::Vec3f lerp(const ciel::Vec3f& a, const ciel::Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
 
 } // namespace
 
-void SlabSink::check(const TopologyCounts& counts) const {
-    require_size(property.value.size(), counts.vertices, "values, one for each vertex");
-    require_size(property.gradient.size(), counts.vertices, "gradients, one for each vertex");
-    require_size(property.limits.size(), counts.cells, "limits, one for each cell");
+void SlabSink::check(const ciel::TopologyCounts& counts) const {
+    ciel::require_size(property.value.size(), counts.vertices, "values, one for each vertex");
+    ciel::require_size(property.gradient.size(), counts.vertices, "gradients, one for each vertex");
+    ciel::require_size(property.limits.size(), counts.cells, "limits, one for each cell");
 }
 
-void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
+void SlabSink::write(const ciel::BlockPolygons& cut, Piece& piece) const {
     piece.vertices.clear();
     piece.vertices.reserve(cut.points.size() + cut.polygon_count() / 2);
     for (std::size_t i = 0; i < cut.points.size(); ++i) {
@@ -128,8 +129,8 @@ void SlabSink::write(const BlockPolygons& cut, Piece& piece) const {
 }
 
 void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
-    join_arrays(pieces, &Piece::vertices, out);
-    join_triangles(pieces, &Piece::vertices, out);
+    ciel::join_arrays(pieces, &Piece::vertices, out);
+    ciel::join_triangles(pieces, &Piece::vertices, out);
 }
 
 std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> limits) {
@@ -138,25 +139,26 @@ std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> lim
     return filled;
 }
 
-SlabMesh slab_boundary(const Surface& faces, const SlabProperty& property) {
+SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property) {
     const std::size_t vertices = std::min(property.value.size(), property.gradient.size());
-    const auto has_entry = [&](const EdgePoint& point) { return point.a < vertices; };
-    const auto has_limits = [&](Index cell) { return cell < property.limits.size(); };
+    const auto has_entry = [&](const ciel::EdgePoint& point) { return point.a < vertices; };
+    const auto has_limits = [&](ciel::Index cell) { return cell < property.limits.size(); };
     if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_limits))
-        fail("a vertex or a cell of a volume's boundary has no entry in the property; pass the boundary of the mesh on "
-             "which the property lies");
+        ciel::fail(
+            "a vertex or a cell of a volume's boundary has no entry in the property; pass the boundary of the mesh on "
+            "which the property lies");
     SlabMesh out;
     out.vertices.reserve(faces.points.size() + faces.polygon_cell.size() / 2);
     for (std::size_t i = 0; i < faces.points.size(); ++i) {
-        const Index vertex = faces.points[i].a;
+        const ciel::Index vertex = faces.points[i].a;
         out.vertices.push_back({faces.positions[i], property.value[vertex], property.gradient[vertex], {}});
     }
     FanWriter fans(out);
     for (std::size_t i = 0; i < faces.polygon_cell.size(); ++i) {
-        const Index begin = faces.polygon_offset[i], end = faces.polygon_offset[i + 1];
+        const ciel::Index begin = faces.polygon_offset[i], end = faces.polygon_offset[i + 1];
         fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin), property.limits[faces.polygon_cell[i]]);
     }
     return out;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,13 +6,13 @@
 #include "ciel/sweep_sinks.hpp"
 #include "color/slab_mesh.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // The property on the whole mesh. Does not own the arrays. A cell is filled, which means a part of the volume, unless
 // its limits are no_limits.
 struct SlabProperty {
     std::span<const float> value;                 // one for each mesh vertex
-    std::span<const Vec3f> gradient;              // one for each mesh vertex, per unit of length
+    std::span<const ciel::Vec3f> gradient;        // one for each mesh vertex, per unit of length
     std::span<const std::array<float, 2>> limits; // one for each cell (cell_limits)
 };
 
@@ -24,8 +24,8 @@ struct SlabSink {
 
     using Piece = color::SlabMesh;
     using Out = color::SlabMesh;
-    void check(const TopologyCounts& counts) const;
-    void write(const BlockPolygons& cut, Piece& piece) const;
+    void check(const ciel::TopologyCounts& counts) const;
+    void write(const ciel::BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
@@ -35,6 +35,6 @@ struct SlabSink {
 // Returns the polygons of `faces` as the boundary of a volume. `faces`: the surface around the filled cells
 // (threshold_surface, with CollapsedFaces::keep). Its points are mesh vertices. Throws Error when a vertex or a cell of
 // `faces` has no entry in an array of the property.
-[[nodiscard]] color::SlabMesh slab_boundary(const Surface& faces, const SlabProperty& property);
+[[nodiscard]] color::SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 std::shared_ptr<const Shape> sound_shape(const std::shared_ptr<const Shape>& shape, std::span<const std::string> arrays,
                                          std::size_t step, store::LoadedDataset& loaded) {
@@ -14,9 +14,9 @@ std::shared_ptr<const Shape> sound_shape(const std::shared_ptr<const Shape>& sha
     for (const std::string& array : arrays) {
         const auto cells = array.empty() ? nullptr : loaded.sound_cells(array, step);
         if (!cells) continue;
-        const auto is_kept = [&](Index cell) { return cell < cells->kept.size() && cells->kept[cell] != 0; };
+        const auto is_kept = [&](ciel::Index cell) { return cell < cells->kept.size() && cells->kept[cell] != 0; };
         if (std::ranges::all_of(sound->surface.polygon_cell, is_kept)) continue;
-        sound = triangles_shape(polygons_of_cells(sound->surface, cells->kept));
+        sound = triangles_shape(ciel::polygons_of_cells(sound->surface, cells->kept));
     }
     return sound;
 }
@@ -33,4 +33,4 @@ std::string left_out_text(const std::string& scalar, bool is_cut, std::size_t st
     return corners == 0 ? std::string() : sentence(corners, "a corner without a number for " + array);
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns `shape` itself if no polygon is left out. Empty names are ignored. Throws store::NotWritten if an array was
 // not written at the step.
@@ -19,4 +19,4 @@ namespace ciel::geometry {
 [[nodiscard]] std::string left_out_text(const std::string& scalar, bool is_cut, std::size_t step,
                                         store::LoadedDataset& loaded);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

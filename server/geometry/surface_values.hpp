@@ -3,12 +3,12 @@
 
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns the same polygons without shared vertices, so that every polygon can have the value of its cell or face.
 [[nodiscard]] std::shared_ptr<const Shape> separated(const Shape& shape);
 
 // Returns one value per vertex: the value of the polygon that has the vertex. `of_polygons`: one value per polygon.
-[[nodiscard]] store::Values flat_values(const Surface& separated, ValuesView of_polygons);
+[[nodiscard]] store::Values flat_values(const ciel::Surface& separated, ciel::ValuesView of_polygons);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 struct ViewSize {
     std::uint32_t width = 0, height = 0;
     double pixel_ratio = 1; // pixels per unit of line width and point size
 };
 
-} // namespace ciel::geometry
+} // namespace server::geometry

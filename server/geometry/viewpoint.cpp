@@ -4,7 +4,7 @@
 #include "fonts/font.hpp"
 #include "geometry/scene_annotations.hpp"
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 annotations::ViewCamera camera_of(const Geometry& geometry, const std::optional<scene::Camera>& given, double aspect) {
     if (!given) return annotations::default_camera(geometry.bounds_min, geometry.bounds_max, aspect);
@@ -42,4 +42,4 @@ annotations::Viewpoint viewpoint_of(const Geometry& geometry, const scene::Check
     return viewpoint;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Returns the scene's camera `given`, or annotations::default_camera of the bounds if the scene has none.
 [[nodiscard]] annotations::ViewCamera camera_of(const Geometry& geometry, const std::optional<scene::Camera>& given,
@@ -22,4 +22,4 @@ namespace ciel::geometry {
 [[nodiscard]] annotations::Viewpoint viewpoint_of(const Geometry& geometry, const scene::CheckedScene& checked,
                                                   int width, int height);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 // Number of slices in an interactive picture. Software rendering draws `most_slices` slices of a few thousand triangles
@@ -27,9 +27,9 @@ double moving_slices(std::size_t vertices, double loss) {
     return std::clamp(loss / usual_loss, usual, std::min(times_more * std::max(fitting, least_slices), most_of_all));
 }
 
-Vec3d unit_vector(const Vec3d& v) {
+ciel::Vec3d unit_vector(const ciel::Vec3d& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
-    return length > 0 ? Vec3d{v[0] / length, v[1] / length, v[2] / length} : Vec3d{0, 1, 0};
+    return length > 0 ? ciel::Vec3d{v[0] / length, v[1] / length, v[2] / length} : ciel::Vec3d{0, 1, 0};
 }
 
 } // namespace
@@ -72,7 +72,7 @@ std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss)
 VolumeCut::VolumeCut() : identity(unique_number()) {}
 
 void VolumeCut::use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded,
-                             const Vec3d& origin) {
+                             const ciel::Vec3d& origin) {
     const std::string wanted = std::to_string(step) + " " + name;
     if (key == wanted) return;
     store::ScalarField field = loaded.scalar(name, step); // throws NotWritten before any change
@@ -84,18 +84,19 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     gradients = field.gradients(stored);
     const auto [low, high] = field.field->range();
     value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
-    values = stored.has_doubles() ? store::Values(floats_from(value_origin, stored)) : stored;
-    limits = cell_limits(*field.topology, values.floats());
+    values = stored.has_doubles() ? store::Values(ciel::floats_from(value_origin, stored)) : stored;
+    limits = ciel::cell_limits(*field.topology, values.floats());
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < limits.size(); ++cell)
-            if (sound->kept[cell] == 0) limits[cell] = no_limits;
-    const Surface faces = field.surface_around(filled_cells(limits), *loaded.boxes(step), CollapsedFaces::keep);
+            if (sound->kept[cell] == 0) limits[cell] = ciel::no_limits;
+    const ciel::Surface faces =
+        field.surface_around(filled_cells(limits), *loaded.boxes(step), ciel::CollapsedFaces::keep);
     boundary = std::make_shared<const color::SlabMesh>(slab_boundary(faces, {values.floats(), gradients, limits}));
     key = wanted;
 }
 
-bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t count,
-                    std::size_t every, Extraction extraction, const std::stop_token& stop) {
+bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, ciel::Vec3d normal, std::size_t count,
+                    std::size_t every, ciel::Extraction extraction, const std::stop_token& stop) {
     const std::string wanted = place + " " + std::to_string(count);
     const bool same = slabs && slabs_key == wanted;
     if (same && (stride == 1 || stride == every)) return true;
@@ -122,7 +123,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
 }
 
 std::size_t VolumeCut::memory_bytes() const {
-    return gradients.size() * sizeof(Vec3f) + limits.size() * sizeof(limits[0]) +
+    return gradients.size() * sizeof(ciel::Vec3f) + limits.size() * sizeof(limits[0]) +
            (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
 }
 
@@ -136,7 +137,7 @@ scene::VolumeLayer::Direction slab_direction(const scene::CheckedScene& checked)
 namespace {
 
 // False if the axis is nearest to the viewing direction and the field of view is 30 degrees.
-bool sees_along_slabs(const Vec3d& view, std::size_t axis, const annotations::ViewCamera& camera) {
+bool sees_along_slabs(const ciel::Vec3d& view, std::size_t axis, const annotations::ViewCamera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
     return std::acos(std::min(std::abs(unit_vector(view)[axis]), 1.0)) + std::atan(corner) > widest;
@@ -150,9 +151,9 @@ std::optional<std::size_t> axis_of(scene::VolumeLayer::Direction direction) {
 
 } // namespace
 
-Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera, bool moving) {
+ciel::Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera, bool moving) {
     using Direction = scene::VolumeLayer::Direction;
-    Vec3d view{};
+    ciel::Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
     // While the camera moves, slices along the view would have to be cut again for each picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
@@ -161,9 +162,9 @@ Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::Vi
         if (std::abs(view[other]) > std::abs(view[axis])) axis = other;
     if (const auto asked = axis_of(direction); asked && !sees_along_slabs(view, *asked, camera)) axis = *asked;
     if (!moving && sees_along_slabs(view, axis, camera)) return unit_vector(view);
-    Vec3d normal{};
+    ciel::Vec3d normal{};
     normal[axis] = 1;
     return normal;
 }
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -8,12 +8,12 @@
 #include <array>
 #include <span>
 
-namespace ciel::geometry {
+namespace server::geometry {
 
 // Parallel slabs of equal thickness that cover the mesh. Slice i is the cut by the middle plane of slab i. Positions
 // along the normal are values of dot(normal, offset from Geometry::origin).
 struct Slabs {
-    Vec3d normal{};
+    ciel::Vec3d normal{};
     double first = 0, thickness = 1;     // position of the start of slab 0; thickness of a slab
     std::vector<color::SlabMesh> slices; // a slice is empty if it is not cut yet
     std::shared_ptr<const color::SlabMesh> boundary;
@@ -43,7 +43,7 @@ struct VolumeCut {
     std::string key;      // identifies the property: step and array
     store::Values values; // floats, relative to value_origin
     double value_origin = 0;
-    std::vector<Vec3f> gradients;
+    std::vector<ciel::Vec3f> gradients;
     std::vector<std::array<float, 2>> limits; // by cell (cell_limits in ciel/cell_limits.hpp)
     std::shared_ptr<const color::SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
@@ -53,11 +53,12 @@ struct VolumeCut {
 
     VolumeCut();
     // Loads the property and its gradients. `origin`: point to which positions are relative.
-    void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded, const Vec3d& origin);
+    void use_property(const std::string& name, std::size_t step, store::LoadedDataset& loaded,
+                      const ciel::Vec3d& origin);
     // Cuts every `every`-th of `slices` slices, unless these slices are already cut. `place`: identifies the planes
     // (plane_name). Returns false if `stop` was requested; the earlier slices are then kept.
-    bool cut(const std::string& place, const store::ScalarField& planes, Vec3d normal, std::size_t slices,
-             std::size_t every, Extraction extraction, const std::stop_token& stop);
+    bool cut(const std::string& place, const store::ScalarField& planes, ciel::Vec3d normal, std::size_t slices,
+             std::size_t every, ciel::Extraction extraction, const std::stop_token& stop);
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
@@ -67,7 +68,7 @@ struct VolumeCut {
 // slab, where values are known only at its end. Then, and if no axis is requested, returns the axis nearest to the
 // viewing direction. An axis is taken in its positive direction. In a still picture, returns the viewing direction
 // itself for `screen`, and also if some camera ray is nearly parallel to the slabs of the chosen axis.
-[[nodiscard]] Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera,
-                                bool moving);
+[[nodiscard]] ciel::Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotations::ViewCamera& camera,
+                                      bool moving);
 
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -28,7 +28,7 @@ public:
         const std::vector<double>& times = source_.times();
         check_listing();
         for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
-        if (!writer_) throw Error(first_reason_);
+        if (!writer_) throw ciel::Error(first_reason_);
         selection_.check();
         if (!arrays_.components().is_of_most_steps()) return std::nullopt;
         for (const std::string& sentence : arrays_.notes()) note(sentence);
@@ -59,7 +59,7 @@ private:
             std::optional<std::vector<ArrayName>> listed;
             try {
                 listed = source_.listed_arrays(step);
-            } catch (const Error&) { // add_step() reports the error when it reads the step
+            } catch (const ciel::Error&) { // add_step() reports the error when it reads the step
                 return;
             }
             if (!listed) return;
@@ -77,8 +77,8 @@ private:
 
     void add_step(double time) {
         if (!std::isfinite(time))
-            throw Error("the time of step " + std::to_string(step_) +
-                        " is not a finite number; correct it in the input");
+            throw ciel::Error("the time of step " + std::to_string(step_) +
+                              " is not a finite number; correct it in the input");
         if (last_time_ && time <= *last_time_) {
             note("A second step at time " + std::to_string(time) + " was left out.");
             return;
@@ -90,7 +90,7 @@ private:
                 collect_input_grids(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
             source_.add_known(input_grids, {});
             require_volumes(input_grids);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             return lose_step(time, error.what());
         }
         for (const std::string& sentence : source_.lost()) lose(sentence);
@@ -111,7 +111,7 @@ private:
         tell(0.5, "building the mesh");
         try {
             mesh_ = build_step_mesh(input_grids, options_.weld, difference_across);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             lose_step(time, error.what());
             return false;
         }
@@ -151,7 +151,7 @@ private:
             return false;
         }
         if (!moved) return true;
-        const ValuesView positions = mesh_.view().positions;
+        const ciel::ValuesView positions = mesh_.view().positions;
         if (!writer_->holds(mesh_index_, positions)) { // positions need doubles, but the dataset has floats
             print_ = {};
             return false;
@@ -222,4 +222,4 @@ ConvertResult convert(Source& source, const Options& options) {
     }
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct Options {
     std::vector<std::string> inputs;
@@ -31,4 +31,4 @@ struct ConvertResult {
 // step can be read or the dataset cannot be written.
 [[nodiscard]] ConvertResult convert(Source& source, const Options& options);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -61,4 +61,4 @@ void print_listing(Source& source) {
     }
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -3,9 +3,9 @@
 
 #include "import/source/source.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Reads only the first step.
 void print_listing(Source& source);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -20,19 +20,19 @@
 
 namespace {
 
-using ciel::importer::Options;
+using server::importer::Options;
 
 enum ExitCode : int {
     done = 0,
     failed = 1,
     wrong_usage = 2,
     something_lost = 3,
-    out_of_memory = ciel::importing::import_out_of_memory,
+    out_of_memory = server::importing::import_out_of_memory,
 };
 constexpr double most_bad_cells = 0.001; // if the share of bad cells is larger, the exit code is something_lost
 
-void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
-    for (const ciel::importing::ImportOption& option : ciel::importing::import_options) {
+void add_options(CLI::App& app, server::importing::ImportValues& values) {
+    for (const server::importing::ImportOption& option : server::importing::import_options) {
         auto& given = values[std::string(option.name)];
         const std::string names(option.names);
         const std::string help(option.help);
@@ -47,7 +47,7 @@ void add_options(CLI::App& app, ciel::importing::ImportValues& values) {
     }
 }
 
-Options options_from(ciel::importing::ImportValues& values) {
+Options options_from(server::importing::ImportValues& values) {
     const auto flag = [&](const char* name) { return !values[name].empty(); };
     Options options;
     options.inputs = values["inputs"];
@@ -62,20 +62,20 @@ Options options_from(ciel::importing::ImportValues& values) {
     if (!options.list && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
     if (!options.list && !options.output.ends_with(".ciel"))
         throw CLI::ValidationError("-o " + options.output + ": the name of a dataset must end in .ciel");
-    if (flag("weld")) options.weld = ciel::importer::Weld::all;
-    if (flag("no-weld")) options.weld = ciel::importer::Weld::none;
+    if (flag("weld")) options.weld = server::importer::Weld::all;
+    if (flag("no-weld")) options.weld = server::importer::Weld::none;
     return options;
 }
 
 // The prefix lets the supervisor find the sentence, because libraries also write to standard error.
 int fail(const std::string& sentence, ExitCode code = failed) {
-    std::fprintf(stderr, "%s%s\n", ciel::importing::import_error_prefix.data(), sentence.c_str());
+    std::fprintf(stderr, "%s%s\n", server::importing::import_error_prefix.data(), sentence.c_str());
     return code;
 }
 
 // Writes a dataset of an earlier version of CIEL again, in the current format.
 int run_rewrite(const Options& options) {
-    using namespace ciel::importer;
+    using namespace server::importer;
     const std::string& input = options.inputs.front();
     if (options.list) throw ciel::Error(input + ": is a dataset; use `ciel info` to list the content of a dataset");
     if (!options.arrays.empty() || options.weld != Weld::seams)
@@ -83,8 +83,8 @@ int run_rewrite(const Options& options) {
             input +
             ": is a dataset, and a dataset is written again as a whole; leave out --array, --weld and --no-weld");
     const std::vector<std::string> left_out =
-        ciel::store::rewrite(input, options.output, options.force,
-                             [](double share) { progress(0.98 * share, "writing the dataset again"); });
+        server::store::rewrite(input, options.output, options.force,
+                               [](double share) { progress(0.98 * share, "writing the dataset again"); });
     ignore_cancelling();
     for (const std::string& note : left_out) std::printf("note %s\n", note.c_str());
     progress(1.0, "done");
@@ -95,12 +95,12 @@ int run_rewrite(const Options& options) {
 }
 
 int run(const Options& options) {
-    using namespace ciel::importer;
+    using namespace server::importer;
     install_cancel_handlers();
     capture_vtk_errors();
     if (!options.list)
-        ciel::store::check_new_dataset_directory(options.output, options.force); // before any input is read
-    if (options.inputs.size() == 1 && ciel::store::is_dataset(options.inputs.front())) return run_rewrite(options);
+        server::store::check_new_dataset_directory(options.output, options.force); // before any input is read
+    if (options.inputs.size() == 1 && server::store::is_dataset(options.inputs.front())) return run_rewrite(options);
     const auto source = open_source(options.inputs, options.source);
     if (options.list) {
         print_listing(*source);
@@ -144,7 +144,7 @@ int run_and_report(const Options& options) {
     const std::string& input = options.inputs.front();
     try {
         return run(options);
-    } catch (const ciel::importer::Cancelled&) {
+    } catch (const server::importer::Cancelled&) {
         return fail("cancelled");
     } catch (const ciel::Error& error) {
         return fail(naming_input(options, error.what()));
@@ -159,7 +159,7 @@ int run_and_report(const Options& options) {
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug in CIEL can throw before parsing
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
-    ciel::importing::ImportValues values;
+    server::importing::ImportValues values;
     add_options(app, values);
     Options options;
     try {

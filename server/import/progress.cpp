@@ -3,7 +3,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -39,4 +39,4 @@ void progress(double share, const std::string& phase) {
     std::fflush(stdout);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // progress() throws this after SIGINT or SIGTERM. Stack unwinding then removes the unfinished dataset.
 struct Cancelled {};
@@ -18,4 +18,4 @@ void ignore_cancelling();
 // notice a stall. Throws Cancelled after SIGINT or SIGTERM.
 void progress(double share, const std::string& phase);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace ciel::importing {
+namespace server::importing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ Time last_change(const fs::path& input) {
     return newest;
 }
 
-} // namespace ciel::importing
+} // namespace server::importing

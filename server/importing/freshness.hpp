@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace ciel::importing {
+namespace server::importing {
 
 // Returns the newest modification time of the files that an import of `input` reads. Opens no file. For an OpenFOAM
 // case, these are the controlDict, the meshes and the time directories. For a PLOT3D file, they include its grid or its
@@ -19,4 +19,4 @@ namespace ciel::importing {
 
 [[nodiscard]] bool is_openfoam_case(const std::filesystem::path& directory);
 
-} // namespace ciel::importing
+} // namespace server::importing

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace ciel::importing {
+namespace server::importing {
 namespace {
 
 constexpr const char* nothing_written = "; nothing was written";
@@ -88,4 +88,4 @@ std::string describe_end(const processes::ChildEnd& end, const std::string& inpu
     return input + ": ciel-import ended with exit code " + std::to_string(end.exit_code) + " and printed no reason";
 }
 
-} // namespace ciel::importing
+} // namespace server::importing

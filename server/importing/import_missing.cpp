@@ -9,7 +9,7 @@
 
 #include <span>
 
-namespace ciel::importing {
+namespace server::importing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ bool is_imported(const fs::path& input, const fs::path& target) {
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);
-    } catch (const Error&) {
+    } catch (const ciel::Error&) {
         return;
     }
 }
@@ -65,7 +65,7 @@ std::string import_one(const fs::path& input, const fs::path& target, const Impo
     if (end.exit_code == 1 || end.exit_code == 2) {
         std::error_code error;
         fs::remove(target.parent_path(), error); // removes the folder only if it is empty
-        if (cancel) throw Error(end.problem);
+        if (cancel) throw ciel::Error(end.problem);
         return end.problem;
     }
     fs::last_write_time(target / store::layout::commit_marker, imported);
@@ -81,7 +81,8 @@ std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs
                                      const std::atomic<bool>& cancel) {
     for (const fs::path& path : data)
         if (!fs::exists(path))
-            throw Error(path.string() + " does not exist; name a dataset, a folder of datasets or a file to import");
+            throw ciel::Error(path.string() +
+                              " does not exist; name a dataset, a folder of datasets or a file to import");
     std::vector<Servable> result;
     for (const fs::path& path : data) {
         const fs::path input = without_slash(path);
@@ -97,4 +98,4 @@ std::vector<Servable> import_missing(const std::vector<fs::path>& data, const fs
     return result;
 }
 
-} // namespace ciel::importing
+} // namespace server::importing

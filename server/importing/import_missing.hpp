@@ -3,7 +3,7 @@
 
 #include "importing/importer.hpp"
 
-namespace ciel::importing {
+namespace server::importing {
 
 struct Servable {
     std::filesystem::path path;
@@ -19,4 +19,4 @@ struct Servable {
                                                    const std::filesystem::path& folder, const ImportLimits& limits,
                                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 
-} // namespace ciel::importing
+} // namespace server::importing

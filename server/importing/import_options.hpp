@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importing {
+namespace server::importing {
 
 struct ImportOption {
     std::string_view name;  // the key in ImportValues
@@ -47,4 +47,4 @@ inline constexpr int import_out_of_memory = 4;
 // Values by ImportOption::name. A flag on the command line has one value.
 using ImportValues = std::map<std::string, std::vector<std::string>>;
 
-} // namespace ciel::importing
+} // namespace server::importing

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace ciel::importing {
+namespace server::importing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,7 +60,8 @@ fs::path find_import_program() {
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
         if (fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
-    throw Error("ciel-import was not found beside ciel or on PATH; build ciel-import with -DCIEL_IMPORT=ON and VTK 9");
+    throw ciel::Error(
+        "ciel-import was not found beside ciel or on PATH; build ciel-import with -DCIEL_IMPORT=ON and VTK 9");
 }
 
 double default_memory_gigabytes() { return default_share * static_cast<double>(limits::machine_memory()) / gigabyte; }
@@ -84,4 +85,4 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
     return {known ? end.exit_code : 1, describe_end(end, input, limits)};
 }
 
-} // namespace ciel::importing
+} // namespace server::importing

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace ciel::importing {
+namespace server::importing {
 
 // Returns four fifths of machine_memory(), in GB. With this limit, a damaged file cannot exhaust the memory.
 [[nodiscard]] double default_memory_gigabytes();
@@ -38,4 +38,4 @@ struct ImportEnd {
 // Looks in the directory of this program and on PATH. Throws Error if it is not found.
 [[nodiscard]] std::filesystem::path find_import_program();
 
-} // namespace ciel::importing
+} // namespace server::importing

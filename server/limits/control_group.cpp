@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ GroupMemory group_memory(const fs::path& root) {
     return least;
 }
 
-} // namespace ciel::limits
+} // namespace server::limits

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace ciel::limits {
+namespace server::limits {
 
 // Bytes; the largest number where no limit is set.
 struct GroupMemory {
@@ -16,4 +16,4 @@ struct GroupMemory {
 // Reads the control groups of versions 1 and 2. `root`: folder that contains proc and sys; tests give another one.
 [[nodiscard]] GroupMemory group_memory(const std::filesystem::path& root = "/");
 
-} // namespace ciel::limits
+} // namespace server::limits

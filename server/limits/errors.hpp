@@ -3,19 +3,19 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::limits {
+namespace server::limits {
 
-class NotFound : public Error {
+class NotFound : public ciel::Error {
 public:
-    using Error::Error;
+    using ciel::Error::Error;
 };
-class LimitReached : public Error {
+class LimitReached : public ciel::Error {
 public:
-    using Error::Error;
+    using ciel::Error::Error;
 };
-class NotAllowed : public Error {
+class NotAllowed : public ciel::Error {
 public:
-    using Error::Error;
+    using ciel::Error::Error;
 };
 
-} // namespace ciel::limits
+} // namespace server::limits

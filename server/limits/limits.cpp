@@ -8,7 +8,7 @@
 #include <array>
 #include <charconv>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 using Unit = LimitRow::Unit;
@@ -107,7 +107,7 @@ std::uint64_t number_of(const LimitRow& row, std::string_view text) {
     const char* expected = " is not a whole number; give a whole number";
     if (is_bytes(row)) expected = " is not a whole number; give a size such as 64M";
     if (row.unit == Unit::memory) expected = " is not a whole number; give a size such as 64M or 25%";
-    throw Error(printable(text) + expected);
+    throw ciel::Error(ciel::printable(text) + expected);
 }
 
 } // namespace
@@ -134,8 +134,8 @@ std::string environment_of(const LimitRow& row) {
 std::uint64_t parse_limit(const LimitRow& row, std::string_view text) {
     const std::uint64_t value = number_of(row, text);
     if (value < row.least || value > row.most)
-        throw Error(printable(text) + " is not between " + (row.least > 1 ? limit_text(row, row.least) : "1") +
-                    " and " + limit_text(row, row.most));
+        throw ciel::Error(ciel::printable(text) + " is not between " +
+                          (row.least > 1 ? limit_text(row, row.least) : "1") + " and " + limit_text(row, row.most));
     return value;
 }
 
@@ -152,4 +152,4 @@ std::string limit_text(const LimitRow& row, std::uint64_t value) {
     return std::to_string(value) + (power == 0 ? " bytes" : std::string(" ") + size_letters[power - 1] + "iB");
 }
 
-} // namespace ciel::limits
+} // namespace server::limits

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::limits {
+namespace server::limits {
 
 // Returns `percent` of the bytes of machine_memory().
 [[nodiscard]] std::uint64_t memory_share(unsigned percent);
@@ -81,4 +81,4 @@ struct LimitRow {
 // Returns the value with its unit, such as "64", "1 MiB" or "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);
 
-} // namespace ciel::limits
+} // namespace server::limits

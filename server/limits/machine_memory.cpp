@@ -11,7 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 std::uint64_t physical_memory() {
@@ -67,4 +67,4 @@ void give_back_free_memory() {
 
 SpareMemory spare_memory() { return {std::min(available_on_machine(), group_memory().spare), spare_address_space()}; }
 
-} // namespace ciel::limits
+} // namespace server::limits

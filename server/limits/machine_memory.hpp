@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace ciel::limits {
+namespace server::limits {
 
 // In bytes. If the limit of the control group (a container, a service) is lower, returns this limit.
 [[nodiscard]] std::uint64_t machine_memory();
@@ -18,4 +18,4 @@ struct SpareMemory {
 // Returns freed heap memory to the system if it seems to be 32 MiB or more. malloc would keep it. Thread-safe.
 void give_back_free_memory();
 
-} // namespace ciel::limits
+} // namespace server::limits

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-namespace ciel::limits {
+namespace server::limits {
 
 Memory::Memory(std::uint64_t most_bytes, std::function<std::uint64_t()> dataset_bytes, std::function<void()> release)
     : most_(most_bytes), dataset_bytes_(std::move(dataset_bytes)), release_(std::move(release)) {}
@@ -61,4 +61,4 @@ void Memory::replace(Held held, std::size_t before, std::size_t after) {
     bytes = bytes - before + after;
 }
 
-} // namespace ciel::limits
+} // namespace server::limits

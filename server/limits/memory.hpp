@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace ciel::limits {
+namespace server::limits {
 
 enum class Held {
     scenes,   // documents of sessions and their histories
@@ -67,4 +67,4 @@ private:
     std::array<std::uint64_t, held_names.size()> bytes_{};
 };
 
-} // namespace ciel::limits
+} // namespace server::limits

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 constexpr std::size_t reserve_bytes = std::size_t{4} << 20;
@@ -27,4 +27,4 @@ void keep_memory_in_reserve() {
     if (kept != nullptr && !reserve.compare_exchange_strong(none, kept)) std::free(kept);
 }
 
-} // namespace ciel::limits
+} // namespace server::limits

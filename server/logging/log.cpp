@@ -13,7 +13,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-namespace ciel::logging {
+namespace server::logging {
 namespace {
 
 using nlohmann::json;
@@ -38,7 +38,7 @@ public:
         if (format_ == LogFormat::json)
             append(out, {"\"event\":", json_of(event)});
         else // printable() escapes control characters, which could start a new line
-            append(out, {printable(event)});
+            append(out, {ciel::printable(event)});
         while (!rest.empty()) {
             const std::string_view field = take(rest);
             const auto equals = field.find('=');
@@ -137,4 +137,4 @@ std::string next_request_id() {
     return process + "-" + std::to_string(++last);
 }
 
-} // namespace ciel::logging
+} // namespace server::logging

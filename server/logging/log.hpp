@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::logging {
+namespace server::logging {
 
 enum class LogFormat { text, json };
 enum class LogLevel { debug, info, warning, error };
@@ -42,4 +42,4 @@ void log_event(LogLevel level, std::string_view event, std::initializer_list<Log
 // The id links log lines to the client's answer. It is unique in the process, and very likely among processes.
 [[nodiscard]] std::string next_request_id();
 
-} // namespace ciel::logging
+} // namespace server::logging

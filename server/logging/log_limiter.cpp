@@ -1,6 +1,6 @@
 #include "logging/log_limiter.hpp"
 
-namespace ciel::logging {
+namespace server::logging {
 namespace {
 
 constexpr std::chrono::minutes pause{1};
@@ -21,4 +21,4 @@ bool LogLimiter::allows(const std::string& topic, Clock::time_point now) {
     return true;
 }
 
-} // namespace ciel::logging
+} // namespace server::logging

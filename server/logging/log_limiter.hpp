@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-namespace ciel::logging {
+namespace server::logging {
 
 // Thread-safe. Remembers at most 4096 topics. If all of them had a line within the last minute, refuses other topics.
 class LogLimiter {
@@ -21,4 +21,4 @@ private:
     std::map<std::string, Clock::time_point, std::less<>> told_;
 };
 
-} // namespace ciel::logging
+} // namespace server::logging

@@ -1,7 +1,7 @@
 #include "engine/uploads.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 protocol::ExpectedArray expected(const store::PlannedArray& array) {
@@ -31,4 +31,4 @@ protocol::AppendBeginResult append_begin(CallContext& context, const protocol::A
     return upload;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "engine/uploads.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::AppendCancelResult append_cancel(CallContext& context, const protocol::AppendCancelParams& params) {
     context.check_may_append();
@@ -9,4 +9,4 @@ protocol::AppendCancelResult append_cancel(CallContext& context, const protocol:
     return nullptr;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "engine/uploads.hpp"
 #include "methods/progress.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::AppendCommitResult append_commit(CallContext& context, const protocol::AppendCommitParams& params) {
     context.check_may_append();
@@ -15,4 +15,4 @@ protocol::AppendCommitResult append_commit(CallContext& context, const protocol:
     return {static_cast<std::int64_t>(done.step), done.time};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -2,7 +2,7 @@
 #include "methods/base64.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::AppendPieceResult append_piece(CallContext& context, const protocol::AppendPieceParams& params) {
     context.check_may_append();
@@ -16,4 +16,4 @@ protocol::AppendPieceResult append_piece(CallContext& context, const protocol::A
     return {static_cast<std::int64_t>(received)};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

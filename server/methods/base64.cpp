@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -51,4 +51,4 @@ std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text) {
     return bytes;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

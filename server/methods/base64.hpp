@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::methods {
+namespace server::methods {
 
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 // Decodes canonical base64: padded, without white space, with unused bits zero. Returns nothing for other text.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text);
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -6,7 +6,7 @@
 #include "methods/error_answer.hpp"
 #include "sessions/notify.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 void add(engine::Server& server, const sessions::Connection& connection, const wire::UploadPiece& piece) {
@@ -38,4 +38,4 @@ std::optional<std::string> receive_binary(engine::Server& server, const sessions
     }
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -8,15 +8,15 @@
 #include <span>
 #include <string>
 
-namespace ciel::engine {
+namespace server::engine {
 class Server;
 }
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Thread-safe; never throws. A refused piece is answered with the notification append.refused. If the message is
 // malformed or not allowed, returns the reason to close the connection.
 [[nodiscard]] std::optional<std::string> receive_binary(engine::Server& server, const sessions::Connection& connection,
                                                         std::span<const std::uint8_t> message);
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -3,7 +3,7 @@
 #include "logging/log.hpp"
 #include "sessions/open_dataset.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 void CallContext::begin() {
     request_id = connection.request.empty() ? logging::next_request_id() : connection.request;
@@ -41,4 +41,4 @@ protocol::SessionState state_of(const sessions::Session& session, const sessions
             status.can_undo, status.can_redo};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -10,7 +10,7 @@
 
 #include <chrono>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Throws NotAllowed unless the server accepts appended steps and the connection has the server's token.
 void check_may_append(const engine::Server& server, const sessions::Connection& connection);
@@ -52,4 +52,4 @@ public:
 
 [[nodiscard]] protocol::SessionState state_of(const sessions::Session& session, const sessions::SessionStatus& status);
 
-} // namespace ciel::methods
+} // namespace server::methods

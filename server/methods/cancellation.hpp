@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Thread-safe. A call checks token() at intervals, by CallContext::check_wanted().
 class Cancellation {
@@ -26,4 +26,4 @@ private:
 // Throws Error if stop was requested on one of the tokens. `stop`: token of a Cancellation.
 void check_wanted(const std::stop_token& connection_ended, const std::stop_token& stop);
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,6 +1,6 @@
 #include "methods/cell_extremes.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 protocol::CellExtreme extreme_of(const store::CellValue& found) {
@@ -14,4 +14,4 @@ std::optional<protocol::CellExtremes> answer_of(const std::optional<store::Lowes
     return protocol::CellExtremes{extreme_of(found->lowest), extreme_of(found->highest)};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -4,8 +4,8 @@
 #include "methods/call_context.hpp"
 #include "store/cell_extremes.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 [[nodiscard]] std::optional<protocol::CellExtremes> answer_of(const std::optional<store::LowestAndHighest>& found);
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "methods/scene_source.hpp"
 #include "probe/visible_range.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ColorRangeResult color_range(CallContext& context, const protocol::ColorRangeParams& params) {
     SceneSource source(context, params.session, params.scene);
@@ -13,4 +13,4 @@ protocol::ColorRangeResult color_range(CallContext& context, const protocol::Col
     return {probe::visible_range(*source.geometry(), checked, params.layers, params.aspect, params.of == "contours")};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "geometry/default_scene.hpp"
 #include "methods/cell_extremes.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
@@ -86,4 +86,4 @@ protocol::DatasetDescribeResult dataset_describe(CallContext& context, const pro
     return description;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

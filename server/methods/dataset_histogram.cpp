@@ -1,6 +1,6 @@
 #include "methods/cell_extremes.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
                                                    const protocol::DatasetHistogramParams& params) {
@@ -12,11 +12,11 @@ protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
         throw InvalidParams("/range", "/range must be [minimum, maximum] with minimum < maximum");
     const auto loaded = context.dataset(params.dataset);
     const auto dataset = loaded->dataset();
-    if (dataset->steps().empty()) throw Error(params.dataset + " has no time step yet; append a step");
+    if (dataset->steps().empty()) throw ciel::Error(params.dataset + " has no time step yet; append a step");
     const store::ScalarName name = [&] {
         try {
             return store::parse_scalar(*dataset, params.array);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             throw limits::NotFound(error.what());
         }
     }();
@@ -33,4 +33,4 @@ protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
     return result;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,6 +1,6 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::DatasetListResult dataset_list(CallContext& context, const protocol::DatasetListParams&) {
     protocol::DatasetListResult list;
@@ -8,4 +8,4 @@ protocol::DatasetListResult dataset_list(CallContext& context, const protocol::D
     return list;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "geometry/default_scene.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::DatasetOpenResult dataset_open(CallContext& context, const protocol::DatasetOpenParams& params) {
     const auto session = context.session(params.session);
@@ -10,4 +10,4 @@ protocol::DatasetOpenResult dataset_open(CallContext& context, const protocol::D
     return state_of(*session, session->replace(scene, context.connection.id));
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

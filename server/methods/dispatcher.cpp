@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <future>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 using nlohmann::json;
@@ -127,7 +127,7 @@ private:
     std::optional<json> cancelled() {
         context_.begin();
         try {
-            throw Error("the call was cancelled: the connection has ended, or the server is about to stop");
+            throw ciel::Error("the call was cancelled: the connection has ended, or the server is about to stop");
         } catch (...) {
             return refuse(context_, requests_[next_]);
         }
@@ -265,4 +265,4 @@ std::string dispatch(engine::Server& server, sessions::Connection& connection, s
     return answered->get_future().get();
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::engine {
+namespace server::engine {
 class Server; // datasets, sessions, limits: everything a method may use
 }
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Callback for the answer. The answer is an empty text if the text has only notifications. Must not throw.
 using Answer = std::function<void(std::string text)>;
@@ -24,4 +24,4 @@ void dispatch(engine::Server& server, std::shared_ptr<sessions::Connection> conn
 // Waits for the answer and returns it.
 [[nodiscard]] std::string dispatch(engine::Server& server, sessions::Connection& connection, std::string_view text);
 
-} // namespace ciel::methods
+} // namespace server::methods

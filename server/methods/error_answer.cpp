@@ -3,7 +3,7 @@
 #include "methods/call_context.hpp"
 #include "store/files/files.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 using nlohmann::json;
@@ -44,7 +44,7 @@ json error_of_current_exception() {
         return error(protocol::NotAllowed, "Not allowed", e.what());
     } catch (const NeedsWebSocket& e) {
         return error(protocol::NeedsWebSocket, "Needs a WebSocket", e.what());
-    } catch (const Error& e) {
+    } catch (const ciel::Error& e) {
         return error(protocol::Failed, "Failed", store::sentence_for_clients(e));
     } catch (const std::exception& e) {
         if (store::is_out_of_memory(e)) return limit_error(store::sentence_for_clients(e));
@@ -54,4 +54,4 @@ json error_of_current_exception() {
     }
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

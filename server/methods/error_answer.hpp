@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace ciel::methods {
+namespace server::methods {
 
 class InvalidRequest : public std::runtime_error {
 public:
@@ -23,4 +23,4 @@ public:
 // Call it inside a catch block. Accepts every exception.
 [[nodiscard]] nlohmann::json error_of_current_exception();
 
-} // namespace ciel::methods
+} // namespace server::methods

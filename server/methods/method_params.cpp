@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 using nlohmann::json;
@@ -56,4 +56,4 @@ json checked_params(const std::string& method, json params, std::vector<std::str
     return params;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

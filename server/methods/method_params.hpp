@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Params by position get their names. Throws InvalidParams. `ignored`: if not null, unknown members are removed, and
 // their JSON pointers are stored there. REQUIRES: the contract has the method, and `params` is an object or an array.
 [[nodiscard]] nlohmann::json checked_params(const std::string& method, nlohmann::json params,
                                             std::vector<std::string>* ignored = nullptr);
 
-} // namespace ciel::methods
+} // namespace server::methods

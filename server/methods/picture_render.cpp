@@ -4,7 +4,7 @@
 #include "methods/scene_source.hpp"
 #include "wire/pictures/png.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 namespace {
 // The PNG file and three base64 copies (result, JSON, text), each 4/3 as large as the file.
@@ -43,4 +43,4 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
             geometry->time, std::move(remarks), base64(png)};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 geometry::ViewSize size_of(const CallContext& context, const protocol::ProbePointParams& params) {
@@ -37,7 +37,9 @@ std::optional<std::map<std::string, protocol::CellExtremes>> extremes_at(const s
     return found.empty() ? std::nullopt : std::optional(std::move(found));
 }
 
-std::optional<std::int64_t> id_of(Index id) { return id == none ? std::nullopt : std::optional<std::int64_t>(id); }
+std::optional<std::int64_t> id_of(ciel::Index id) {
+    return id == ciel::none ? std::nullopt : std::optional<std::int64_t>(id);
+}
 
 } // namespace
 
@@ -47,11 +49,11 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     const auto size = params.pixel ? size_of(context, params) : geometry::ViewSize{};
     SceneSource source(context, params.session, params.scene);
     const auto dataset = source.version().checked.dataset();
-    if (dataset->steps().empty()) throw Error(dataset->info().name + " has no time step yet; append a step");
+    if (dataset->steps().empty()) throw ciel::Error(dataset->info().name + " has no time step yet; append a step");
     const std::size_t step = dataset->step_at(source.version().scene().time);
     const auto locator = source.version().checked.loaded()->locator(step);
 
-    std::optional<Vec3d> position = params.position;
+    std::optional<ciel::Vec3d> position = params.position;
     std::shared_ptr<const geometry::Geometry> geometry;
     if (params.pixel) {
         // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
@@ -65,7 +67,7 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     if (!position) return {};
     const probe::Probed probed = probe::probe(*dataset, step, *locator, *position);
     protocol::ProbePointResult result;
-    result.hit = probed.cell != none;
+    result.hit = probed.cell != ciel::none;
     result.position = position;
     result.vertex = id_of(probed.vertex);
     result.cell = id_of(probed.cell);
@@ -77,4 +79,4 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     return result;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

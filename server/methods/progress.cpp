@@ -3,7 +3,7 @@
 #include "engine/open_session.hpp"
 #include "sessions/notify.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 namespace {
 constexpr std::chrono::milliseconds pause{200};
@@ -33,4 +33,4 @@ void Progress::tell(const char* stage, std::size_t done, std::size_t of) const {
         session_->tell(text);
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

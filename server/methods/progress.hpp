@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Used by one thread at a time. A Progress without a name sends nothing.
 class Progress {
@@ -29,4 +29,4 @@ private:
     std::chrono::steady_clock::time_point told_{};
 };
 
-} // namespace ciel::methods
+} // namespace server::methods

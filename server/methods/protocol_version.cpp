@@ -3,7 +3,7 @@
 #include "methods/error_answer.hpp"
 #include "protocol/document.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 bool is_of_later_minor(const nlohmann::json& request) {
     const auto declared = request.find("protocol");
@@ -23,4 +23,4 @@ bool is_of_later_minor(const nlohmann::json& request) {
     return minor > protocol::minor_version;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

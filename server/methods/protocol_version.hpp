@@ -3,10 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Returns whether the request declares a higher minor version than this server. Its unknown members are then ignored.
 // Returns false without "protocol". Throws InvalidRequest for another major version or a malformed "protocol".
 [[nodiscard]] bool is_of_later_minor(const nlohmann::json& request);
 
-} // namespace ciel::methods
+} // namespace server::methods

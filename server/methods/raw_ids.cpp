@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 using nlohmann::json;
@@ -91,4 +91,4 @@ std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most) 
     return std::nullopt;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::methods {
+namespace server::methods {
 
 // Returns one entry per request, empty if its id is not a number. REQUIRES: json::parse accepts the text. Thread-safe.
 [[nodiscard]] std::vector<std::string> raw_ids(std::string_view text);
@@ -20,4 +20,4 @@ struct IdsInRange {
 // number is not an id, or if there are more than `most` such ids. Thread-safe.
 [[nodiscard]] std::optional<IdsInRange> ids_in_range(std::string_view text, std::size_t most);
 
-} // namespace ciel::methods
+} // namespace server::methods

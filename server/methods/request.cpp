@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ std::optional<json> handle(CallContext& context, const json& request, double wai
     }
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace ciel::methods {
+namespace server::methods {
 
 struct CallContext; // methods/call_context.hpp
 
@@ -20,4 +20,4 @@ struct CallContext; // methods/call_context.hpp
 // Answers the current exception. Returns nothing for a notification. Call it inside a catch block.
 [[nodiscard]] std::optional<nlohmann::json> refuse(CallContext& context, const nlohmann::json& request);
 
-} // namespace ciel::methods
+} // namespace server::methods

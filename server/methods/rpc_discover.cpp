@@ -1,8 +1,8 @@
 #include "methods/call_context.hpp"
 #include "scene/contract.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::RpcDiscoverResult rpc_discover(CallContext&, const protocol::RpcDiscoverParams&) { return scene::contract(); }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "methods/scene_source.hpp"
 #include "probe/shown_bounds.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
@@ -13,4 +13,4 @@ protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::S
     return {{low[0], high[0], low[1], high[1], low[2], high[2]}};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -2,7 +2,7 @@
 #include "geometry/viewpoint.hpp"
 #include "methods/scene_source.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::SceneCameraResult scene_camera(CallContext& context, const protocol::SceneCameraParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
@@ -19,4 +19,4 @@ protocol::SceneCameraResult scene_camera(CallContext& context, const protocol::S
     return seen;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,6 +1,6 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ScenePatchResult scene_patch(CallContext& context, const protocol::ScenePatchParams& params) {
     const std::string gesture = params.gesture.value_or("");
@@ -11,4 +11,4 @@ protocol::ScenePatchResult scene_patch(CallContext& context, const protocol::Sce
     return {static_cast<std::int64_t>(status.version->revision), status.can_undo, status.can_redo};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -3,7 +3,7 @@
 #include "probe/shown_bounds.hpp"
 #include "probe/sight.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ScenePickResult scene_pick(CallContext& context, const protocol::ScenePickParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
@@ -14,7 +14,7 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     const auto crossings = probe::crossings(*geometry, checked, size, params.pixel);
     protocol::ScenePickResult picked;
     if (const auto seen = probe::bounds_in_view(*geometry, checked, size)) {
-        Vec3d& centre = picked.centre.emplace();
+        ciel::Vec3d& centre = picked.centre.emplace();
         for (std::size_t k = 0; k < 3; ++k) centre[k] = (seen->low[k] + seen->high[k]) / 2;
     }
     if (crossings.empty()) return picked;
@@ -25,4 +25,4 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     return picked;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,10 +1,10 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::SceneRedoResult scene_redo(CallContext& context, const protocol::SceneRedoParams& params) {
     const auto session = context.session(params.session);
     return state_of(*session, session->redo(context.connection.id));
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,6 +1,6 @@
 #include "methods/scene_source.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 SceneSource::SceneSource(const CallContext& context, const std::optional<std::string>& session,
                          const std::optional<nlohmann::json>& scene)
@@ -37,4 +37,4 @@ std::shared_ptr<const geometry::Geometry> SceneSource::geometry_of_scene(const g
     }
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace ciel::methods {
+namespace server::methods {
 
 class SceneSource {
 public:
@@ -27,4 +27,4 @@ private:
     limits::Memory::Charge surfaces_;
 };
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,10 +1,10 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::SceneUndoResult scene_undo(CallContext& context, const protocol::SceneUndoParams& params) {
     const auto session = context.session(params.session);
     return state_of(*session, session->undo(context.connection.id));
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

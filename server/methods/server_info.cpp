@@ -2,7 +2,7 @@
 #include "methods/call_context.hpp"
 #include "protocol/document.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 std::map<std::string, double> table_of(const limits::Limits& limits) {
@@ -15,7 +15,7 @@ std::map<std::string, double> table_of(const limits::Limits& limits) {
 
 protocol::ServerInfoResult server_info(CallContext& context, const protocol::ServerInfoParams&) {
     const frames::TestPictureResult drawing = context.server.last_test_picture();
-    const bool by_signatures = context.server.options().extraction.algorithm == Algorithm::signatures;
+    const bool by_signatures = context.server.options().extraction.algorithm == ciel::Algorithm::signatures;
     const std::string algorithm = by_signatures ? "signatures" : "propagation";
     return {CIEL_VERSION,
             {protocol::major_version, protocol::minor_version},
@@ -29,4 +29,4 @@ protocol::ServerInfoResult server_info(CallContext& context, const protocol::Ser
             {protocol::streams.begin(), protocol::streams.end()}};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

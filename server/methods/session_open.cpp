@@ -1,7 +1,7 @@
 #include "geometry/default_scene.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 std::string first_dataset(store::Catalog& catalog) {
@@ -26,4 +26,4 @@ protocol::SessionOpenResult session_open(CallContext& context, const protocol::S
     return state_of(*session, session->status());
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

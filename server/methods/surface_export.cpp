@@ -9,19 +9,19 @@
 #include <algorithm>
 #include <sstream>
 
-namespace ciel::methods {
+namespace server::methods {
 namespace {
 
 // The part of a drawable inside the clip planes, or the whole surface if the scene has no clip planes.
 struct Shown {
-    ClippedSurface cut;
+    ciel::ClippedSurface cut;
     bool is_cut = false;
-    const Surface* whole = nullptr;
-    std::vector<Vec3d> whole_places;
+    const ciel::Surface* whole = nullptr;
+    std::vector<ciel::Vec3d> whole_places;
     std::vector<wire::NamedValues> values;
 
-    [[nodiscard]] const Surface& surface() const { return is_cut ? cut.surface : *whole; }
-    [[nodiscard]] std::span<const Vec3d> places() const { return is_cut ? cut.places : whole_places; }
+    [[nodiscard]] const ciel::Surface& surface() const { return is_cut ? cut.surface : *whole; }
+    [[nodiscard]] std::span<const ciel::Vec3d> places() const { return is_cut ? cut.places : whole_places; }
 };
 
 Shown shown_of(const geometry::Geometry& geometry, const geometry::Drawable& drawable, const store::Dataset& dataset) {
@@ -71,7 +71,7 @@ constexpr std::size_t copies_of_a_file = 6;
 struct File {
     std::string bytes;
     wire::ExportedCounts counts;
-    Vec3d origin{};
+    ciel::Vec3d origin{};
 };
 
 File file_of(CallContext& context, SceneSource& source, const protocol::SurfaceExportParams& params) {
@@ -85,8 +85,8 @@ File file_of(CallContext& context, SceneSource& source, const protocol::SurfaceE
         joined(context, *geometry, *source.version().checked.dataset(), params.layer, format, params.triangles);
     context.making.change(copies_of_a_file * wire::body_bytes(format, {surface.surface(), geometry->origin,
                                                                        surface.values(), params.triangles}));
-    const Vec3d origin =
-        params.origin || wire::has_floats(format) ? wire::file_origin(geometry->first_mesh_bounds) : Vec3d{};
+    const ciel::Vec3d origin =
+        params.origin || wire::has_floats(format) ? wire::file_origin(geometry->first_mesh_bounds) : ciel::Vec3d{};
     std::ostringstream out;
     const wire::ExportedCounts counts = wire::write_surface(
         format, {surface.surface(), geometry->origin, surface.values(), params.triangles, origin, surface.places()},
@@ -129,4 +129,4 @@ protocol::SurfaceExportResult surface_export(CallContext& context, const protoco
             file.origin};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

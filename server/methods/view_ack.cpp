@@ -1,6 +1,6 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ViewAckResult view_ack(CallContext& context, const protocol::ViewAckParams& params) {
     const auto view = context.view(params.view);
@@ -8,4 +8,4 @@ protocol::ViewAckResult view_ack(CallContext& context, const protocol::ViewAckPa
     return nullptr;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,6 +1,6 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ViewCloseResult view_close(CallContext& context, const protocol::ViewCloseParams& params) {
     const auto view = context.view(params.view);
@@ -8,4 +8,4 @@ protocol::ViewCloseResult view_close(CallContext& context, const protocol::ViewC
     return nullptr;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -1,7 +1,7 @@
 #include "frames/picture.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ViewOpenResult view_open(CallContext& context, const protocol::ViewOpenParams& params) {
     const auto session = context.session(params.session);
@@ -17,4 +17,4 @@ protocol::ViewOpenResult view_open(CallContext& context, const protocol::ViewOpe
     return {view->id()};
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

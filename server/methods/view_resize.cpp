@@ -1,7 +1,7 @@
 #include "frames/picture.hpp"
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ViewResizeResult view_resize(CallContext& context, const protocol::ViewResizeParams& params) {
     const auto view = context.view(params.view);
@@ -11,4 +11,4 @@ protocol::ViewResizeResult view_resize(CallContext& context, const protocol::Vie
     return nullptr;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

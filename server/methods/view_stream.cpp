@@ -1,6 +1,6 @@
 #include "methods/call_context.hpp"
 
-namespace ciel::methods {
+namespace server::methods {
 
 protocol::ViewStreamResult view_stream(CallContext& context, const protocol::ViewStreamParams& params) {
     std::optional<wire::MovingCodec> moving;
@@ -10,4 +10,4 @@ protocol::ViewStreamResult view_stream(CallContext& context, const protocol::Vie
     return nullptr;
 }
 
-} // namespace ciel::methods
+} // namespace server::methods

@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <optional>
 
-namespace ciel::page {
+namespace server::page {
 namespace {
 
 using annotations::Box;
 using annotations::Ink;
 
-Vec3d vector(Reader& from) { return from.numbers<3>(); }
+ciel::Vec3d vector(Reader& from) { return from.numbers<3>(); }
 
 std::array<float, 3> color(Reader& from) {
     const auto rgb = from.numbers<3>();
@@ -321,4 +321,4 @@ void legend_names(Reader& arguments, Writer& results) {
     write_list(results, annotations::legend_names(legends));
 }
 
-} // namespace ciel::page
+} // namespace server::page

@@ -6,7 +6,7 @@
 #include "annotations/text_measure.hpp"
 #include "page/message.hpp"
 
-namespace ciel::page {
+namespace server::page {
 
 // Lays out the triad and the axes. They do not cover the taken boxes.
 // Arguments: width, height (CSS pixels); text size (CSS pixels); camera: position (3), target (3), up (3), field of
@@ -62,4 +62,4 @@ void legend_name_of(Reader& arguments, Writer& results);
 // Number of legends; for each: array (text), number of names, each name -> number of legends, name of each legend
 void legend_names(Reader& arguments, Writer& results);
 
-} // namespace ciel::page
+} // namespace server::page

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::page {
+namespace server::page {
 
 // Reads a message. Beyond the end of the message, numbers are 0 and texts are empty.
 class Reader {
@@ -58,4 +58,4 @@ private:
     std::vector<double> message_;
 };
 
-} // namespace ciel::page
+} // namespace server::page

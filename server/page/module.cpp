@@ -11,9 +11,9 @@ page_text_width(const char* utf8, std::size_t bytes, int pixels);
 
 namespace {
 
-using ciel::annotations::FontMetrics;
+using server::annotations::FontMetrics;
 
-class PageText final : public ciel::annotations::TextMeasure {
+class PageText final : public server::annotations::TextMeasure {
 public:
     FontMetrics metrics(int pixels) override {
         return {page_ascent(pixels), page_descent(pixels), page_digit_height(pixels)};
@@ -24,11 +24,11 @@ public:
 };
 
 std::vector<double> arguments;
-ciel::page::Writer written;
+server::page::Writer written;
 
 template <class Function>
 std::size_t call(Function function) {
-    ciel::page::Reader reader(arguments);
+    server::page::Reader reader(arguments);
     written.clear();
     function(reader, written);
     return written.message().size();
@@ -44,26 +44,28 @@ std::size_t call(Function function) {
 
 [[clang::export_name("lay_out")]] std::size_t lay_out() {
     PageText measure;
-    return call([&](auto& in, auto& out) { ciel::page::lay_out(in, measure, out); });
+    return call([&](auto& in, auto& out) { server::page::lay_out(in, measure, out); });
 }
 [[clang::export_name("lay_texts")]] std::size_t lay_texts() {
     PageText measure;
-    return call([&](auto& in, auto& out) { ciel::page::lay_texts(in, measure, out); });
+    return call([&](auto& in, auto& out) { server::page::lay_texts(in, measure, out); });
 }
-[[clang::export_name("label_on")]] std::size_t label_on() { return call(ciel::page::label_on); }
-[[clang::export_name("number_alone")]] std::size_t number_alone() { return call(ciel::page::number_alone); }
-[[clang::export_name("pretty_units")]] std::size_t pretty_units() { return call(ciel::page::pretty_units); }
-[[clang::export_name("has_width")]] std::size_t has_width() { return call(ciel::page::has_width); }
-[[clang::export_name("place_of")]] std::size_t place_of() { return call(ciel::page::place_of); }
-[[clang::export_name("value_at")]] std::size_t value_at() { return call(ciel::page::value_at); }
-[[clang::export_name("color_of")]] std::size_t color_of() { return call(ciel::page::color_of); }
-[[clang::export_name("colors_along")]] std::size_t colors_along() { return call(ciel::page::colors_along); }
-[[clang::export_name("color_row")]] std::size_t color_row() { return call(ciel::page::color_row); }
-[[clang::export_name("scale_rules")]] std::size_t scale_rules() { return call(ciel::page::scale_rules); }
-[[clang::export_name("range_of")]] std::size_t range_of() { return call(ciel::page::range_of); }
-[[clang::export_name("range_above_zero")]] std::size_t range_above_zero() { return call(ciel::page::range_above_zero); }
-[[clang::export_name("is_shown_by")]] std::size_t is_shown_by() { return call(ciel::page::is_shown_by); }
-[[clang::export_name("color_maps")]] std::size_t color_maps() { return call(ciel::page::color_maps); }
-[[clang::export_name("legend_title")]] std::size_t legend_title() { return call(ciel::page::legend_title); }
-[[clang::export_name("legend_name_of")]] std::size_t legend_name_of() { return call(ciel::page::legend_name_of); }
-[[clang::export_name("legend_names")]] std::size_t legend_names() { return call(ciel::page::legend_names); }
+[[clang::export_name("label_on")]] std::size_t label_on() { return call(server::page::label_on); }
+[[clang::export_name("number_alone")]] std::size_t number_alone() { return call(server::page::number_alone); }
+[[clang::export_name("pretty_units")]] std::size_t pretty_units() { return call(server::page::pretty_units); }
+[[clang::export_name("has_width")]] std::size_t has_width() { return call(server::page::has_width); }
+[[clang::export_name("place_of")]] std::size_t place_of() { return call(server::page::place_of); }
+[[clang::export_name("value_at")]] std::size_t value_at() { return call(server::page::value_at); }
+[[clang::export_name("color_of")]] std::size_t color_of() { return call(server::page::color_of); }
+[[clang::export_name("colors_along")]] std::size_t colors_along() { return call(server::page::colors_along); }
+[[clang::export_name("color_row")]] std::size_t color_row() { return call(server::page::color_row); }
+[[clang::export_name("scale_rules")]] std::size_t scale_rules() { return call(server::page::scale_rules); }
+[[clang::export_name("range_of")]] std::size_t range_of() { return call(server::page::range_of); }
+[[clang::export_name("range_above_zero")]] std::size_t range_above_zero() {
+    return call(server::page::range_above_zero);
+}
+[[clang::export_name("is_shown_by")]] std::size_t is_shown_by() { return call(server::page::is_shown_by); }
+[[clang::export_name("color_maps")]] std::size_t color_maps() { return call(server::page::color_maps); }
+[[clang::export_name("legend_title")]] std::size_t legend_title() { return call(server::page::legend_title); }
+[[clang::export_name("legend_name_of")]] std::size_t legend_name_of() { return call(server::page::legend_name_of); }
+[[clang::export_name("legend_names")]] std::size_t legend_names() { return call(server::page::legend_names); }

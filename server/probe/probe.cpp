@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::probe {
+namespace server::probe {
 namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
 // The values at the cell's corners do not show a wrong result, because they may come from neighbor cells.
-bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, Index cell) {
+bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, ciel::Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
     const store::ArrayInfo& cells = *dataset.find(store::parse_scalar(dataset, of_cells).array);
@@ -24,9 +24,9 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
 
 // The weights are over vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
-                 const VertexWeights& weights, bool is_wrong, Probed& out) {
+                 const ciel::VertexWeights& weights, bool is_wrong, Probed& out) {
     const store::ValuesToLoad values = dataset.values_to_load(array.name, step);
-    std::vector<Index> items;
+    std::vector<ciel::Index> items;
     for (const auto& [item, share] : weights) items.push_back(item);
     for (const std::string& scalar : store::scalar_names(array)) {
         out.values[scalar] = std::nullopt;
@@ -41,20 +41,20 @@ void probe_array(const store::Dataset& dataset, std::size_t step, const store::A
 
 } // namespace
 
-Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator& locator, Vec3d position) {
+Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator, ciel::Vec3d position) {
     Probed out;
     out.position = position;
-    const Index cell = locator.cell_at(position);
+    const ciel::Index cell = locator.cell_at(position);
     dataset.check_intact();
-    if (cell == none) return out;
+    if (cell == ciel::none) return out;
     const std::size_t mesh = dataset.steps()[step].mesh;
     out.cell = dataset.original_cell(mesh, cell);
-    const Index vertex = locator.nearest_vertex(cell, position);
+    const ciel::Index vertex = locator.nearest_vertex(cell, position);
     out.vertex = dataset.original_vertex(mesh, vertex);
     out.solver_cell = dataset.solver_cell(mesh, cell);
     out.solver_vertex = dataset.solver_vertex(mesh, vertex);
-    const VertexWeights weights = locator.weights_in(cell, position);
-    const VertexWeights own{{cell, 1.0}};
+    const ciel::VertexWeights weights = locator.weights_in(cell, position);
+    const ciel::VertexWeights own{{cell, 1.0}};
     for (const store::ArrayInfo& array : dataset.info().arrays) {
         if (array.association == store::Association::boundary_face) continue;
         const bool on_points = array.association == store::Association::point;
@@ -64,4 +64,4 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const CellLocator&
     return out;
 }
 
-} // namespace ciel::probe
+} // namespace server::probe

@@ -9,19 +9,19 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
-namespace ciel::probe {
+namespace server::probe {
 namespace {
 
 class Box {
 public:
-    void add(const Vec3d& point) {
+    void add(const ciel::Vec3d& point) {
         for (std::size_t k = 0; k < 3; ++k) {
             low_[k] = std::min(low_[k], point[k]);
             high_[k] = std::max(high_[k], point[k]);
         }
     }
     [[nodiscard]] bool is_empty() const { return low_[0] > high_[0]; }
-    [[nodiscard]] geometry::BoundingBox from(const Vec3d& origin) const {
+    [[nodiscard]] geometry::BoundingBox from(const ciel::Vec3d& origin) const {
         geometry::BoundingBox box;
         for (std::size_t k = 0; k < 3; ++k) {
             box.low[k] = origin[k] + low_[k];
@@ -31,22 +31,22 @@ public:
     }
 
 private:
-    Vec3d low_{INFINITY, INFINITY, INFINITY}, high_{-INFINITY, -INFINITY, -INFINITY};
+    ciel::Vec3d low_{INFINITY, INFINITY, INFINITY}, high_{-INFINITY, -INFINITY, -INFINITY};
 };
 
 void add_drawable(Box& box, const geometry::Drawable& drawable, const geometry::ClipPlanes& cutter) {
-    const std::span<const Index> indices = drawable.indices();
+    const std::span<const ciel::Index> indices = drawable.indices();
     const auto& positions = drawable.shape->surface.positions;
     const std::size_t corners = drawable.corners();
     for (std::size_t i = 0; i + corners <= indices.size(); i += corners) {
         const auto piece = indices.subspan(i, corners);
-        if (std::all_of(piece.begin(), piece.end(), [&](Index at) { return cutter.keeps(positions[at]); })) {
-            for (const Index at : piece) box.add(geometry::wide(positions[at]));
+        if (std::all_of(piece.begin(), piece.end(), [&](ciel::Index at) { return cutter.keeps(positions[at]); })) {
+            for (const ciel::Index at : piece) box.add(geometry::wide(positions[at]));
             continue;
         }
-        std::vector<Vec3d> whole;
-        for (const Index at : piece) whole.push_back(geometry::wide(positions[at]));
-        for (const Vec3d& point : cutter.rest_of(std::move(whole))) box.add(point);
+        std::vector<ciel::Vec3d> whole;
+        for (const ciel::Index at : piece) whole.push_back(geometry::wide(positions[at]));
+        for (const ciel::Vec3d& point : cutter.rest_of(std::move(whole))) box.add(point);
     }
 }
 
@@ -90,7 +90,7 @@ Box box_of(const geometry::Geometry& geometry, const std::vector<scene::Layer>& 
             if (drawable.layer == layer.id) add_drawable(box, drawable, cutter);
         for (const geometry::VolumeDrawable& volume : geometry.volumes)
             if (volume.layer == layer.id)
-                for (const Vec3d& corner : geometry::corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
+                for (const ciel::Vec3d& corner : geometry::corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
     }
     return box;
 }
@@ -103,7 +103,7 @@ public:
             geometry::viewpoint_of(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height)));
         clip_of_ = view.projection * view.view;
     }
-    [[nodiscard]] bool shows(const Vec3f& at) const {
+    [[nodiscard]] bool shows(const ciel::Vec3f& at) const {
         const glm::dvec4 clip = clip_of_ * glm::dvec4(at[0], at[1], at[2], 1);
         return clip.w > 0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w;
     }
@@ -121,7 +121,7 @@ Box box_in_view(const geometry::Geometry& geometry, const std::vector<scene::Lay
         if (!shows_data(layer) || !counts(layer)) continue;
         for (const geometry::Drawable& drawable : geometry.drawables) {
             if (drawable.layer != layer.id) continue;
-            for (const Vec3f& at : drawable.shape->surface.positions)
+            for (const ciel::Vec3f& at : drawable.shape->surface.positions)
                 if (view.shows(at) && cutter.keeps(at)) box.add(geometry::wide(at));
         }
     }
@@ -165,9 +165,9 @@ geometry::BoundingBox shown_bounds(const geometry::Geometry& geometry, const sce
             if (std::any_of(shown.begin(), shown.end(), [&](const auto* layer) { return layer->id == drawable.layer; }))
                 add_drawable(box, drawable, cutter);
     } else {
-        for (const Vec3d& corner : geometry::corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
+        for (const ciel::Vec3d& corner : geometry::corners_of_cut_box(geometry, geometry.clip)) box.add(corner);
     }
     return box.is_empty() ? whole : box.from(geometry.origin);
 }
 
-} // namespace ciel::probe
+} // namespace server::probe

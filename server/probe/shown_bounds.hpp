@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace ciel::probe {
+namespace server::probe {
 
 // Returns the box of all visible layers together, cut by the clip planes. If every visible layer has a threshold, it is
 // the box of the kept cells. Otherwise it is the box of the mesh, because the view must not move when an iso-surface or
@@ -26,4 +26,4 @@ namespace ciel::probe {
 [[nodiscard]] std::optional<geometry::BoundingBox>
 bounds_in_view(const geometry::Geometry& geometry, const scene::CheckedScene& checked, geometry::ViewSize size);
 
-} // namespace ciel::probe
+} // namespace server::probe

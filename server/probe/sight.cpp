@@ -12,17 +12,17 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
-namespace ciel::probe {
+namespace server::probe {
 namespace {
 
 // A fraction of the diagonal of the bounds. Covers the error of the depth buffer on surfaces at a grazing angle.
 constexpr double same_place = 2e-3;
 
 struct Ray { // from the near plane to the far plane; `from` is an offset from the geometry's origin
-    Vec3d from{}, along{};
+    ciel::Vec3d from{}, along{};
 };
 
-Vec3d unprojected(const glm::dmat4& inverse, double x, double y, double z) {
+ciel::Vec3d unprojected(const glm::dmat4& inverse, double x, double y, double z) {
     const glm::dvec4 at = inverse * glm::dvec4(x, y, z, 1);
     return {at.x / at.w, at.y / at.w, at.z / at.w};
 }
@@ -37,22 +37,24 @@ Ray ray_through(const annotations::Viewpoint& viewpoint, std::array<double, 2> p
     return ray;
 }
 
-Vec3d between(const Vec3f& from, const Vec3d& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
+ciel::Vec3d between(const ciel::Vec3f& from, const ciel::Vec3d& to) {
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
 
 // Moeller and Trumbore 1997. The result is the parameter, from 0 to 1 along the ray.
-std::optional<double> met(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-    const Vec3d ab = arm(a, b);
-    const Vec3d ac = arm(a, c);
-    const Vec3d across = cross(ray.along, ac);
-    const double area = dot(ab, across);
+std::optional<double> met(const Ray& ray, const ciel::Vec3f& a, const ciel::Vec3f& b, const ciel::Vec3f& c) {
+    const ciel::Vec3d ab = ciel::arm(a, b);
+    const ciel::Vec3d ac = ciel::arm(a, c);
+    const ciel::Vec3d across = ciel::cross(ray.along, ac);
+    const double area = ciel::dot(ab, across);
     if (area == 0) return {};
-    const Vec3d start = between(a, ray.from);
-    const double u = dot(start, across) / area;
+    const ciel::Vec3d start = between(a, ray.from);
+    const double u = ciel::dot(start, across) / area;
     if (!(u >= 0 && u <= 1)) return {};
-    const Vec3d turned = cross(start, ab);
-    const double v = dot(ray.along, turned) / area;
+    const ciel::Vec3d turned = ciel::cross(start, ab);
+    const double v = ciel::dot(ray.along, turned) / area;
     if (!(v >= 0 && u + v <= 1)) return {};
-    const double share = dot(ac, turned) / area;
+    const double share = ciel::dot(ac, turned) / area;
     return share >= 0 && share <= 1 ? std::optional(share) : std::nullopt;
 }
 
@@ -74,7 +76,7 @@ std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene:
     const auto width = static_cast<int>(size.width), height = static_cast<int>(size.height);
     if (!(pixel[0] >= 0 && pixel[0] < width && pixel[1] >= 0 && pixel[1] < height)) return {};
     const Ray ray = ray_through(geometry::viewpoint_of(geometry, checked, width, height), pixel);
-    const double length = std::sqrt(dot(ray.along, ray.along));
+    const double length = std::sqrt(ciel::dot(ray.along, ray.along));
     const geometry::ClipPlanes cutter(geometry);
     std::vector<Crossing> found;
     for (std::size_t d = 0; d < geometry.drawables.size(); ++d) {
@@ -86,7 +88,7 @@ std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene:
             const auto share = met(ray, positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]]);
             if (!share) continue;
             Crossing crossing{*share * length, {}, d, {indices[i], indices[i + 1], indices[i + 2]}};
-            Vec3f offset{};
+            ciel::Vec3f offset{};
             for (std::size_t k = 0; k < 3; ++k) {
                 const double at = ray.from[k] + *share * ray.along[k];
                 offset[k] = static_cast<float>(at);
@@ -101,16 +103,16 @@ std::vector<Crossing> crossings(const geometry::Geometry& geometry, const scene:
 }
 
 std::optional<Crossing> crossing_at(const std::vector<Crossing>& crossings, const geometry::Geometry& geometry,
-                                    const Vec3d& position) {
-    Vec3d diagonal{};
+                                    const ciel::Vec3d& position) {
+    ciel::Vec3d diagonal{};
     for (std::size_t k = 0; k < 3; ++k) diagonal[k] = geometry.bounds_max[k] - geometry.bounds_min[k];
-    double nearest = same_place * same_place * dot(diagonal, diagonal);
+    double nearest = same_place * same_place * ciel::dot(diagonal, diagonal);
     std::optional<Crossing> found;
     for (const Crossing& crossing : crossings) {
-        Vec3d off{};
+        ciel::Vec3d off{};
         for (std::size_t k = 0; k < 3; ++k) off[k] = crossing.position[k] - position[k];
-        if (dot(off, off) >= nearest) continue;
-        nearest = dot(off, off);
+        if (ciel::dot(off, off) >= nearest) continue;
+        nearest = ciel::dot(off, off);
         found = crossing;
     }
     return found;
@@ -123,9 +125,9 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     if (layer == nullptr) return {};
     const store::Dataset& dataset = *checked.dataset();
     const store::Step& step = dataset.steps()[geometry.step];
-    std::array<Index, 3> vertices{};
+    std::array<ciel::Index, 3> vertices{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const EdgePoint& point = drawable.shape->surface.points[crossing.corners[i]];
+        const ciel::EdgePoint& point = drawable.shape->surface.points[crossing.corners[i]];
         if (point.a != point.b) return {}; // a point on an edge: the polygon is part of a cap
         vertices[i] = point.a;
     }
@@ -135,4 +137,4 @@ std::optional<std::string> patch_of(const Crossing& crossing, const geometry::Ge
     return {};
 }
 
-} // namespace ciel::probe
+} // namespace server::probe

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
-namespace ciel::probe {
+namespace server::probe {
 namespace {
 
 constexpr int frame_height = 1000; // pixels; arbitrary, because only the aspect is used
@@ -25,7 +25,7 @@ public:
         clip_of_ = view.projection * view.view;
     }
 
-    void add(const Vec3f& position, double value) {
+    void add(const ciel::Vec3f& position, double value) {
         if (!std::isfinite(value) || (value >= low_ && value <= high_) || !is_seen(position)) return;
         low_ = std::min(low_, value);
         high_ = std::max(high_, value);
@@ -39,9 +39,9 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_seen(const Vec3f& position) const {
+    [[nodiscard]] bool is_seen(const ciel::Vec3f& position) const {
         if (anywhere_) return true;
-        for (const HalfSpace& half : geometry_.clip)
+        for (const ciel::HalfSpace& half : geometry_.clip)
             if (half.normal[0] * position[0] + half.normal[1] * position[1] + half.normal[2] * position[2] +
                     half.offset <
                 0)
@@ -77,4 +77,4 @@ std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geo
     return seen.range();
 }
 
-} // namespace ciel::probe
+} // namespace server::probe

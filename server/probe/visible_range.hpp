@@ -3,7 +3,7 @@
 
 #include "geometry/scene_geometry.hpp"
 
-namespace ciel::probe {
+namespace server::probe {
 
 // Returns the least and greatest finite scalar at the vertices of these layers; nothing if there is none. A volume has
 // the vertices of its slices and its boundary. `aspect`: width / height of the view. If it is given, only vertices that
@@ -14,4 +14,4 @@ namespace ciel::probe {
                                                                  const std::vector<std::string>& layers,
                                                                  std::optional<double> aspect, bool of_contours);
 
-} // namespace ciel::probe
+} // namespace server::probe

@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace ciel::processes {
+namespace server::processes {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -34,7 +34,8 @@ struct Pipe {
 
 Pipe make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(std::string("cannot make a pipe: ") + std::strerror(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw ciel::Error(std::string("cannot make a pipe: ") + std::strerror(errno));
     return {store::Descriptor(ends[0]), store::Descriptor(ends[1])};
 }
 
@@ -69,7 +70,7 @@ public:
         pointers.push_back(nullptr);
         const pid_t parent = ::getpid();
         pid_ = ::fork();
-        if (pid_ < 0) throw Error(arguments.at(0) + ": cannot be started: " + std::strerror(errno));
+        if (pid_ < 0) throw ciel::Error(arguments.at(0) + ": cannot be started: " + std::strerror(errno));
         if (pid_ == 0) become(pointers.data(), limits, output_.write.get(), errors_.write.get(), parent);
         output_.write = store::Descriptor();
         errors_.write = store::Descriptor();
@@ -212,4 +213,4 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
     return end;
 }
 
-} // namespace ciel::processes
+} // namespace server::processes

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::processes {
+namespace server::processes {
 
 struct ChildLimits {
     std::uint64_t memory_bytes = 0; // limit of the address space; 0: no limit
@@ -35,4 +35,4 @@ struct ChildEnd {
                                  const std::function<void(std::string_view line)>& on_line,
                                  const std::atomic<bool>& cancel);
 
-} // namespace ciel::processes
+} // namespace server::processes

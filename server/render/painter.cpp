@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <unordered_map>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 std::string text_of(const Gl& gl, GLenum name) {
@@ -78,8 +78,8 @@ const Image& Painter::draw_paced(const Frame& frame, const AfterStage& after) {
     transform_ = annotations::view_transform(frame);
     clip_planes_ = frame.clip.size();
     if (clip_planes_ > most_clip_planes)
-        throw Error("a picture can have at most " + std::to_string(most_clip_planes) +
-                    " clip planes; remove some of them");
+        throw ciel::Error("a picture can have at most " + std::to_string(most_clip_planes) +
+                          " clip planes; remove some of them");
     origin_ = frame.origin;
     remarks_.clear();
     width_ = height_ = 0; // pick() finds nothing after a failed draw
@@ -316,7 +316,7 @@ void Painter::use_occlusion(const Frame& frame) {
     gl_.Uniform1f(occluded_.occlusion_scale, static_cast<float>(1 / (transform_.scale * frame.occlusion.radius)));
 }
 
-bool Painter::pick(int x, int y, Vec3d& position) {
+bool Painter::pick(int x, int y, ciel::Vec3d& position) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return false;
     if (!transparent_depth_drawn_) {
         target_.bind_again();
@@ -337,4 +337,4 @@ bool Painter::pick(int x, int y, Vec3d& position) {
     return true;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -19,7 +19,7 @@
 
 #include <list>
 
-namespace ciel::render {
+namespace server::render {
 
 class Painter {
 public:
@@ -29,7 +29,7 @@ public:
 
     // The picture is valid until the next draw. Throws the errors of Renderer::draw, but does not check the memory.
     const Image& draw(const Frame& frame, const AfterStage& after);
-    bool pick(int x, int y, Vec3d& position);
+    bool pick(int x, int y, ciel::Vec3d& position);
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
     [[nodiscard]] const std::string& renderer_name() const { return renderer_name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
@@ -89,9 +89,9 @@ private:
     OverlayPainter overlay_;
     annotations::ViewTransform transform_;
     std::size_t clip_planes_ = 0; // number of clip planes of the last frame
-    Vec3d origin_{};
+    ciel::Vec3d origin_{};
     int width_ = 0, height_ = 0;           // size of the last picture in pixels; 0 if there is no picture for pick()
     bool transparent_depth_drawn_ = false; // whether the target has the depth of transparent triangles, for pick()
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -2,7 +2,7 @@
 #include "render/frame/frame_properties.hpp"
 #include "render/painter.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // The uniform `line_reach` of point_shaders.cpp. `factor`: framebuffer pixels per picture pixel along a side.
@@ -176,4 +176,4 @@ void Painter::use_for_points(const Frame& frame, const Program& program) {
     gl_.Uniform1f(program.line_reach, line_reach(frame, factor));
 }
 
-} // namespace ciel::render
+} // namespace server::render

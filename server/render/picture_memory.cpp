@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // Memory in bytes per pixel.
@@ -52,4 +52,4 @@ std::uint64_t picture_memory(const Frame& frame) {
     return bytes + bytes / 8;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // A context that drew more pixels is destroyed before a picture of less than half as many, to free its memory. Still
@@ -54,14 +54,14 @@ struct Renderer::State {
     // Later calls use the back end of the first call: a server must not silently fall back to software.
     void start() {
         if (const std::uint64_t left = spare ? spare().address_space : UINT64_MAX; left < addresses_of_a_context())
-            throw Error("drawing needs about " + megabytes(addresses_of_a_context()) + " of address space, but " +
-                        megabytes(left) +
-                        " are left to the server; raise the server's limit on address space (ulimit -v)");
+            throw ciel::Error("drawing needs about " + megabytes(addresses_of_a_context()) + " of address space, but " +
+                              megabytes(left) +
+                              " are left to the server; raise the server's limit on address space (ulimit -v)");
         ChosenContext chosen = make_context(wanted);
         wanted = chosen.backend;
         selection = std::move(chosen.selection);
         context = std::move(chosen.context);
-        if (!make_current(*context)) throw Error("a new OpenGL context was lost at once; check the GL driver");
+        if (!make_current(*context)) throw ciel::Error("a new OpenGL context was lost at once; check the GL driver");
         gl = Gl::load(context->loader());
         painter.emplace(gl);
         renderer_name = painter->renderer_name();
@@ -94,14 +94,15 @@ struct Renderer::State {
         const std::uint64_t counted = needed - std::min(needed, kept), more = counted + reserve;
         const Spare left = spare();
         if (counted > left.allowed)
-            throw Error("a picture of " + size_of(frame) + " needs about " + megabytes(counted) + " of memory, but " +
-                        megabytes(left.allowed) +
-                        " are left of what the server may use; ask for a smaller picture, show fewer layers, or try "
-                        "again when other clients have finished");
+            throw ciel::Error(
+                "a picture of " + size_of(frame) + " needs about " + megabytes(counted) + " of memory, but " +
+                megabytes(left.allowed) +
+                " are left of what the server may use; ask for a smaller picture, show fewer layers, or try "
+                "again when other clients have finished");
         const std::uint64_t addresses = more + (painter ? 0 : addresses_of_a_context());
         if (more <= left.memory && addresses <= left.address_space) return;
         const bool lacks_memory = more > left.memory;
-        throw Error(
+        throw ciel::Error(
             "a picture of " + size_of(frame) + " needs about " + megabytes(lacks_memory ? more : addresses) +
             " of memory, but " + megabytes(lacks_memory ? left.memory : left.address_space) +
             " are left to the server; ask for a smaller picture, show fewer layers, or give the server more memory");
@@ -128,8 +129,8 @@ struct Renderer::State {
         }
         if (failed || ran_out_of_memory()) {
             stop(); // destroys the context, because some of its buffers were not allocated
-            throw Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
-                        "; ask for a smaller picture, or show fewer layers");
+            throw ciel::Error("the server ran out of memory while it drew a picture of " + size_of(frame) +
+                              "; ask for a smaller picture, or show fewer layers");
         }
         if (refused) std::rethrow_exception(refused);
         return *image;
@@ -161,7 +162,7 @@ const std::vector<std::string>& Renderer::remarks() const {
     return state_->painter ? state_->painter->remarks() : none;
 }
 
-bool Renderer::pick(int x, int y, Vec3d& position) {
+bool Renderer::pick(int x, int y, ciel::Vec3d& position) {
     return !state_->is_lost() && state_->painter->pick(x, y, position);
 }
 
@@ -185,7 +186,7 @@ std::vector<Backend> find_backends() {
         try {
             const Renderer renderer(backend);
             available.push_back(backend);
-        } catch (const Error&) {
+        } catch (const ciel::Error&) {
             continue; // this back end cannot create a context
         }
     }
@@ -199,4 +200,4 @@ const std::vector<Backend>& available_backends() {
     return available;
 }
 
-} // namespace ciel::render
+} // namespace server::render

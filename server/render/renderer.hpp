@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Bytes that the process can still allocate.
 struct Spare {
@@ -41,7 +41,7 @@ public:
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const;
     // x and y are counted from the top left. Returns false if there is no primitive at this pixel.
-    bool pick(int x, int y, Vec3d& position);
+    bool pick(int x, int y, ciel::Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;
     [[nodiscard]] Backend backend() const;
@@ -63,4 +63,4 @@ private:
 // Returns the back ends that can create a context on this machine. The first call tries all of them. Thread-safe.
 [[nodiscard]] const std::vector<Backend>& available_backends();
 
-} // namespace ciel::render
+} // namespace server::render

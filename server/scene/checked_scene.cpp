@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 struct Check {
@@ -20,12 +20,13 @@ struct Check {
             const store::ScalarName parsed = store::parse_scalar(dataset, name);
             const store::Association association = dataset.find(parsed.array)->association;
             if (association == store::Association::boundary_face && !has_faces)
-                throw Error(printable(name) + " has values only on the faces of patches, which can color surface "
-                                              "layers only; choose an array on points");
+                throw ciel::Error(ciel::printable(name) +
+                                  " has values only on the faces of patches, which can color surface "
+                                  "layers only; choose an array on points");
             if (*why_points != '\0' && association == store::Association::cell)
-                throw Error(printable(name) + " has a value per cell, and " + why_points +
-                            "; choose an array on points");
-        } catch (const Error& error) {
+                throw ciel::Error(ciel::printable(name) + " has a value per cell, and " + why_points +
+                                  "; choose an array on points");
+        } catch (const ciel::Error& error) {
             throw Invalid(path + place, error.what());
         }
     }
@@ -38,7 +39,7 @@ struct Check {
         std::string known;
         for (const auto& name : maps) known += (known.empty() ? "" : ", ") + name;
         throw Invalid(path + place + "/map",
-                      "there is no color map " + printable(color.map) + "; choose one of " + known);
+                      "there is no color map " + ciel::printable(color.map) + "; choose one of " + known);
     }
 
     void operator()(const IsoLayer& iso) const {
@@ -81,7 +82,7 @@ struct Check {
                 known += (known.empty() ? "" : ", ") + group.name;
             }
         throw Invalid(path + "/groups/" + std::to_string(index),
-                      "there is no patch " + printable(name) +
+                      "there is no patch " + ciel::printable(name) +
                           (known.empty() ? "; the dataset has no patches" : "; choose one of " + known));
     }
 };
@@ -100,4 +101,4 @@ CheckedScene CheckedScene::with_camera(const Camera& camera) const {
     return changed;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Immutable and therefore thread-safe. Steps that are appended later are not visible in dataset().
 class CheckedScene {
@@ -27,4 +27,4 @@ private:
     std::shared_ptr<store::Dataset> dataset_;
 };
 
-} // namespace ciel::scene
+} // namespace server::scene

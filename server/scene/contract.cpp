@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
 
 using nlohmann::json;
 
@@ -29,4 +29,4 @@ std::string pointer_step(const std::string& path, const std::string& token) {
     return step;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

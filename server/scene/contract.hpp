@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Returns the OpenRPC document. It is parsed once.
 [[nodiscard]] const nlohmann::json& contract();
@@ -20,4 +20,4 @@ struct Violation {
 // Appends `token` to a JSON pointer, with ~ and / escaped.
 [[nodiscard]] std::string pointer_step(const std::string& path, const std::string& token);
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 using nlohmann::json;
@@ -36,4 +36,4 @@ std::size_t heap_bytes(const json& document) {
     return bytes;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

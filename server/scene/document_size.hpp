@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Returns the bytes of a document as JSON text without white space.
 [[nodiscard]] std::size_t text_bytes(const nlohmann::json& document);
@@ -12,4 +12,4 @@ namespace ciel::scene {
 // Includes the overhead of the allocator. The recursion is as deep as the document (Limits::json_depth).
 [[nodiscard]] std::size_t heap_bytes(const nlohmann::json& document);
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
 
 using nlohmann::json;
 
@@ -27,4 +27,4 @@ json diff(const json& from, const json& to) {
     return patch;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 using nlohmann::json;
@@ -51,4 +51,4 @@ json read_json(std::string_view text) {
     return read;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Thrown if a JSON object has two members of the same name. RFC 8259, section 4, lets a parser drop one of them, so
 // that a layer could be lost silently.
@@ -15,4 +15,4 @@ struct TwiceNamed : std::runtime_error {
 // Throws TwiceNamed, which names the member, and the exceptions of nlohmann::json::parse. Thread-safe.
 [[nodiscard]] nlohmann::json read_json(std::string_view text);
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 // The contract's maxLength counts characters, which have up to four bytes.
@@ -64,8 +64,8 @@ void resolve_contours(std::optional<Contours>& contours, const std::string& path
     std::string& array = contours->coloring->array;
     if (array.empty()) array = contours->array;
     if (array != contours->array)
-        throw Invalid(path + "/coloring/array", "contour lines of " + printable(contours->array) +
-                                                    " have the colors of its values, not of " + printable(array) +
+        throw Invalid(path + "/coloring/array", "contour lines of " + ciel::printable(contours->array) +
+                                                    " have the colors of its values, not of " + ciel::printable(array) +
                                                     "; leave out array in coloring");
 }
 
@@ -144,7 +144,7 @@ struct Rules {
                               "opacity points must be in ascending order of their positions");
         if (!volume.color.array.empty() && volume.color.array != volume.array)
             throw Invalid(path + "/color/array",
-                          "a volume must have the colors of its own array, " + printable(volume.array));
+                          "a volume must have the colors of its own array, " + ciel::printable(volume.array));
     }
 };
 
@@ -187,4 +187,4 @@ void apply_rules(Scene& scene) {
     check_clip_planes(scene.layers);
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-namespace ciel::scene {
+namespace server::scene {
 
 inline constexpr std::size_t most_clip_planes = 6; // visible clip layers; every OpenGL has at least 8 clip planes
 
@@ -22,4 +22,4 @@ void refuse_old_legend(const nlohmann::json& document);
 // values get a count. Throws Invalid.
 void apply_rules(Scene& scene);
 
-} // namespace ciel::scene
+} // namespace server::scene

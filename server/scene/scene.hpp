@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Maximum number of bytes of a layer id, a title or a gesture. The limits in the contract count characters instead.
 inline constexpr std::size_t most_name_bytes = 256;
@@ -27,4 +27,4 @@ public:
 // Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 using nlohmann::json;
@@ -256,4 +256,4 @@ std::vector<std::string> schema_keywords() {
     return names;
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Checks a value. Returns the first violation, or nothing. "$ref" is looked up in contract(). Keywords that are not in
 // schema_keywords() are ignored. Thread-safe. The depth of the recursion depends on the schema, not on the value.
@@ -18,4 +18,4 @@ namespace ciel::scene {
 // Returns all supported keywords. A test compares them with the contract's keywords.
 [[nodiscard]] std::vector<std::string> schema_keywords();
 
-} // namespace ciel::scene
+} // namespace server::scene

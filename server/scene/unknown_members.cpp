@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
 namespace {
 
 using nlohmann::json;
@@ -86,4 +86,4 @@ std::vector<std::string> drop_unknown_members(const json& schema, json& value) {
     return std::move(dropping.paths);
 }
 
-} // namespace ciel::scene
+} // namespace server::scene

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::scene {
+namespace server::scene {
 
 // Returns whether `schema` has a property with this name. Does not resolve "$ref".
 [[nodiscard]] bool is_known_member(const nlohmann::json& schema, const std::string& name);
@@ -23,4 +23,4 @@ namespace ciel::scene {
 // enumeration and an object of an unknown "type", because check_schema() refuses them. Thread-safe.
 [[nodiscard]] std::vector<std::string> drop_unknown_members(const nlohmann::json& schema, nlohmann::json& value);
 
-} // namespace ciel::scene
+} // namespace server::scene

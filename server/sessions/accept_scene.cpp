@@ -4,7 +4,7 @@
 #include "scene/document_size.hpp"
 #include "sessions/open_dataset.hpp"
 
-namespace ciel::sessions {
+namespace server::sessions {
 namespace {
 
 void check_size(const nlohmann::json& document, const limits::Limits& limits) {
@@ -42,4 +42,4 @@ std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services
                      scene::CheckedScene(std::move(scene), std::move(loaded)), bytes, Clock::now()});
 }
 
-} // namespace ciel::sessions
+} // namespace server::sessions

@@ -10,7 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 using Clock = std::chrono::steady_clock;
 
@@ -29,4 +29,4 @@ struct SceneVersion {
 [[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
                                                                std::uint64_t revision);
 
-} // namespace ciel::sessions
+} // namespace server::sessions

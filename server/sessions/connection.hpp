@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 // A WebSocket sets both send functions, an HTTP POST neither. The callbacks never block and may be called from any
 // thread until the Connection is destroyed. On a slow socket, a newer frame may replace a frame that is not sent yet.
@@ -30,4 +30,4 @@ struct Connection {
     [[nodiscard]] bool is_streaming() const { return static_cast<bool>(send_binary); }
 };
 
-} // namespace ciel::sessions
+} // namespace server::sessions

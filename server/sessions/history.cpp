@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 void History::record(Document before, const std::string& gesture) {
     const bool continues = !gesture.empty() && gesture == gesture_;
@@ -67,4 +67,4 @@ void History::keep_limits() {
     while (undo_.size() + redo_.size() > steps_ || bytes_ > most_bytes_) forget_oldest(undo_.empty() ? redo_ : undo_);
 }
 
-} // namespace ciel::sessions
+} // namespace server::sessions

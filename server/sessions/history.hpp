@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 using Document = std::shared_ptr<const nlohmann::json>;
 
@@ -47,4 +47,4 @@ private:
     std::string gesture_; // gesture of the last recorded change; empty: the next change is a separate step
 };
 
-} // namespace ciel::sessions
+} // namespace server::sessions

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 // Returns a notification as JSON-RPC text. `Note`: one of the contract's notification structures.
 template <class Note>
@@ -13,4 +13,4 @@ std::string notification_text(const Note& note) {
     return text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-} // namespace ciel::sessions
+} // namespace server::sessions

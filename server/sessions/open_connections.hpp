@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 // All members of OpenConnections are thread-safe.
 class OpenConnections {
@@ -44,4 +44,4 @@ private:
     std::map<std::uint64_t, std::shared_ptr<Connection>> open_;
 };
 
-} // namespace ciel::sessions
+} // namespace server::sessions

@@ -3,16 +3,16 @@
 #include "limits/errors.hpp"
 #include "store/files/files.hpp"
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 std::shared_ptr<store::LoadedDataset> open_dataset(store::Catalog& catalog, const std::string& name) {
     try {
         return catalog.open(name);
-    } catch (const Error& error) {
+    } catch (const ciel::Error& error) {
         for (const auto& entry : catalog.list())
             if (entry.name == name) throw;
         throw limits::NotFound(store::sentence_for_clients(error));
     }
 }
 
-} // namespace ciel::sessions
+} // namespace server::sessions

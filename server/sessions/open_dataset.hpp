@@ -2,9 +2,9 @@
 
 #include "store/catalog.hpp"
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 // Throws NotFound if the catalog has no such dataset, and Error if the dataset cannot be opened.
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> open_dataset(store::Catalog& catalog, const std::string& name);
 
-} // namespace ciel::sessions
+} // namespace server::sessions

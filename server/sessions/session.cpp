@@ -8,7 +8,7 @@
 
 #include <exception>
 
-namespace ciel::sessions {
+namespace server::sessions {
 namespace {
 
 std::string scene_changed(const std::string& session, const SceneVersion& version) {
@@ -192,4 +192,4 @@ std::size_t Session::viewer_count() const {
     return viewers_.size();
 }
 
-} // namespace ciel::sessions
+} // namespace server::sessions

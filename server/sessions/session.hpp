@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 struct SessionStatus {
     std::shared_ptr<const SceneVersion> version;
@@ -86,4 +86,4 @@ private:
     mutable Clock::time_point used_;
 };
 
-} // namespace ciel::sessions
+} // namespace server::sessions

@@ -6,7 +6,7 @@
 #include "sessions/open_connections.hpp"
 #include "store/catalog.hpp"
 
-namespace ciel::sessions {
+namespace server::sessions {
 
 struct SessionServices {
     const limits::Limits& limits;
@@ -15,4 +15,4 @@ struct SessionServices {
     limits::Memory& memory;
 };
 
-} // namespace ciel::sessions
+} // namespace server::sessions

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::string_view cell_prefix = "cell:";
@@ -35,7 +35,8 @@ void check_new_name(const std::string& name) {
     else if (std::ranges::any_of(plain, is_bad))
         problem = "holds a '/', '\\', ':' or control character (the only allowed prefix is 'cell:')";
     if (!problem.empty())
-        throw Error("array '" + name + "' is not in the dataset, and a new array cannot have a name that " + problem);
+        throw ciel::Error("array '" + name + "' is not in the dataset, and a new array cannot have a name that " +
+                          problem);
 }
 
 ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
@@ -44,13 +45,14 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
     const auto usual = known == nullptr ? std::size_t{1} : static_cast<std::size_t>(known->components);
     const std::size_t components = wanted.components.value_or(usual);
     if (known != nullptr && components != usual)
-        throw Error("array '" + wanted.name + "' has " + std::to_string(usual) +
-                    " components in the dataset, but the values have " + std::to_string(components));
+        throw ciel::Error("array '" + wanted.name + "' has " + std::to_string(usual) +
+                          " components in the dataset, but the values have " + std::to_string(components));
     if (components < 1 || components > most_components)
-        throw Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) + " components");
+        throw ciel::Error("array '" + wanted.name + "' must have 1 to " + std::to_string(most_components) +
+                          " components");
     if (known != nullptr && known->association == Association::boundary_face)
-        throw Error("array '" + wanted.name +
-                    "' has values on the faces of patches, which only an import can write; leave the array out");
+        throw ciel::Error("array '" + wanted.name +
+                          "' has values on the faces of patches, which only an import can write; leave the array out");
     if (known != nullptr) return *known;
     ArrayInfo added;
     added.name = wanted.name;
@@ -60,7 +62,7 @@ ArrayInfo describe(const Dataset& dataset, const WantedArray& wanted) {
     return added;
 }
 
-std::span<const Index> original_ids(const Dataset& dataset, std::size_t mesh, Association association) {
+std::span<const ciel::Index> original_ids(const Dataset& dataset, std::size_t mesh, Association association) {
     return association == Association::point ? dataset.original_vertex(mesh) : dataset.original_cell(mesh);
 }
 
@@ -70,9 +72,9 @@ PlannedArray plan_array(const Dataset& dataset, std::size_t mesh, const WantedAr
     planned.tuples = on_points ? dataset.info().input_vertices : dataset.info().input_cells;
     const auto ids = original_ids(dataset, mesh, planned.info.association);
     if (*std::ranges::max_element(ids) >= planned.tuples)
-        throw Error("the last step of " + dataset.info().name +
-                    " is on another mesh than the imported file, so the order of the values of '" + wanted.name +
-                    "' is unknown; append a dataset on the mesh of that step with `ciel append --from`");
+        throw ciel::Error("the last step of " + dataset.info().name +
+                          " is on another mesh than the imported file, so the order of the values of '" + wanted.name +
+                          "' is unknown; append a dataset on the mesh of that step with `ciel append --from`");
     return planned;
 }
 
@@ -97,21 +99,21 @@ std::uint64_t stored_bytes(const Dataset& dataset, std::size_t mesh, const Array
 }
 
 void check_time(const Dataset& dataset, double time) {
-    if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
+    if (!std::isfinite(time)) throw ciel::Error("the time of a step must be a finite number");
     if (dataset.steps().empty() || time > dataset.steps().back().time) return;
     std::ostringstream sentence;
     sentence << "time " << time << " is not later than the last step of " << dataset.info().name
              << ", which is at time " << dataset.steps().back().time;
-    throw Error(sentence.str());
+    throw ciel::Error(sentence.str());
 }
 
-Values to_stored_order(ValuesView values, std::span<const Index> original, std::size_t components) {
+Values to_stored_order(ciel::ValuesView values, std::span<const ciel::Index> original, std::size_t components) {
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> stored(original.size() * components);
         for (std::size_t i = 0; i < original.size(); ++i) {
             // Reads the id only once, because the mapped file can change at any time.
             const std::size_t from = original[i] * components;
-            if (from >= all.size()) throw Error("the dataset's original ids are damaged; import the data again");
+            if (from >= all.size()) throw ciel::Error("the dataset's original ids are damaged; import the data again");
             std::copy_n(&all[from], components, &stored[i * components]);
         }
         return Values(std::move(stored));
@@ -120,14 +122,14 @@ Values to_stored_order(ValuesView values, std::span<const Index> original, std::
 
 void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
     const Dataset& dataset = *writer.before();
-    std::optional<PointInterpolation> points; // made once and used for all arrays of the step
+    std::optional<ciel::PointInterpolation> points; // made once and used for all arrays of the step
     for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
         const PlannedArray& array = plan.arrays[i];
         const auto values = values_of(i);
         if (values.size() != array.values())
-            throw Error("array '" + array.info.name + "' has " + std::to_string(values.size()) +
-                        " values, but must have " + std::to_string(array.tuples) + " x " +
-                        std::to_string(array.info.components) + ", one for each point or cell and component");
+            throw ciel::Error("array '" + array.info.name + "' has " + std::to_string(values.size()) +
+                              " values, but must have " + std::to_string(array.tuples) + " x " +
+                              std::to_string(array.info.components) + ", one for each point or cell and component");
         const auto ids = original_ids(dataset, plan.mesh, array.info.association);
         const Values stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
         writer.add_values({array.info, stored});
@@ -140,25 +142,27 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
 }
 
 // The order of the faces matters for arrays on boundary faces.
-bool same_faces(const FaceMeshView& a, const FaceMeshView& b) {
+bool same_faces(const ciel::FaceMeshView& a, const ciel::FaceMeshView& b) {
     bool same = std::ranges::equal(a.owner, b.owner);
-    for (Index face = 0; same && face < a.face_count(); ++face) same = std::ranges::equal(a.loop(face), b.loop(face));
+    for (ciel::Index face = 0; same && face < a.face_count(); ++face)
+        same = std::ranges::equal(a.loop(face), b.loop(face));
     return same;
 }
 
 std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t of_source) {
-    const Topology wanted = source.topology(of_source);
-    const FaceMeshView boundary = source.mesh_arrays().boundary(of_source, 0);
+    const ciel::Topology wanted = source.topology(of_source);
+    const ciel::FaceMeshView boundary = source.mesh_arrays().boundary(of_source, 0);
     for (std::size_t mesh = 0; mesh < dataset.info().meshes.size(); ++mesh)
-        if (same_faces(dataset.mesh_arrays().boundary(mesh, 0), boundary) && same_cells(dataset.topology(mesh), wanted))
+        if (same_faces(dataset.mesh_arrays().boundary(mesh, 0), boundary) &&
+            ciel::same_cells(dataset.topology(mesh), wanted))
             return mesh;
-    throw Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
-                "; only steps on the same mesh can be appended");
+    throw ciel::Error(source.directory().string() + ": is on another mesh than " + dataset.info().name +
+                      "; only steps on the same mesh can be appended");
 }
 
 // Adds a coordinate set if no set of the mesh has the positions of `wanted`.
-std::size_t coordinates_like(Writer& writer, std::size_t mesh, const FaceMeshView& wanted) {
-    const FaceMeshView known = writer.before()->mesh_arrays().points(mesh, 0);
+std::size_t coordinates_like(Writer& writer, std::size_t mesh, const ciel::FaceMeshView& wanted) {
+    const ciel::FaceMeshView known = writer.before()->mesh_arrays().points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);
     // In a dataset of an earlier version, the origin can be different from zero.
     if (known.origin != wanted.origin) {
@@ -182,7 +186,8 @@ StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedAr
     }
     std::set<std::string> names;
     for (const WantedArray& each : wanted) {
-        if (!names.insert(each.name).second) throw Error("array '" + each.name + "' is given twice; give it once");
+        if (!names.insert(each.name).second)
+            throw ciel::Error("array '" + each.name + "' is given twice; give it once");
         plan.arrays.push_back(plan_array(dataset, plan.mesh, each));
     }
     std::vector<ArrayInfo> written;
@@ -235,9 +240,9 @@ std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Datase
     }
     writer.finish();
     if (appended == 0)
-        throw Error(source.directory().string() + ": has no step later than the last step of " +
-                    dataset->directory().string());
+        throw ciel::Error(source.directory().string() + ": has no step later than the last step of " +
+                          dataset->directory().string());
     return appended;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace ciel::store {
+namespace server::store {
 
 // An array that a caller wants to append: "p" for values on points, "cell:p" for values on cells.
 struct WantedArray {
@@ -41,7 +41,7 @@ struct StepPlan {
 [[nodiscard]] StepPlan plan_step(const Dataset& dataset, double time, std::span<const WantedArray> wanted);
 
 // Returns the values of plan.arrays[i] in the order of the imported file, valid until the next call.
-using ValuesOf = std::function<ValuesView(std::size_t i)>;
+using ValuesOf = std::function<ciel::ValuesView(std::size_t i)>;
 
 struct AppendedStep {
     std::size_t step = 0; // index of the new step
@@ -57,4 +57,4 @@ AppendedStep append_step(const std::shared_ptr<Dataset>& dataset, double time, s
 // Throws Error when there is no such step, or when a step is on a mesh that `dataset` does not have.
 std::size_t append_dataset(const std::shared_ptr<Dataset>& dataset, const Dataset& source);
 
-} // namespace ciel::store
+} // namespace server::store

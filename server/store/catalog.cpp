@@ -13,7 +13,7 @@
 #include <thread>
 #include <tuple>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ bool is_intact(const LoadedDataset& loaded) {
     try {
         loaded.dataset()->check_unchanged();
         return true;
-    } catch (const Error&) {
+    } catch (const ciel::Error&) {
         return false;
     }
 }
@@ -167,11 +167,11 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (state_->known.count(name) == 0) state_->scan();
         const auto found = state_->known.find(name);
         if (found == state_->known.end())
-            throw Error("there is no dataset '" + printable(name) + "'; there are: " + state_->names());
+            throw ciel::Error("there is no dataset '" + ciel::printable(name) + "'; there are: " + state_->names());
         found->second.used = Clock::now();
         if (found->second.loaded) return found->second.loaded;
         State::examine(found->second);
-        if (found->second.failed) throw Error(found->second.problem);
+        if (found->second.failed) throw ciel::Error(found->second.problem);
         directory = found->second.directory;
         opening = found->second.opening;
     }
@@ -288,4 +288,4 @@ std::shared_ptr<void> Catalog::watch(std::function<void(const std::string&)> on_
     });
 }
 
-} // namespace ciel::store
+} // namespace server::store

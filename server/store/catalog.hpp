@@ -6,7 +6,7 @@
 #include <chrono>
 #include <functional>
 
-namespace ciel::store {
+namespace server::store {
 
 struct CatalogEntry {
     std::string name;
@@ -48,4 +48,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -1,6 +1,6 @@
 #include "store/cell_extremes.hpp"
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 std::optional<LowestAndHighest> extremes_in(const store::Dataset& dataset, const std::string& array, std::size_t row,
@@ -46,4 +46,4 @@ std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset, co
     return all;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,12 +5,12 @@
 
 #include <optional>
 
-namespace ciel::store {
+namespace server::store {
 
 struct CellValue {
     double value = 0;
-    Index cell = none; // id of the cell in the imported file
-    Vec3d place{};     // mean of the cell's corners, in the dataset's coordinates
+    ciel::Index cell = ciel::none; // id of the cell in the imported file
+    ciel::Vec3d place{};           // mean of the cell's corners, in the dataset's coordinates
     double time = 0;
 };
 
@@ -28,4 +28,4 @@ struct LowestAndHighest {
 [[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,
                                                              const store::ArrayInfo& array);
 
-} // namespace ciel::store
+} // namespace server::store

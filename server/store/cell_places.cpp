@@ -3,22 +3,22 @@
 #include "ciel/cell_geometry.hpp"
 #include "ciel/mesh_faces.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
-std::map<Index, Vec3d> cell_places(const Topology& topology, const FaceMeshView& points,
-                                   const std::vector<Index>& cells) {
-    std::map<Index, Vec3d> places;
-    for (const Index cell : cells) {
+std::map<ciel::Index, ciel::Vec3d> cell_places(const ciel::Topology& topology, const ciel::FaceMeshView& points,
+                                               const std::vector<ciel::Index>& cells) {
+    std::map<ciel::Index, ciel::Vec3d> places;
+    for (const ciel::Index cell : cells) {
         if (places.contains(cell)) continue;
-        const std::vector<Index> corners = corners_of_cell(topology, cell);
+        const std::vector<ciel::Index> corners = ciel::corners_of_cell(topology, cell);
         points.load(corners);
-        Vec3d place = points.origin;
-        for (const Index vertex : corners)
+        ciel::Vec3d place = points.origin;
+        for (const ciel::Index vertex : corners)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                place[axis] += position(points, vertex)[axis] / static_cast<double>(corners.size());
+                place[axis] += ciel::position(points, vertex)[axis] / static_cast<double>(corners.size());
         places.emplace(cell, place);
     }
     return places;
 }
 
-} // namespace ciel::store
+} // namespace server::store

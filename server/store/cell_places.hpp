@@ -5,11 +5,11 @@
 
 #include <map>
 
-namespace ciel::store {
+namespace server::store {
 
 // Returns the mean position of each cell's corners, in dataset coordinates. Reads only the blocks of these cells.
 // Throws Error when the mesh has no such cell, or when a record is damaged.
-[[nodiscard]] std::map<Index, Vec3d> cell_places(const Topology& topology, const FaceMeshView& points,
-                                                 const std::vector<Index>& cells);
+[[nodiscard]] std::map<ciel::Index, ciel::Vec3d>
+cell_places(const ciel::Topology& topology, const ciel::FaceMeshView& points, const std::vector<ciel::Index>& cells);
 
-} // namespace ciel::store
+} // namespace server::store

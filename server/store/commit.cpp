@@ -7,7 +7,7 @@
 #include <exception>
 #include <utility>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::size_t most_steps_in_marker = 64;
@@ -38,4 +38,4 @@ void Commit::read_table_again(Marker& marker) const noexcept {
     }
 }
 
-} // namespace ciel::store
+} // namespace server::store

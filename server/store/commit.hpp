@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 // Only one writer may use a dataset at a time: the caller holds the lock of the dataset, or the dataset is new.
 struct Commit {
@@ -23,4 +23,4 @@ struct Commit {
     void read_table_again(Marker& marker) const noexcept;
 };
 
-} // namespace ciel::store
+} // namespace server::store

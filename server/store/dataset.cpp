@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,35 +78,35 @@ public:
     }
 
     const MeshArrays& mesh_arrays() const override { return *this; }
-    FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const override {
-        const FaceMeshView view = points(mesh, coordinates);
+    ciel::FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const override {
+        const ciel::FaceMeshView view = points(mesh, coordinates);
         try {
             return at(mesh)->all_faces(view);
-        } catch (const Error&) {
+        } catch (const ciel::Error&) {
             // The message of the kernel names no file. check_unchanged names the file if a file has changed.
             check_unchanged();
             throw;
         }
     }
-    FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
+    ciel::FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
         const Values all = positions(mesh, coordinates);
         return of_dataset(at(mesh)->view_points(all), mesh, all.keep_alive());
     }
-    FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const override {
+    ciel::FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const override {
         if (!at(mesh)->has_blocks()) return points(mesh, coordinates);
         const ValuesToLoad to_load = positions_to_load(mesh, coordinates);
         const auto loader = loader_of(to_load, mesh, coordinates);
-        FaceMeshView view = of_dataset(at(mesh)->view_points(to_load.values), mesh, loader);
+        ciel::FaceMeshView view = of_dataset(at(mesh)->view_points(to_load.values), mesh, loader);
         view.loader = loader.get();
         return view;
     }
-    FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const override {
-        FaceMeshView faces = at(mesh)->numbered_faces(points_to_load(mesh, coordinates));
+    ciel::FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const override {
+        ciel::FaceMeshView faces = at(mesh)->numbered_faces(points_to_load(mesh, coordinates));
         check_intact();
         return faces;
     }
-    FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const override {
-        FaceMeshView faces = at(mesh)->boundary(points_to_load(mesh, coordinates));
+    ciel::FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const override {
+        ciel::FaceMeshView faces = at(mesh)->boundary(points_to_load(mesh, coordinates));
         check_intact();
         return faces;
     }
@@ -126,27 +126,33 @@ public:
                 }
     }
 
-    Topology topology(std::size_t mesh) const override {
+    ciel::Topology topology(std::size_t mesh) const override {
         const MappedMesh& of = *at(mesh);
-        return of.has_blocks() ? of.stored_topology() : Topology(all_faces(mesh, 0));
+        return of.has_blocks() ? of.stored_topology() : ciel::Topology(all_faces(mesh, 0));
     }
 
     std::vector<Group> groups(std::size_t mesh) const override { return at(mesh)->groups(); }
-    std::span<const Index> original_vertex(std::size_t mesh) const override { return at(mesh)->original_vertex(); }
-    std::span<const Index> original_cell(std::size_t mesh) const override { return at(mesh)->original_cell(); }
+    std::span<const ciel::Index> original_vertex(std::size_t mesh) const override {
+        return at(mesh)->original_vertex();
+    }
+    std::span<const ciel::Index> original_cell(std::size_t mesh) const override { return at(mesh)->original_cell(); }
 
     std::span<const std::int64_t> solver_vertex(std::size_t mesh) const override { return at(mesh)->solver_vertex(); }
     std::span<const std::int64_t> solver_cell(std::size_t mesh) const override { return at(mesh)->solver_cell(); }
-    Index original_vertex(std::size_t mesh, Index vertex) const override { return at(mesh)->original_vertex(vertex); }
-    Index original_cell(std::size_t mesh, Index cell) const override { return at(mesh)->original_cell(cell); }
-    std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const override {
+    ciel::Index original_vertex(std::size_t mesh, ciel::Index vertex) const override {
+        return at(mesh)->original_vertex(vertex);
+    }
+    ciel::Index original_cell(std::size_t mesh, ciel::Index cell) const override {
+        return at(mesh)->original_cell(cell);
+    }
+    std::optional<std::int64_t> solver_vertex(std::size_t mesh, ciel::Index vertex) const override {
         return given(at(mesh)->solver_vertex(vertex));
     }
-    std::optional<std::int64_t> solver_cell(std::size_t mesh, Index cell) const override {
+    std::optional<std::int64_t> solver_cell(std::size_t mesh, ciel::Index cell) const override {
         return given(at(mesh)->solver_cell(cell));
     }
 
-    std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
+    std::optional<ciel::BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const override {
         if (find(scalar.array)->association != Association::point) return std::nullopt;
         auto ranges = value_ranges(scalar.array, step);
         if (!ranges) return std::nullopt;
@@ -159,13 +165,13 @@ public:
         return std::move(ranges->histograms[place_of(scalar)]);
     }
 
-    std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const override {
+    std::optional<ciel::BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const override {
         const auto& sums = coordinate_checksums_.at(mesh);
         if (coordinates >= sums.size()) return std::nullopt;
         auto ranges = position_ranges(mesh, coordinates, sums[coordinates]);
         if (!ranges) return std::nullopt;
-        std::vector<BlockRanges>& axes = ranges->scalars;
-        return BlockBoxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
+        std::vector<ciel::BlockRanges>& axes = ranges->scalars;
+        return ciel::BlockBoxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
     }
 
     std::size_t memory_bytes() const override { return chunks_->memory_bytes(); }
@@ -187,7 +193,8 @@ public:
     }
 
 private:
-    FaceMeshView of_dataset(FaceMeshView view, std::size_t mesh, std::shared_ptr<const void> keep_alive) const {
+    ciel::FaceMeshView of_dataset(ciel::FaceMeshView view, std::size_t mesh,
+                                  std::shared_ptr<const void> keep_alive) const {
         view.surface_origin = middle_of(info_.meshes[mesh]);
         view.keep_alive = std::move(keep_alive);
         return view;
@@ -416,8 +423,8 @@ std::uint64_t items_of(const MeshInfo& mesh, Association association) {
     return 0;
 }
 
-Vec3d middle_of(const MeshInfo& mesh) {
-    Vec3d middle{};
+ciel::Vec3d middle_of(const MeshInfo& mesh) {
+    ciel::Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         middle[axis] = mesh.bounds[2 * axis] / 2 + mesh.bounds[2 * axis + 1] / 2;
     return middle;
@@ -427,7 +434,7 @@ bool Dataset::is_intact() const {
     try {
         check_intact();
         return true;
-    } catch (const Error&) {
+    } catch (const ciel::Error&) {
         return false;
     }
 }
@@ -447,4 +454,4 @@ std::size_t Dataset::step_at(double time) const {
     return step + 1 < times.size() && times[step + 1] - time < time - times[step] ? step + 1 : step;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 class MeshArrays;    // mesh_arrays.hpp
 struct ValuesToLoad; // cache/checked_file.hpp
@@ -71,20 +71,20 @@ public:
 
     [[nodiscard]] virtual const MeshArrays& mesh_arrays() const = 0; // positions and faces
     // The topology keeps the files of records open, and reads a record when the record is first used.
-    [[nodiscard]] virtual Topology topology(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual ciel::Topology topology(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::vector<Group> groups(std::size_t mesh) const = 0;
     // Return for each vertex or cell of the dataset its id in the imported file.
-    [[nodiscard]] virtual std::span<const Index> original_vertex(std::size_t mesh) const = 0;
-    [[nodiscard]] virtual std::span<const Index> original_cell(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual std::span<const ciel::Index> original_vertex(std::size_t mesh) const = 0;
+    [[nodiscard]] virtual std::span<const ciel::Index> original_cell(std::size_t mesh) const = 0;
     // An id of -1 means that the solver gave no id. Empty if the imported file has none. A solver id must not be used
     // as an index.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
     // Return nullopt if the solver gave no id. Each call reads one stretch. The vertex or cell must exist.
-    [[nodiscard]] virtual Index original_vertex(std::size_t mesh, Index vertex) const = 0;
-    [[nodiscard]] virtual Index original_cell(std::size_t mesh, Index cell) const = 0;
-    [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, Index vertex) const = 0;
-    [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, Index cell) const = 0;
+    [[nodiscard]] virtual ciel::Index original_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
+    [[nodiscard]] virtual ciel::Index original_cell(std::size_t mesh, ciel::Index cell) const = 0;
+    [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
+    [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, ciel::Index cell) const = 0;
     // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
     // written at this step. Throws Error for an unknown array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
@@ -92,14 +92,16 @@ public:
     [[nodiscard]] virtual ValuesToLoad values_to_load(const std::string& array, std::size_t step) const = 0;
 
     // Returns nullopt if no ranges are stored or the scalar is not on points. Throws Error when they are damaged.
-    [[nodiscard]] virtual std::optional<BlockRanges> block_ranges(const ScalarName& scalar, std::size_t step) const = 0;
+    [[nodiscard]] virtual std::optional<ciel::BlockRanges> block_ranges(const ScalarName& scalar,
+                                                                        std::size_t step) const = 0;
 
     // Returns the stored histogram of a scalar. It has stored_bins bins over the range of the finite values. Returns
     // nullopt if no histogram is stored. Throws Error when the histogram is damaged.
     [[nodiscard]] virtual std::optional<Histogram> histogram(const ScalarName& scalar, std::size_t step) const = 0;
 
     // Returns the bounding boxes of the vertices of each block; nullopt if no boxes are stored.
-    [[nodiscard]] virtual std::optional<BlockBoxes> block_boxes(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual std::optional<ciel::BlockBoxes> block_boxes(std::size_t mesh,
+                                                                      std::size_t coordinates) const = 0;
 
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const;
     [[nodiscard]] std::size_t step_at(double time) const; // index of the step whose time is nearest
@@ -109,13 +111,13 @@ public:
 // magnitude of a tensor (an array with component names) is its Frobenius norm.
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
 // tuple: the components of one vertex, cell or boundary face.
-[[nodiscard]] double magnitude_of(const ArrayInfo& array, ValuesView tuple);
+[[nodiscard]] double magnitude_of(const ArrayInfo& array, ciel::ValuesView tuple);
 // `tuples`: components, interleaved. A magnitude is no_value (no_value.hpp) if one of the components is no_value.
 void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
 void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
                 std::span<double> out);
 // Returns the scalar of each tuple, in the type of `values`.
-[[nodiscard]] Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar);
+[[nodiscard]] Values one_scalar(const ArrayInfo& array, ciel::ValuesView values, const ScalarName& scalar);
 // The scalars are in the order of scalar_names.
 [[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);
 // Parses the name of a scalar. Throws Error that lists the existing names when there is no scalar `name`.
@@ -125,4 +127,4 @@ void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const Sc
 // a scalar on cells, and an empty string for all other scalars.
 [[nodiscard]] std::string cell_scalar(const Dataset& dataset, const std::string& name);
 
-} // namespace ciel::store
+} // namespace server::store

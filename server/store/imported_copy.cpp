@@ -2,7 +2,7 @@
 
 #include "store/files/files.hpp"
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,4 +25,4 @@ std::string input_of_copy(const fs::path& dataset) {
     return input;
 }
 
-} // namespace ciel::store
+} // namespace server::store

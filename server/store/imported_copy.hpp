@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 // Writes a file beside `dataset` that marks it as a copy of `input`. Throws Error when the file cannot be written.
 void mark_as_copy(const std::filesystem::path& dataset, const std::filesystem::path& input);
@@ -13,4 +13,4 @@ void mark_as_copy(const std::filesystem::path& dataset, const std::filesystem::p
 // Returns an empty text if `dataset` is not marked as a copy. Throws Error when the mark cannot be read.
 [[nodiscard]] std::string input_of_copy(const std::filesystem::path& dataset);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -10,17 +10,17 @@
 #include <mutex>
 #include <sstream>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 struct KeptField {
-    std::shared_ptr<const Topology> topology; // which queries of the field get
-    Field field;
+    std::shared_ptr<const ciel::Topology> topology; // which queries of the field get
+    ciel::Field field;
 };
 
 // An estimate: the gradients, and the values in block order, in which a vertex of several blocks is repeated.
 std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
-    return vertices * (2 * value_bytes + sizeof(Vec3f));
+    return vertices * (2 * value_bytes + sizeof(ciel::Vec3f));
 }
 
 const char* name_of(Association association) {
@@ -52,20 +52,20 @@ bool any_went_wrong(const Step& step, const ArrayInfo* array) {
     return written != step.arrays.end() && written->second.invalid > 0;
 }
 
-bool went_wrong_at(ValuesView values, std::size_t width, std::size_t item) {
+bool went_wrong_at(ciel::ValuesView values, std::size_t width, std::size_t item) {
     return std::ranges::any_of(values.subview(width * item, width), went_wrong);
 }
 
-void leave_out_cells(const ArrayInfo& array, ValuesView values, std::vector<std::uint8_t>& kept) {
+void leave_out_cells(const ArrayInfo& array, ciel::ValuesView values, std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
     for (std::size_t cell = 0; cell < kept.size(); ++cell)
         if (went_wrong_at(values, width, cell)) kept[cell] = 0;
 }
 
-void leave_out_owners(const FaceMeshView& boundary, const ArrayInfo& array, ValuesView values,
+void leave_out_owners(const ciel::FaceMeshView& boundary, const ArrayInfo& array, ciel::ValuesView values,
                       std::vector<std::uint8_t>& kept) {
     const auto width = static_cast<std::size_t>(array.components);
-    for (Index number = 0; number < boundary.face_count(); ++number)
+    for (ciel::Index number = 0; number < boundary.face_count(); ++number)
         if (went_wrong_at(values, width, number)) kept[boundary.owner[number]] = 0;
 }
 
@@ -95,10 +95,10 @@ struct LoadedDataset::State {
 
     struct MeshSlot {
         std::mutex making;
-        std::shared_ptr<const Topology> topology;
+        std::shared_ptr<const ciel::Topology> topology;
         // Keys of both maps: index of the coordinate set.
-        std::map<std::size_t, std::shared_ptr<const GeometricVertices>> geometric;
-        std::map<std::size_t, std::shared_ptr<const BlockBoxes>> boxes;
+        std::map<std::size_t, std::shared_ptr<const ciel::GeometricVertices>> geometric;
+        std::map<std::size_t, std::shared_ptr<const ciel::BlockBoxes>> boxes;
     };
 
     [[nodiscard]] std::shared_ptr<Dataset> current() const {
@@ -116,7 +116,8 @@ struct LoadedDataset::State {
     [[nodiscard]] static ValuesToLoad written(const Dataset& dataset, const std::string& array, std::size_t step,
                                               Association wanted) {
         if (const Association own = dataset.find(array)->association; own != wanted)
-            throw Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " + name_of(wanted));
+            throw ciel::Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " +
+                              name_of(wanted));
         auto values = dataset.values_to_load(array, step);
         if (values.file == nullptr) {
             std::ostringstream time;
@@ -129,53 +130,58 @@ struct LoadedDataset::State {
 
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
         if (step >= dataset.steps().size())
-            throw Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) +
-                        "; the number of its steps is " + std::to_string(dataset.steps().size()));
+            throw ciel::Error("dataset '" + dataset.info().name + "' has no step " + std::to_string(step) +
+                              "; the number of its steps is " + std::to_string(dataset.steps().size()));
         return dataset.steps()[step];
     }
 
-    [[nodiscard]] std::shared_ptr<const GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
-                                                                     const Step& at) {
+    [[nodiscard]] std::shared_ptr<const ciel::GeometricVertices> geometric(const std::shared_ptr<Dataset>& of,
+                                                                           const Step& at) {
         const auto kept = slot(at.mesh);
         const std::lock_guard making(kept->making);
         auto& found = kept->geometric[at.coordinates];
         if (!found)
-            found = std::make_shared<const GeometricVertices>([of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
-                FaceMeshView boundary = of->mesh_arrays().boundary(at_mesh, at_coordinates);
-                const FaceMeshView points = of->mesh_arrays().points(at_mesh, at_coordinates); // reads all positions
-                boundary.positions = points.positions;
-                boundary.loader = points.loader;
-                boundary.keep_alive = points.keep_alive;
-                return boundary;
-            });
+            found = std::make_shared<const ciel::GeometricVertices>(
+                [of, at_mesh = at.mesh, at_coordinates = at.coordinates] {
+                    ciel::FaceMeshView boundary = of->mesh_arrays().boundary(at_mesh, at_coordinates);
+                    const ciel::FaceMeshView points =
+                        of->mesh_arrays().points(at_mesh, at_coordinates); // reads all positions
+                    boundary.positions = points.positions;
+                    boundary.loader = points.loader;
+                    boundary.keep_alive = points.keep_alive;
+                    return boundary;
+                });
         return found;
     }
 
-    [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(const Dataset& of, const Step& at, const Topology& topology) {
+    [[nodiscard]] std::shared_ptr<const ciel::BlockBoxes> boxes(const Dataset& of, const Step& at,
+                                                                const ciel::Topology& topology) {
         const auto kept = slot(at.mesh);
         const std::lock_guard making(kept->making);
         auto& found = kept->boxes[at.coordinates];
         if (found) return found;
         auto stored = of.block_boxes(at.mesh, at.coordinates);
-        if (!stored) stored = block_boxes(topology, of.mesh_arrays().points(at.mesh, at.coordinates).positions);
-        return found = std::make_shared<const BlockBoxes>(*std::move(stored));
+        if (!stored) stored = ciel::block_boxes(topology, of.mesh_arrays().points(at.mesh, at.coordinates).positions);
+        return found = std::make_shared<const ciel::BlockBoxes>(*std::move(stored));
     }
 
     // Discards the fits of the previous coordinate set, because a moving mesh would otherwise keep fits for each step.
-    [[nodiscard]] std::shared_ptr<CellFits> cell_fits(const Step& at, const std::shared_ptr<const Topology>& topology) {
+    [[nodiscard]] std::shared_ptr<ciel::CellFits> cell_fits(const Step& at,
+                                                            const std::shared_ptr<const ciel::Topology>& topology) {
         const std::lock_guard lock(mutex);
         const std::array<std::size_t, 2> place{at.mesh, at.coordinates};
         if (fits && fitted == place) return fits;
         if (fits) fits->forget();
         fitted = place;
         fitted_topology = topology;
-        return fits = std::make_shared<CellFits>(*topology, most_fit_bytes);
+        return fits = std::make_shared<ciel::CellFits>(*topology, most_fit_bytes);
     }
 
     // `bytes`: size of the field and of all data that it keeps alive.
     [[nodiscard]] static ScalarField field(Cache& cache, const std::shared_ptr<Dataset>& of, std::size_t step,
-                                           const std::string& key, const std::shared_ptr<const Topology>& topology,
-                                           std::size_t bytes, const std::function<Field()>& make) {
+                                           const std::string& key,
+                                           const std::shared_ptr<const ciel::Topology>& topology, std::size_t bytes,
+                                           const std::function<ciel::Field()>& make) {
         const Step& at = of->steps()[step];
         const auto kept = cache.get<KeptField>(key, [&]() -> Cache::Made {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
@@ -191,9 +197,9 @@ struct LoadedDataset::State {
     std::map<std::size_t, std::shared_ptr<MeshSlot>> meshes;
     std::mutex refreshing;
     const std::size_t most_fit_bytes;
-    std::shared_ptr<CellFits> fits; // fits for the mesh and the coordinate set in `fitted`
+    std::shared_ptr<ciel::CellFits> fits; // fits for the mesh and the coordinate set in `fitted`
     std::array<std::size_t, 2> fitted{};
-    std::shared_ptr<const Topology> fitted_topology;
+    std::shared_ptr<const ciel::Topology> fitted_topology;
     Cache fields, planes;
 };
 
@@ -213,15 +219,15 @@ bool LoadedDataset::refresh() {
     return true;
 }
 
-std::shared_ptr<const Topology> LoadedDataset::topology(std::size_t mesh) {
+std::shared_ptr<const ciel::Topology> LoadedDataset::topology(std::size_t mesh) {
     const auto slot = state_->slot(mesh);
     const std::lock_guard making(slot->making);
     if (slot->topology) return slot->topology;
     const auto of = state_->current();
-    std::shared_ptr<const Topology> made;
+    std::shared_ptr<const ciel::Topology> made;
     try {
-        made = std::make_shared<const Topology>(of->topology(mesh));
-    } catch (const Error&) {
+        made = std::make_shared<const ciel::Topology>(of->topology(mesh));
+    } catch (const ciel::Error&) {
         // The message of the kernel names no file. check_unchanged names the file if a file has changed.
         of->check_unchanged();
         throw;
@@ -248,8 +254,8 @@ ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const std::size_t bytes = field_bytes(source->size(), source->has_doubles() ? sizeof(double) : sizeof(float));
     return State::field(state_->fields, of, step, step_key("field", name, step), of_mesh, bytes, [&] {
         auto ranges = of->block_ranges(parse_scalar(*of, name), step);
-        if (!ranges) ranges = block_ranges(*of_mesh, source->all());
-        Field made(*of_mesh, source, *std::move(ranges));
+        if (!ranges) ranges = ciel::block_ranges(*of_mesh, source->all());
+        ciel::Field made(*of_mesh, source, *std::move(ranges));
         made.set_cell_fits(state_->cell_fits(at, of_mesh));
         return made;
     });
@@ -308,36 +314,36 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
     const ScalarField of_scalar = scalar(name, step);
     const Values values = scalar_values(name, step);
     const auto counted = state_->fields.get<std::size_t>(step_key("bad corners", name, step), [&]() -> Cache::Made {
-        return {std::make_shared<std::size_t>(count_cells_without_value(*of_scalar.field, values, went_wrong)),
+        return {std::make_shared<std::size_t>(ciel::count_cells_without_value(*of_scalar.field, values, went_wrong)),
                 sizeof(std::size_t)};
     });
     of->check_intact();
     return *counted;
 }
 
-std::shared_ptr<const CellLocator> LoadedDataset::locator(std::size_t step) {
+std::shared_ptr<const ciel::CellLocator> LoadedDataset::locator(std::size_t step) {
     struct Held {
         std::shared_ptr<const Dataset> dataset;
-        std::shared_ptr<const Topology> topology;
-        CellLocator locator;
+        std::shared_ptr<const ciel::Topology> topology;
+        ciel::CellLocator locator;
     };
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     const auto of_mesh = topology(at.mesh);
     auto held = std::make_shared<const Held>(
         Held{of, of_mesh,
-             CellLocator(*of_mesh, of->mesh_arrays().points_to_load(at.mesh, at.coordinates),
-                         state_->boxes(*of, at, *of_mesh))});
+             ciel::CellLocator(*of_mesh, of->mesh_arrays().points_to_load(at.mesh, at.coordinates),
+                               state_->boxes(*of, at, *of_mesh))});
     return {held, &held->locator};
 }
 
-std::shared_ptr<const BlockBoxes> LoadedDataset::boxes(std::size_t step) {
+std::shared_ptr<const ciel::BlockBoxes> LoadedDataset::boxes(std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     return state_->boxes(*of, at, *topology(at.mesh));
 }
 
-ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
+ScalarField LoadedDataset::plane(std::size_t step, ciel::Vec3d origin, ciel::Vec3d normal) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     std::ostringstream key; // without the step: steps with the same mesh and coordinates share the field
@@ -348,35 +354,37 @@ ScalarField LoadedDataset::plane(std::size_t step, Vec3d origin, Vec3d normal) {
     const std::size_t value_bytes = of->info().meshes[at.mesh].double_positions ? sizeof(double) : sizeof(float);
     const std::size_t bytes = field_bytes(of_mesh->counts().vertices, value_bytes);
     return State::field(state_->planes, of, step, key.str(), of_mesh, bytes, [&] {
-        const FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
-        Field made = Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
+        const ciel::FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
+        ciel::Field made = ciel::Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
         made.set_direction(state_->geometric(of, at), normal);
         return made;
     });
 }
 
-Surface LoadedDataset::surface_of_faces(std::size_t step, std::vector<Index> numbers,
-                                        std::span<const std::uint8_t> kept, const Vec3d& origin) {
+ciel::Surface LoadedDataset::surface_of_faces(std::size_t step, std::vector<ciel::Index> numbers,
+                                              std::span<const std::uint8_t> kept, const ciel::Vec3d& origin) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    FaceMeshView faces = of->mesh_arrays().numbered_faces(at.mesh, at.coordinates);
+    ciel::FaceMeshView faces = of->mesh_arrays().numbered_faces(at.mesh, at.coordinates);
     faces.surface_origin = origin;
-    return face_surface(faces, faces_by_id(faces, std::move(numbers), kept));
+    return ciel::face_surface(faces, ciel::faces_by_id(faces, std::move(numbers), kept));
 }
 
-Surface LoadedDataset::boundary_surface(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin) {
+ciel::Surface LoadedDataset::boundary_surface(std::size_t step, std::span<const std::uint8_t> kept,
+                                              const ciel::Vec3d& origin) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    FaceMeshView boundary = of->mesh_arrays().boundary(at.mesh, at.coordinates);
+    ciel::FaceMeshView boundary = of->mesh_arrays().boundary(at.mesh, at.coordinates);
     boundary.surface_origin = origin;
-    if (kept.empty()) return face_surface(boundary, boundary_faces(boundary));
-    return threshold_surface(*topology(at.mesh), boundary, *boxes(step), kept);
+    if (kept.empty()) return ciel::face_surface(boundary, ciel::boundary_faces(boundary));
+    return ciel::threshold_surface(*topology(at.mesh), boundary, *boxes(step), kept);
 }
 
-Surface LoadedDataset::vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin) {
+ciel::Surface LoadedDataset::vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept,
+                                               const ciel::Vec3d& origin) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
-    FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
+    ciel::FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
     points.surface_origin = origin;
     return ciel::vertices_of_cells(*topology(at.mesh), points, kept);
 }
@@ -393,4 +401,4 @@ std::size_t LoadedDataset::memory_bytes() const {
     return bytes;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,7 +5,7 @@
 #include "store/scalar_field.hpp"
 #include "store/stored_scalar.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // Records which cells have a NaN or infinite result of the solver in an array. Pictures do not show these cells.
 struct SoundCells {
@@ -14,8 +14,8 @@ struct SoundCells {
 };
 
 // Error: the array was not written at the requested step. The dataset is not damaged.
-class NotWritten : public Error {
-    using Error::Error;
+class NotWritten : public ciel::Error {
+    using ciel::Error::Error;
 };
 
 // Thread-safe. Three quarters of `field_budget_bytes` are for a least-recently-used cache of fields. One quarter is for
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // the dataset as of the last refresh()
     bool refresh(); // adds new steps from the disk; returns whether there were any
 
-    [[nodiscard]] std::shared_ptr<const Topology> topology(std::size_t mesh);
+    [[nodiscard]] std::shared_ptr<const ciel::Topology> topology(std::size_t mesh);
     // Throws NotWritten when the array was not written at the step, and Error when `name` is not a scalar on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
     // The values are read when they are needed. Throws like scalar(), and Error when the scalar is not on `items`.
@@ -49,22 +49,24 @@ public:
     // out. Only for a scalar that the imported file has on points; returns 0 for other scalars.
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
     // The locator keeps all data alive that it reads.
-    [[nodiscard]] std::shared_ptr<const CellLocator> locator(std::size_t step);
+    [[nodiscard]] std::shared_ptr<const ciel::CellLocator> locator(std::size_t step);
     // Reads one small file.
-    [[nodiscard]] std::shared_ptr<const BlockBoxes> boxes(std::size_t step);
+    [[nodiscard]] std::shared_ptr<const ciel::BlockBoxes> boxes(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
-    [[nodiscard]] ScalarField plane(std::size_t step, Vec3d origin, Vec3d normal);
+    [[nodiscard]] ScalarField plane(std::size_t step, ciel::Vec3d origin, ciel::Vec3d normal);
 
     // The next three functions return positions as offsets from `origin`. `kept`: one flag per cell; if it is empty,
     // all cells are kept. Returns the numbered faces `numbers` whose owner is kept, each once. polygon_face: the number
     // of the face.
-    [[nodiscard]] Surface surface_of_faces(std::size_t step, std::vector<Index> numbers,
-                                           std::span<const std::uint8_t> kept, const Vec3d& origin);
+    [[nodiscard]] ciel::Surface surface_of_faces(std::size_t step, std::vector<ciel::Index> numbers,
+                                                 std::span<const std::uint8_t> kept, const ciel::Vec3d& origin);
     // Returns the boundary of the kept cells. polygon_face: the number of the face, or `none` for a face inside the
     // mesh that has no number.
-    [[nodiscard]] Surface boundary_surface(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin);
+    [[nodiscard]] ciel::Surface boundary_surface(std::size_t step, std::span<const std::uint8_t> kept,
+                                                 const ciel::Vec3d& origin);
     // Returns the vertices of the kept cells, as a surface without polygons.
-    [[nodiscard]] Surface vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept, const Vec3d& origin);
+    [[nodiscard]] ciel::Surface vertices_of_cells(std::size_t step, std::span<const std::uint8_t> kept,
+                                                  const ciel::Vec3d& origin);
 
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -73,4 +75,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

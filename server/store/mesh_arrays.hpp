@@ -5,7 +5,7 @@
 
 #include "ciel/face_mesh.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // The spans of a view are valid as long as the dataset exists. Thread-safe.
 class MeshArrays {
@@ -14,18 +14,18 @@ public:
 
     // Returns the mesh with all faces (all_faces in ciel/numbered_faces.hpp). They are kept in memory until the last
     // view of them is destroyed; in format 1 they are mapped. Throws Error that names a damaged file.
-    [[nodiscard]] virtual FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual ciel::FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the mesh without faces: face_count() is 0. Reads only positions.
-    [[nodiscard]] virtual FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual ciel::FaceMeshView points(std::size_t mesh, std::size_t coordinates) const = 0;
     // Like points, but reads no position. Positions are read and checked when FaceMeshView::loader loads them. If the
     // mesh was stored without blocks, reads all positions.
-    [[nodiscard]] virtual FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual ciel::FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
     // Returns the mesh with the numbered faces (ciel/numbered_faces.hpp) and with positions as in points_to_load. The
     // first call checks the faces. Group::ids of a group of faces are numbers of these faces. Throws Error as all_faces
     // does.
-    [[nodiscard]] virtual FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual ciel::FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
     // Like numbered_faces, but returns only the boundary faces, which are the first numbered faces.
-    [[nodiscard]] virtual FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
+    [[nodiscard]] virtual ciel::FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,31 +4,31 @@
 
 #include <algorithm>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 const char* name_of(std::uint8_t type) {
-    switch (static_cast<CellType>(type)) {
-    case CellType::tetrahedron:
+    switch (static_cast<ciel::CellType>(type)) {
+    case ciel::CellType::tetrahedron:
         return "tetrahedron";
-    case CellType::hexahedron:
+    case ciel::CellType::hexahedron:
         return "hexahedron";
-    case CellType::wedge:
+    case ciel::CellType::wedge:
         return "wedge";
-    case CellType::pyramid:
+    case ciel::CellType::pyramid:
         return "pyramid";
-    case CellType::polyhedron:
+    case ciel::CellType::polyhedron:
         return "polyhedron";
     }
-    throw Error("cell type " + std::to_string(type) +
-                " does not exist; use tetrahedron, hexahedron, wedge, pyramid or "
-                "polyhedron");
+    throw ciel::Error("cell type " + std::to_string(type) +
+                      " does not exist; use tetrahedron, hexahedron, wedge, pyramid or "
+                      "polyhedron");
 }
 
 } // namespace
 
-MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology) {
-    const TopologyCounts& counts = topology.counts();
+MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::Topology& topology) {
+    const ciel::TopologyCounts& counts = topology.counts();
     MeshInfo info;
     info.vertices = counts.vertices;
     info.edges = counts.edges;
@@ -45,7 +45,7 @@ MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology) {
     return info;
 }
 
-void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView positions) {
+void extend_bounds(std::array<double, 6>& bounds, ciel::Vec3d origin, ciel::ValuesView positions) {
     positions.with([&](const auto& all) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const double at = origin[i % 3] + double{all[i]};
@@ -55,11 +55,11 @@ void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView posit
     });
 }
 
-std::uint64_t record_bytes(const Topology& topology) {
+std::uint64_t record_bytes(const ciel::Topology& topology) {
     std::uint64_t bytes = 0;
-    for (Index block = 0; block < topology.block_count(); ++block)
-        for (const RecordKind kind : record_kinds) bytes += topology.record(block, kind).size();
+    for (ciel::Index block = 0; block < topology.block_count(); ++block)
+        for (const ciel::RecordKind kind : record_kinds) bytes += topology.record(block, kind).size();
     return bytes;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,12 +4,12 @@
 #include "ciel/topology.hpp"
 #include "store/dataset.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
-[[nodiscard]] MeshInfo count_mesh(const FaceMeshView& mesh, const Topology& topology);
+[[nodiscard]] MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::Topology& topology);
 // `bounds`: xmin xmax ymin ymax zmin zmax. `positions`: offsets from `origin`.
-void extend_bounds(std::array<double, 6>& bounds, Vec3d origin, ValuesView positions);
+void extend_bounds(std::array<double, 6>& bounds, ciel::Vec3d origin, ciel::ValuesView positions);
 // Returns bytes. Reads every record that the topology has not read yet.
-[[nodiscard]] std::uint64_t record_bytes(const Topology& topology);
+[[nodiscard]] std::uint64_t record_bytes(const ciel::Topology& topology);
 
-} // namespace ciel::store
+} // namespace server::store

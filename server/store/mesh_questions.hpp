@@ -5,21 +5,21 @@
 #include "ciel/mesh_faces.hpp"
 #include "store/dataset.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // Returns the bounding box and the area of the faces of a patch.
-[[nodiscard]] FacesSize size_of_faces(const Dataset& dataset, const Step& step, const Group& patch);
+[[nodiscard]] ciel::FacesSize size_of_faces(const Dataset& dataset, const Step& step, const Group& patch);
 
 // Returns whether the patch has a face with all of `vertices`.
 [[nodiscard]] bool has_face_with(const Dataset& dataset, const Step& step, const Group& patch,
-                                 std::span<const Index> vertices);
+                                 std::span<const ciel::Index> vertices);
 
 // Returns the position of each point, in the dataset's coordinates. The positions are as precise as those of the mesh.
-[[nodiscard]] std::vector<Vec3d> positions_of(const Dataset& dataset, const Step& step,
-                                              std::span<const EdgePoint> points);
+[[nodiscard]] std::vector<ciel::Vec3d> positions_of(const Dataset& dataset, const Step& step,
+                                                    std::span<const ciel::EdgePoint> points);
 
 // Returns the number of faces that are ambiguous for some iso-value (count_ambiguous_faces in ciel/field.hpp).
 // `values`: one for each vertex.
-[[nodiscard]] std::uint64_t count_ambiguous_faces(const Dataset& dataset, const Step& step, ValuesView values);
+[[nodiscard]] std::uint64_t count_ambiguous_faces(const Dataset& dataset, const Step& step, ciel::ValuesView values);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ void NewDatasetDirectory::commit() {
     temporary_.clear();
 }
 
-} // namespace ciel::store
+} // namespace server::store

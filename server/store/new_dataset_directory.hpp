@@ -4,7 +4,7 @@
 
 #include "store/files/files.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // Removes the temporary directories of killed writers. Those of running writers are locked and are not removed.
 void remove_left_behind(const std::filesystem::path& target);
@@ -36,4 +36,4 @@ private:
     Descriptor lock_; // lock on the temporary directory; remove_left_behind skips locked directories
 };
 
-} // namespace ciel::store
+} // namespace server::store

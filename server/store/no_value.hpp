@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace ciel::store {
+namespace server::store {
 
 // A quiet NaN. If it is converted to double, the double has the bits no_value_bits. If this double is converted to
 // float, the result is no_value again.
@@ -17,4 +17,4 @@ inline constexpr std::uint64_t no_value_bits = 0x7ff819c3c0000000;
 // Returns true for a NaN or infinite result of the solver, but not for a missing value.
 [[nodiscard]] inline bool went_wrong(double value) { return !std::isfinite(value) && !is_no_value(value); }
 
-} // namespace ciel::store
+} // namespace server::store

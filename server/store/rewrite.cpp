@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
-FaceMesh copy_of(const FaceMeshView& view) {
-    FaceMesh mesh;
+ciel::FaceMesh copy_of(const ciel::FaceMeshView& view) {
+    ciel::FaceMesh mesh;
     mesh.origin = view.origin;
     view.positions.with([&]<class Number>(std::span<const Number> all) {
         mesh.set_positions(std::vector<Number>(all.begin(), all.end()));
@@ -26,39 +26,40 @@ FaceMesh copy_of(const FaceMeshView& view) {
     return mesh;
 }
 
-std::pair<std::array<Index, 2>, std::vector<Index>> key_of(const FaceMeshView& mesh, Index face) {
-    const Ids loop = mesh.loop(face);
-    std::pair<std::array<Index, 2>, std::vector<Index>> key{{mesh.owner[face], mesh.neighbour[face]},
-                                                            {loop.begin(), loop.end()}};
+std::pair<std::array<ciel::Index, 2>, std::vector<ciel::Index>> key_of(const ciel::FaceMeshView& mesh,
+                                                                       ciel::Index face) {
+    const ciel::Ids loop = mesh.loop(face);
+    std::pair<std::array<ciel::Index, 2>, std::vector<ciel::Index>> key{{mesh.owner[face], mesh.neighbour[face]},
+                                                                        {loop.begin(), loop.end()}};
     std::ranges::sort(key.second);
     return key;
 }
 
 // The boundary faces have the same order in both lists.
-std::vector<Index> ids_of_numbers(const FaceMeshView& all, const FaceMeshView& numbered) {
-    std::vector<Index> ids;
-    std::map<std::pair<std::array<Index, 2>, std::vector<Index>>, Index> inner;
-    for (Index number = 0; number < numbered.face_count(); ++number)
-        if (numbered.neighbour[number] != none) inner.emplace(key_of(numbered, number), number);
-    std::set<std::array<Index, 2>> cells; // the two cells of each of these faces
+std::vector<ciel::Index> ids_of_numbers(const ciel::FaceMeshView& all, const ciel::FaceMeshView& numbered) {
+    std::vector<ciel::Index> ids;
+    std::map<std::pair<std::array<ciel::Index, 2>, std::vector<ciel::Index>>, ciel::Index> inner;
+    for (ciel::Index number = 0; number < numbered.face_count(); ++number)
+        if (numbered.neighbour[number] != ciel::none) inner.emplace(key_of(numbered, number), number);
+    std::set<std::array<ciel::Index, 2>> cells; // the two cells of each of these faces
     for (const auto& [key, number] : inner) cells.insert(key.first);
-    for (Index face = 0; face < all.face_count(); ++face)
-        if (all.neighbour[face] == none) ids.push_back(face);
-    ids.resize(numbered.face_count(), none);
-    for (Index face = 0; face < all.face_count(); ++face) {
+    for (ciel::Index face = 0; face < all.face_count(); ++face)
+        if (all.neighbour[face] == ciel::none) ids.push_back(face);
+    ids.resize(numbered.face_count(), ciel::none);
+    for (ciel::Index face = 0; face < all.face_count(); ++face) {
         if (!cells.contains({all.owner[face], all.neighbour[face]})) continue;
         if (const auto found = inner.find(key_of(all, face)); found != inner.end()) ids[found->second] = face;
     }
     return ids;
 }
 
-std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh, const FaceMeshView& all) {
-    const std::vector<Index> id = ids_of_numbers(all, dataset.mesh_arrays().numbered_faces(mesh, 0));
+std::vector<NamedGroup> groups_of(const Dataset& dataset, std::size_t mesh, const ciel::FaceMeshView& all) {
+    const std::vector<ciel::Index> id = ids_of_numbers(all, dataset.mesh_arrays().numbered_faces(mesh, 0));
     std::vector<NamedGroup> groups;
     for (const Group& group : dataset.groups(mesh)) {
         NamedGroup named{group.of, group.name, {group.ids.begin(), group.ids.end()}, group.facts};
         if (group.of == Group::Of::faces)
-            for (Index& face : named.ids) face = id.at(face);
+            for (ciel::Index& face : named.ids) face = id.at(face);
         groups.push_back(std::move(named));
     }
     return groups;
@@ -73,7 +74,7 @@ public:
     std::vector<std::string> run() {
         for (std::size_t mesh = 0; mesh < from_.info().meshes.size(); ++mesh) {
             tell_progress();
-            const FaceMeshView all = from_.mesh_arrays().all_faces(mesh, 0);
+            const ciel::FaceMeshView all = from_.mesh_arrays().all_faces(mesh, 0);
             to_.add_mesh(copy_of(all), from_.original_vertex(mesh), from_.original_cell(mesh),
                          groups_of(from_, mesh, all), {from_.solver_vertex(mesh), from_.solver_cell(mesh)});
         }
@@ -101,7 +102,7 @@ private:
         Values values;
         try {
             values = from_.values(name, step);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             if (!array.lazy) throw; // the chunk of a lazy array may not be written yet
             left_out_.push_back(std::string("An array was left out: ") + error.what() + ".");
             return;
@@ -138,4 +139,4 @@ std::vector<std::string> rewrite(const std::filesystem::path& from, const std::f
     return left_out;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 [[nodiscard]] bool is_dataset(const std::filesystem::path& path);
 
@@ -16,4 +16,4 @@ namespace ciel::store {
 [[nodiscard]] std::vector<std::string> rewrite(const std::filesystem::path& from, const std::filesystem::path& to,
                                                bool overwrite, const std::function<void(double share)>& progress);
 
-} // namespace ciel::store
+} // namespace server::store

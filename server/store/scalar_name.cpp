@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 std::string component_name(const ArrayInfo& array, int component) {
@@ -84,9 +84,9 @@ bool has_magnitude(const ArrayInfo& array) {
     return array.components == 2 || array.components == 3 || !array.component_names.empty();
 }
 
-double magnitude_of(const ArrayInfo& array, ValuesView tuple) { return magnitude_in(array, tuple); }
+double magnitude_of(const ArrayInfo& array, ciel::ValuesView tuple) { return magnitude_in(array, tuple); }
 
-Values one_scalar(const ArrayInfo& array, ValuesView values, const ScalarName& scalar) {
+Values one_scalar(const ArrayInfo& array, ciel::ValuesView values, const ScalarName& scalar) {
     const auto components = static_cast<std::size_t>(array.components);
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> result(all.size() / components);
@@ -115,20 +115,20 @@ ScalarName parse_scalar(const Dataset& dataset, const std::string& name) {
     if (const ArrayInfo* array = dataset.find(name)) {
         // A vector's name without a suffix means its magnitude.
         if (array->components == 1 || has_magnitude(*array)) return {array->name, std::nullopt, array->components > 1};
-        throw Error("'" + printable(name) + "' has " + std::to_string(array->components) +
-                    " components and no magnitude; choose one of " + listed(scalar_names(*array)));
+        throw ciel::Error("'" + ciel::printable(name) + "' has " + std::to_string(array->components) +
+                          " components and no magnitude; choose one of " + listed(scalar_names(*array)));
     }
     if (const auto [array, suffix] = split(dataset, name); array != nullptr) {
         if (auto scalar = parse_suffix(*array, suffix)) return *scalar;
-        throw Error("array '" + printable(array->name) + "' has no component '" + printable(suffix) +
-                    "'; choose one of " + listed(scalar_names(*array)));
+        throw ciel::Error("array '" + ciel::printable(array->name) + "' has no component '" + ciel::printable(suffix) +
+                          "'; choose one of " + listed(scalar_names(*array)));
     }
     std::vector<std::string> names;
     for (const ArrayInfo& array : dataset.info().arrays)
         if (array.association == Association::point)
             for (std::string& each : scalar_names(array)) names.push_back(std::move(each));
-    throw Error("dataset '" + dataset.info().name + "' has no scalar '" + printable(name) + "'; it has " +
-                (names.empty() ? std::string("none") : listed(names)));
+    throw ciel::Error("dataset '" + dataset.info().name + "' has no scalar '" + ciel::printable(name) + "'; it has " +
+                      (names.empty() ? std::string("none") : listed(names)));
 }
 
 std::string cell_scalar(const Dataset& dataset, const std::string& name) {
@@ -143,4 +143,4 @@ std::string cell_scalar(const Dataset& dataset, const std::string& name) {
     return is_the_same ? "cell:" + name : std::string();
 }
 
-} // namespace ciel::store
+} // namespace server::store

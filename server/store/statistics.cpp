@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 // For each end of the range, also keeps the first item with this value.
 class Range {
 public:
-    void add(double value, Index item) {
+    void add(double value, ciel::Index item) {
         if (value < low_) {
             low_ = value;
             lowest_ = item;
@@ -28,7 +28,7 @@ public:
 
 private:
     double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
-    Index lowest_ = 0, highest_ = 0;
+    ciel::Index lowest_ = 0, highest_ = 0;
 };
 
 // Returns no extremes if a component has no finite value, because entries are identified by their index.
@@ -49,7 +49,7 @@ ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
     Range all;
     ArrayStep result;
     for (std::size_t at = 0; at + width <= values.size(); at += width) {
-        const auto item = static_cast<Index>(at / width);
+        const auto item = static_cast<ciel::Index>(at / width);
         for (std::size_t c = 0; c < width; ++c) {
             const double value = values[at + c];
             if (!std::isfinite(value)) {
@@ -72,20 +72,20 @@ ArrayStep statistics_of(std::span<const T> values, const ArrayInfo& array) {
 
 } // namespace
 
-ArrayStep statistics(ValuesView values, const ArrayInfo& array) {
+ArrayStep statistics(ciel::ValuesView values, const ArrayInfo& array) {
     return values.with([&](auto all) { return statistics_of(all, array); });
 }
 
-ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topology& topology) {
+ValueRanges value_ranges(ciel::ValuesView values, const ArrayInfo& array, const ciel::Topology& topology) {
     ValueRanges ranges;
     for (const ScalarName& name : scalars_of(array)) {
         const Values scalar = one_scalar(array, values, name);
         const bool on_points = array.association == Association::point;
-        ranges.scalars.push_back(on_points ? block_ranges(topology, scalar) : BlockRanges{});
+        ranges.scalars.push_back(on_points ? ciel::block_ranges(topology, scalar) : ciel::BlockRanges{});
         ranges.histograms.push_back(histogram_of(scalar, stored_bins));
     }
     ranges.stretch_checksums = stretch_checksums(values.bytes());
     return ranges;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,11 +4,11 @@
 #include "store/dataset.hpp"
 #include "store/format/value_ranges.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // Leaves the positions of the cells in `extremes` zero; the caller computes them with cell_places.
-[[nodiscard]] ArrayStep statistics(ValuesView values, const ArrayInfo& array);
+[[nodiscard]] ArrayStep statistics(ciel::ValuesView values, const ArrayInfo& array);
 
-[[nodiscard]] ValueRanges value_ranges(ValuesView values, const ArrayInfo& array, const Topology& topology);
+[[nodiscard]] ValueRanges value_ranges(ciel::ValuesView values, const ArrayInfo& array, const ciel::Topology& topology);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,11 +4,11 @@
 #include "ciel/vector_operators.hpp"
 #include "store/no_value.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 namespace {
 
-[[noreturn]] void refuse_other_mesh() { throw Error("the surface belongs to another mesh than the values"); }
+[[noreturn]] void refuse_other_mesh() { throw ciel::Error("the surface belongs to another mesh than the values"); }
 
 } // namespace
 
@@ -18,21 +18,21 @@ void StoredScalar::load(std::size_t first, std::size_t count) const {
 }
 
 template <class T>
-void StoredScalar::read_from(Index first, std::span<T> out) const {
+void StoredScalar::read_from(ciel::Index first, std::span<T> out) const {
     load(first, out.size());
     const auto* begin = static_cast<const T*>(values_.values.data()) + first * width_;
     scalars_in(array_, std::span(begin, out.size() * width_), scalar_, out);
 }
 
 template <class T>
-T StoredScalar::value_of(Index vertex) const {
+T StoredScalar::value_of(ciel::Index vertex) const {
     T value;
     read_from(vertex, std::span(&value, 1));
     return value;
 }
 
 template <class T>
-void StoredScalar::read_at(std::span<const Index> vertices, std::span<T> out) const {
+void StoredScalar::read_at(std::span<const ciel::Index> vertices, std::span<T> out) const {
     const auto* all = static_cast<const T*>(values_.values.data());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         load(vertices[i], 1);
@@ -40,18 +40,18 @@ void StoredScalar::read_at(std::span<const Index> vertices, std::span<T> out) co
     }
 }
 
-void StoredScalar::read(Index first, std::span<float> out) const { read_from(first, out); }
-void StoredScalar::read(Index first, std::span<double> out) const { read_from(first, out); }
-void StoredScalar::read(std::span<const Index> vertices, std::span<float> out) const { read_at(vertices, out); }
-void StoredScalar::read(std::span<const Index> vertices, std::span<double> out) const { read_at(vertices, out); }
+void StoredScalar::read(ciel::Index first, std::span<float> out) const { read_from(first, out); }
+void StoredScalar::read(ciel::Index first, std::span<double> out) const { read_from(first, out); }
+void StoredScalar::read(std::span<const ciel::Index> vertices, std::span<float> out) const { read_at(vertices, out); }
+void StoredScalar::read(std::span<const ciel::Index> vertices, std::span<double> out) const { read_at(vertices, out); }
 
-Values StoredScalar::at(std::span<const EdgePoint> points) const {
+Values StoredScalar::at(std::span<const ciel::EdgePoint> points) const {
     const auto in = [&]<class T>(std::vector<T> out) {
-        parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
+        ciel::parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto& [a, b, t] = points[i];
                 if (a >= size() || b >= size()) refuse_other_mesh();
-                out[i] = lerp(value_of<T>(a), value_of<T>(b), t);
+                out[i] = ciel::lerp(value_of<T>(a), value_of<T>(b), t);
             }
         });
         values_.file->file().check_intact();
@@ -60,10 +60,10 @@ Values StoredScalar::at(std::span<const EdgePoint> points) const {
     return has_doubles() ? in(std::vector<double>(points.size())) : in(std::vector<float>(points.size()));
 }
 
-Values StoredScalar::of(std::span<const Index> items) const {
+Values StoredScalar::of(std::span<const ciel::Index> items) const {
     const auto in = [&]<class T>(std::vector<T> out) {
         for (std::size_t i = 0; i < items.size(); ++i) {
-            if (items[i] == none) continue;
+            if (items[i] == ciel::none) continue;
             if (items[i] >= size()) refuse_other_mesh();
             read_at(items.subspan(i, 1), std::span(out).subspan(i, 1));
         }
@@ -74,11 +74,11 @@ Values StoredScalar::of(std::span<const Index> items) const {
                          : in(std::vector<float>(items.size(), no_value));
 }
 
-void StoredScalar::for_pieces(const std::function<void(ValuesView)>& f) const {
+void StoredScalar::for_pieces(const std::function<void(ciel::ValuesView)>& f) const {
     const auto in = [&]<class T>(std::vector<T> piece) {
         for (std::size_t first = 0; first < size(); first += piece.size()) {
             const auto part = std::span(piece).first(std::min(piece.size(), size() - first));
-            read_from(static_cast<Index>(first), part);
+            read_from(static_cast<ciel::Index>(first), part);
             f(part);
         }
     };
@@ -89,9 +89,9 @@ void StoredScalar::for_pieces(const std::function<void(ValuesView)>& f) const {
 
 Histogram StoredScalar::histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const {
     FiniteRange finite;
-    if (!range) for_pieces([&](ValuesView piece) { finite.add(piece); });
+    if (!range) for_pieces([&](ciel::ValuesView piece) { finite.add(piece); });
     Histogram histogram(range ? *range : finite.get(), bins);
-    for_pieces([&](ValuesView piece) { histogram.add(piece); });
+    for_pieces([&](ciel::ValuesView piece) { histogram.add(piece); });
     return histogram;
 }
 
@@ -102,4 +102,4 @@ Values StoredScalar::all() const {
     return copied;
 }
 
-} // namespace ciel::store
+} // namespace server::store

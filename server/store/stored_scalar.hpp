@@ -8,11 +8,11 @@
 
 #include <functional>
 
-namespace ciel::store {
+namespace server::store {
 
 // Thread-safe. If another process rewrites the file, reads return other values. This is safe, because values are never
 // used as indices.
-class StoredScalar final : public ValueSource {
+class StoredScalar final : public ciel::ValueSource {
 public:
     // values: all components of `array`, for all items.
     StoredScalar(ArrayInfo array, ScalarName scalar, ValuesToLoad values)
@@ -21,29 +21,29 @@ public:
 
     [[nodiscard]] std::size_t size() const override { return values_.values.size() / width_; }
     [[nodiscard]] bool has_doubles() const override { return values_.values.has_doubles(); }
-    void read(Index first, std::span<float> out) const override;
-    void read(Index first, std::span<double> out) const override;
-    void read(std::span<const Index> vertices, std::span<float> out) const override;
-    void read(std::span<const Index> vertices, std::span<double> out) const override;
+    void read(ciel::Index first, std::span<float> out) const override;
+    void read(ciel::Index first, std::span<double> out) const override;
+    void read(std::span<const ciel::Index> vertices, std::span<float> out) const override;
+    void read(std::span<const ciel::Index> vertices, std::span<double> out) const override;
 
     // Return values of the scalar in the array's type. at: the values at the points of a surface, interpolated along
     // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items. Throw Error
     // when the points or items are of another mesh, and when the file was truncated meanwhile.
-    [[nodiscard]] Values at(std::span<const EdgePoint> points) const;
-    [[nodiscard]] Values of(std::span<const Index> items) const;
+    [[nodiscard]] Values at(std::span<const ciel::EdgePoint> points) const;
+    [[nodiscard]] Values of(std::span<const ciel::Index> items) const;
     [[nodiscard]] Values all() const;
     // Only one piece of the values is in memory at a time. Throws Error when the file was truncated meanwhile.
-    void for_pieces(const std::function<void(ValuesView)>& f) const;
+    void for_pieces(const std::function<void(ciel::ValuesView)>& f) const;
     // `range`: the range of the bins. nullopt: the range of the finite values; all values are then read twice.
     [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const;
 
 private:
     template <class T>
-    void read_from(Index first, std::span<T> out) const;
+    void read_from(ciel::Index first, std::span<T> out) const;
     template <class T>
-    void read_at(std::span<const Index> vertices, std::span<T> out) const;
+    void read_at(std::span<const ciel::Index> vertices, std::span<T> out) const;
     template <class T>
-    [[nodiscard]] T value_of(Index vertex) const;
+    [[nodiscard]] T value_of(ciel::Index vertex) const;
     void load(std::size_t first, std::size_t count) const;
 
     ArrayInfo array_;
@@ -52,4 +52,4 @@ private:
     std::size_t width_; // number of components of an item
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -8,14 +8,15 @@
 
 #include <memory>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 std::size_t aligned(std::size_t bytes) { return (bytes + record_alignment - 1) / record_alignment * record_alignment; }
 
 class RecordFiles {
 public:
-    RecordFiles(std::filesystem::path mesh, RecordKind kind, const std::string& dataset_id, std::uint64_t most_bytes)
+    RecordFiles(std::filesystem::path mesh, ciel::RecordKind kind, const std::string& dataset_id,
+                std::uint64_t most_bytes)
         : mesh_(std::move(mesh)), kind_(kind), most_bytes_(most_bytes), head_(file_head(file_kind(kind), dataset_id)) {
         make_directory(layout::records(mesh_, kind_, 0).parent_path());
     }
@@ -43,7 +44,7 @@ private:
     }
 
     std::filesystem::path mesh_;
-    RecordKind kind_;
+    ciel::RecordKind kind_;
     std::uint64_t most_bytes_;
     std::array<std::byte, file_head_bytes> head_;
     std::unique_ptr<NewFile> file_;
@@ -52,18 +53,18 @@ private:
 
 } // namespace
 
-void write_blocks(const std::filesystem::path& mesh, const Topology& topology, const std::string& dataset_id,
+void write_blocks(const std::filesystem::path& mesh, const ciel::Topology& topology, const std::string& dataset_id,
                   const std::array<double, 6>& bounds, std::uint64_t most_file_bytes) {
     BlockIndex index;
     index.bounds = bounds;
     index.tables = topology.tables();
     for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
         RecordFiles files(mesh, record_kinds[kind], dataset_id, most_file_bytes);
-        for (Index block = 0; block < topology.block_count(); ++block)
+        for (ciel::Index block = 0; block < topology.block_count(); ++block)
             index.places[kind].push_back(files.add(topology.record(block, record_kinds[kind])));
         index.file_bytes[kind] = files.sizes();
     }
     write_file(layout::block_index(mesh), to_bytes(index, dataset_id));
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 // `mesh`: an existing directory. bounds: xmin xmax ymin ymax zmin zmax of the first coordinate set. A file of records
 // is longer than most_file_bytes only if a single record is longer. Throws Error when a file cannot be written.
-void write_blocks(const std::filesystem::path& mesh, const Topology& topology, const std::string& dataset_id,
+void write_blocks(const std::filesystem::path& mesh, const ciel::Topology& topology, const std::string& dataset_id,
                   const std::array<double, 6>& bounds, std::uint64_t most_file_bytes = std::uint64_t{1} << 30);
 
-} // namespace ciel::store
+} // namespace server::store

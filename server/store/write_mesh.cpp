@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,27 +29,28 @@ std::string write_whole(const fs::path& directory, ElementType type, std::span<c
     return checksum(bytes);
 }
 
-void check_sizes(const FaceMesh& mesh, std::span<const Index> original_vertex, std::span<const Index> original_cell) {
-    const ValuesView positions = mesh.view().positions;
-    if (mesh.cell_types.empty() || positions.empty()) throw Error("the mesh has no cells; nothing can be stored");
+void check_sizes(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
+                 std::span<const ciel::Index> original_cell) {
+    const ciel::ValuesView positions = mesh.view().positions;
+    if (mesh.cell_types.empty() || positions.empty()) throw ciel::Error("the mesh has no cells; nothing can be stored");
     if (positions.size() != 3 * original_vertex.size() || mesh.cell_types.size() != original_cell.size() ||
         mesh.owner.size() != mesh.neighbour.size() || mesh.face_offset.size() != mesh.owner.size() + 1 ||
         mesh.face_offset.back() != mesh.face_vertex.size())
-        throw Error("the arrays of the mesh do not have matching sizes");
+        throw ciel::Error("the arrays of the mesh do not have matching sizes");
     check_finite(positions);
 }
 
 void check_solver_ids(const SolverIds& solver, std::size_t vertices, std::size_t cells) {
     if ((!solver.vertex.empty() && solver.vertex.size() != vertices) ||
         (!solver.cell.empty() && solver.cell.size() != cells))
-        throw Error("the ids of the solver must be one per vertex and one per cell");
+        throw ciel::Error("the ids of the solver must be one per vertex and one per cell");
 }
 
 void check_group(const NamedGroup& group, std::size_t limit) {
-    for (const Index id : group.ids)
+    for (const ciel::Index id : group.ids)
         if (id >= limit)
-            throw Error("group '" + group.name + "' contains id " + std::to_string(id) +
-                        ", but ids must be less than " + std::to_string(limit));
+            throw ciel::Error("group '" + group.name + "' contains id " + std::to_string(id) +
+                              ", but ids must be less than " + std::to_string(limit));
 }
 
 void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& ranges, const std::string& dataset_id,
@@ -61,20 +62,20 @@ void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& r
 
 } // namespace
 
-void write_boxes(const fs::path& directory, const Topology& topology, const std::string& dataset_id,
-                 std::size_t coordinates, ValuesView positions) {
-    BlockBoxes boxes = block_boxes(topology, positions);
+void write_boxes(const fs::path& directory, const ciel::Topology& topology, const std::string& dataset_id,
+                 std::size_t coordinates, ciel::ValuesView positions) {
+    ciel::BlockBoxes boxes = ciel::block_boxes(topology, positions);
     const ValueRanges ranges{
         {std::move(boxes[0]), std::move(boxes[1]), std::move(boxes[2])}, {}, stretch_checksums(positions.bytes())};
     write_ranges(directory / "positions", coordinates, ranges, dataset_id, positions.bytes());
 }
 
-void check_finite(ValuesView positions) {
+void check_finite(ciel::ValuesView positions) {
     positions.with([](const auto& all) {
         const auto bad = std::find_if(all.begin(), all.end(), [](auto v) { return !std::isfinite(v); });
         if (bad != all.end())
-            throw Error("vertex " + std::to_string((bad - all.begin()) / 3) +
-                        " has a coordinate that is not a finite number; correct the coordinate");
+            throw ciel::Error("vertex " + std::to_string((bad - all.begin()) / 3) +
+                              " has a coordinate that is not a finite number; correct the coordinate");
     });
 }
 
@@ -91,15 +92,15 @@ ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo
     return array;
 }
 
-MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::span<const Index> original_vertex,
-                          std::span<const Index> original_cell, std::span<const NamedGroup> groups,
-                          const SolverIds& solver, const std::string& dataset_id) {
+MeshAttributes write_mesh(const fs::path& directory, const ciel::FaceMesh& mesh,
+                          std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
+                          std::span<const NamedGroup> groups, const SolverIds& solver, const std::string& dataset_id) {
     check_sizes(mesh, original_vertex, original_cell);
     check_solver_ids(solver, original_vertex.size(), original_cell.size());
     MeshAttributes attributes;
     attributes.origin = mesh.origin;
     for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
-    const Topology topology(mesh.view());
+    const ciel::Topology topology(mesh.view());
     attributes.info = count_mesh(mesh.view(), topology);
     write_blocks(directory, topology, dataset_id, attributes.info.bounds);
 
@@ -113,10 +114,10 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     };
     write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
     write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));
-    std::vector<std::vector<Index>> ids; // by group; empty for groups of cells
+    std::vector<std::vector<ciel::Index>> ids; // by group; empty for groups of cells
     for (const NamedGroup& group : groups) {
         check_group(group, group.of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
-        ids.push_back(group.of == Group::Of::faces ? group.ids : std::vector<Index>{});
+        ids.push_back(group.of == Group::Of::faces ? group.ids : std::vector<ciel::Index>{});
     }
     const NumberedGroups numbered = number_groups(mesh.view(), ids);
     write_group(directory / layout::faces_group);
@@ -127,7 +128,7 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
     if (!solver.vertex.empty()) write_ids("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
     if (!solver.cell.empty()) write_ids("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        std::vector<Index> of_group = groups[i].of == Group::Of::faces ? numbered.ids[i] : groups[i].ids;
+        std::vector<ciel::Index> of_group = groups[i].of == Group::Of::faces ? numbered.ids[i] : groups[i].ids;
         std::sort(of_group.begin(), of_group.end());
         of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
         const std::string name = "groups/" + std::to_string(i);
@@ -137,11 +138,11 @@ MeshAttributes write_mesh(const fs::path& directory, const FaceMesh& mesh, std::
                    bytes_of(group_attributes_text(attributes.groups.back())));
     }
     make_directory(directory / "positions");
-    const ValuesView positions = mesh.view().positions;
+    const ciel::ValuesView positions = mesh.view().positions;
     write_file(layout::chunk(directory / "positions", 0, 3), positions.bytes());
     attributes.coordinate_checksums.push_back(checksum(positions.bytes()));
     write_boxes(directory, topology, dataset_id, 0, positions);
     return attributes;
 }
 
-} // namespace ciel::store
+} // namespace server::store

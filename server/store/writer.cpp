@@ -24,7 +24,7 @@
 #include <random>
 #include <set>
 
-namespace ciel::store {
+namespace server::store {
 
 namespace fs = std::filesystem;
 
@@ -101,7 +101,7 @@ struct Writer::State {
     Marker marker;
     std::optional<double> last_time; // time of the last step; nullopt if there is none
     std::vector<WrittenMesh> meshes;
-    std::map<std::size_t, std::optional<Topology>> topologies; // by mesh; nullopt until it is first used
+    std::map<std::size_t, std::optional<ciel::Topology>> topologies; // by mesh; nullopt until it is first used
     std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
@@ -112,7 +112,7 @@ struct Writer::State {
     [[nodiscard]] bool appending() const { return new_directory == nullptr; }
 
     [[nodiscard]] WrittenMesh& mesh(std::size_t index) {
-        if (index >= meshes.size()) throw Error("the dataset has no mesh " + std::to_string(index));
+        if (index >= meshes.size()) throw ciel::Error("the dataset has no mesh " + std::to_string(index));
         return meshes[index];
     }
 
@@ -153,14 +153,15 @@ struct Writer::State {
     void check_array(const ArrayValues& array, const WrittenMesh& on) const {
         const std::uint64_t items = on.items(array.info);
         if (array.info.components < 1 || array.info.components > 64)
-            throw Error("array '" + array.info.name + "' must have 1 to 64 components");
+            throw ciel::Error("array '" + array.info.name + "' must have 1 to 64 components");
         if (array.values.size() != items * static_cast<std::uint64_t>(array.info.components))
-            throw Error("array '" + array.info.name + "' has " + std::to_string(array.values.size()) +
-                        " values, but must have " + std::to_string(items) + " x " +
-                        std::to_string(array.info.components) + ", one for each item and component");
+            throw ciel::Error("array '" + array.info.name + "' has " + std::to_string(array.values.size()) +
+                              " values, but must have " + std::to_string(items) + " x " +
+                              std::to_string(array.info.components) + ", one for each item and component");
         if (const ArrayInfo* known = find(array.info.name); known != nullptr && !known->has_shape_of(array.info))
-            throw Error("array '" + array.info.name +
-                        "' has another association or number of components than at earlier steps; use a new name");
+            throw ciel::Error(
+                "array '" + array.info.name +
+                "' has another association or number of components than at earlier steps; use a new name");
     }
 
     [[nodiscard]] const ArrayInfo* find(const std::string& array) const {
@@ -169,7 +170,7 @@ struct Writer::State {
         return nullptr;
     }
 
-    [[nodiscard]] ArrayInfo with_type(const ArrayInfo& array, ValuesView values) const {
+    [[nodiscard]] ArrayInfo with_type(const ArrayInfo& array, ciel::ValuesView values) const {
         ArrayInfo typed = with_valid_text(array);
         const ArrayInfo* known = find(typed.name);
         typed.doubles = known != nullptr ? known->doubles : values.has_doubles();
@@ -177,7 +178,7 @@ struct Writer::State {
     }
 
     // REQUIRES: the values have the array's type.
-    void put_values(const ArrayInfo& array, ValuesView values) {
+    void put_values(const ArrayInfo& array, ciel::ValuesView values) {
         MarkedStep& step = under_way->step;
         const std::uint64_t row = mesh(step.mesh).steps;
         const fs::path path = layout::values(layout::mesh(directory, step.mesh), array.name);
@@ -190,9 +191,9 @@ struct Writer::State {
         step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
     }
 
-    void put_ranges(const ArrayInfo& array, ValuesView values, const fs::path& path, std::uint64_t row) {
+    void put_ranges(const ArrayInfo& array, ciel::ValuesView values, const fs::path& path, std::uint64_t row) {
         if (!has_blocks(under_way->step.mesh)) return;
-        const Topology& topology = topology_of(under_way->step.mesh);
+        const ciel::Topology& topology = topology_of(under_way->step.mesh);
         const fs::path file = layout::value_ranges(path, row);
         make_directory(file.parent_path());
         under_way->chunks.push_back(file);
@@ -202,8 +203,8 @@ struct Writer::State {
     [[nodiscard]] bool has_blocks(std::size_t mesh) const {
         return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
     }
-    [[nodiscard]] const Topology& topology_of(std::size_t mesh) {
-        std::optional<Topology>& found = topologies[mesh];
+    [[nodiscard]] const ciel::Topology& topology_of(std::size_t mesh) {
+        std::optional<ciel::Topology>& found = topologies[mesh];
         const bool is_ours = !appending() || mesh >= marker.meshes;
         if (!found && has_blocks(mesh))
             found = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id)->topology(is_ours);
@@ -217,7 +218,7 @@ struct Writer::State {
     }
 
     void place_extremes(MarkedStep& step) {
-        std::vector<Index> cells;
+        std::vector<ciel::Index> cells;
         for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
         if (cells.empty()) return;
         const WrittenPoints points(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
@@ -251,12 +252,12 @@ void read_again(const NewDatasetDirectory& directory) {
             (void)dataset->mesh_arrays().numbered_faces(mesh, 0);
             (void)dataset->groups(mesh);
         }
-    } catch (const Error& error) {
+    } catch (const ciel::Error& error) {
         std::string what = error.what();
         const std::string folder = directory.temporary().string();
         for (std::size_t at = 0; (at = what.find(folder, at)) != std::string::npos;)
             what.replace(at, folder.size(), directory.target().string());
-        throw Error("the written dataset cannot be read back and was removed: " + what);
+        throw ciel::Error("the written dataset cannot be read back and was removed: " + what);
     }
 }
 
@@ -322,8 +323,8 @@ Writer Writer::append(std::shared_ptr<Dataset> dataset) {
 
 const std::shared_ptr<Dataset>& Writer::before() const { return state_->before; }
 
-std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
-                             std::span<const Index> original_cell, std::span<const NamedGroup> groups,
+std::size_t Writer::add_mesh(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
+                             std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
                              const SolverIds& solver) {
     const std::size_t index = state_->meshes.size();
     const fs::path path = layout::mesh(state_->directory, index);
@@ -345,17 +346,19 @@ std::size_t Writer::add_mesh(const FaceMesh& mesh, std::span<const Index> origin
     return index;
 }
 
-bool Writer::holds(std::size_t mesh, ValuesView positions) const {
-    return state_->mesh(mesh).attributes.info.double_positions || are_floats(positions);
+bool Writer::holds(std::size_t mesh, ciel::ValuesView positions) const {
+    return state_->mesh(mesh).attributes.info.double_positions || ciel::are_floats(positions);
 }
 
-std::size_t Writer::add_coordinates(std::size_t mesh, ValuesView positions) {
+std::size_t Writer::add_coordinates(std::size_t mesh, ciel::ValuesView positions) {
     MeshAttributes& attributes = state_->mesh(mesh).attributes;
     if (positions.size() != 3 * attributes.info.vertices)
-        throw Error("new coordinates have " + std::to_string(positions.size() / 3) +
-                    " points, but the number of vertices of the mesh is " + std::to_string(attributes.info.vertices));
+        throw ciel::Error("new coordinates have " + std::to_string(positions.size() / 3) +
+                          " points, but the number of vertices of the mesh is " +
+                          std::to_string(attributes.info.vertices));
     if (!holds(mesh, positions))
-        throw Error("the new coordinates are float64 and the mesh stores float32; import all steps again together");
+        throw ciel::Error(
+            "the new coordinates are float64 and the mesh stores float32; import all steps again together");
     check_finite(positions);
     const std::size_t index = attributes.coordinate_checksums.size();
     const Values stored = converted(positions, attributes.info.double_positions);
@@ -367,7 +370,7 @@ std::size_t Writer::add_coordinates(std::size_t mesh, ValuesView positions) {
     return index;
 }
 
-std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, ValuesView positions) const {
+std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, ciel::ValuesView positions) const {
     if (!holds(mesh, positions)) return std::nullopt;
     const MeshAttributes& attributes = state_->mesh(mesh).attributes;
     const Values stored = converted(positions, attributes.info.double_positions);
@@ -388,7 +391,7 @@ void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, st
     for (const ArrayValues& array : arrays) { // checks all arrays before it writes the first array
         const ArrayValues named{with_valid_text(array.info), array.values};
         state_->check_array(named, state_->mesh(mesh));
-        if (!seen.insert(named.info.name).second) throw Error("array '" + named.info.name + "' is given twice");
+        if (!seen.insert(named.info.name).second) throw ciel::Error("array '" + named.info.name + "' is given twice");
     }
     for (const ArrayValues& array : arrays) add_values(array);
     end_step();
@@ -398,23 +401,23 @@ void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) 
     State& state = *state_;
     state.take_back();
     const WrittenMesh& written = state.mesh(mesh);
-    if (!std::isfinite(time)) throw Error("the time of a step must be a finite number");
+    if (!std::isfinite(time)) throw ciel::Error("the time of a step must be a finite number");
     if (state.last_time && !(time > *state.last_time))
-        throw Error("time " + std::to_string(time) + " is not later than the last step, which is at time " +
-                    std::to_string(*state.last_time));
+        throw ciel::Error("time " + std::to_string(time) + " is not later than the last step, which is at time " +
+                          std::to_string(*state.last_time));
     if (coordinates >= written.attributes.coordinate_checksums.size())
-        throw Error("mesh " + std::to_string(mesh) + " has no coordinate set " + std::to_string(coordinates));
+        throw ciel::Error("mesh " + std::to_string(mesh) + " has no coordinate set " + std::to_string(coordinates));
     state.under_way = std::make_unique<StepUnderWay>(StepUnderWay{{time, mesh, coordinates, {}}, {}, {}});
 }
 
 void Writer::add_values(const ArrayValues& array) {
     State& state = *state_;
-    if (!state.under_way) throw Error("array '" + array.info.name + "' belongs to no step; begin a step first");
+    if (!state.under_way) throw ciel::Error("array '" + array.info.name + "' belongs to no step; begin a step first");
     try {
         const ArrayInfo info = state.with_type(array.info, array.values);
         const MarkedStep& step = state.under_way->step;
         state.check_array({info, array.values}, state.mesh(step.mesh));
-        if (step.arrays.count(info.name) > 0) throw Error("array '" + info.name + "' is given twice");
+        if (step.arrays.count(info.name) > 0) throw ciel::Error("array '" + info.name + "' is given twice");
         state.put_values(info, converted(array.values, info.doubles));
     } catch (...) {
         state.take_back();
@@ -424,7 +427,7 @@ void Writer::add_values(const ArrayValues& array) {
 
 void Writer::end_step() {
     State& state = *state_;
-    if (!state.under_way) throw Error("there is no step to end; begin a step first");
+    if (!state.under_way) throw ciel::Error("there is no step to end; begin a step first");
     try {
         state.place_extremes(state.under_way->step);
     } catch (...) {
@@ -479,7 +482,7 @@ void Writer::finish() {
     if (state.appending()) {
         if (state.info_changed) state.put_root();
     } else {
-        if (state.meshes.empty()) throw Error("the dataset has no mesh; nothing was written");
+        if (state.meshes.empty()) throw ciel::Error("the dataset has no mesh; nothing was written");
         make_directory(state.directory / "meshes");
         state.marker.meshes = state.meshes.size();
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
@@ -491,4 +494,4 @@ void Writer::finish() {
     state.finished = true;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,12 +5,12 @@
 #include "ciel/assemble.hpp"
 #include "store/dataset.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 struct NamedGroup {
     Group::Of of = Group::Of::faces;
     std::string name;
-    std::vector<Index> ids; // ids of faces or cells of the mesh that is added
+    std::vector<ciel::Index> ids; // ids of faces or cells of the mesh that is added
     PatchFacts facts = {};
 };
 
@@ -26,8 +26,8 @@ struct SolverIds {
 };
 
 struct ArrayValues {
-    ArrayInfo info;    // info.doubles is ignored: a new array gets the type of its first values
-    ValuesView values; // in stored order
+    ArrayInfo info;          // info.doubles is ignored: a new array gets the type of its first values
+    ciel::ValuesView values; // in stored order
 };
 
 class Writer {
@@ -43,17 +43,17 @@ public:
     Writer(Writer&&) noexcept;
 
     // Returns the mesh's index. Throws Error as write_mesh does.
-    std::size_t add_mesh(const FaceMesh& mesh, std::span<const Index> original_vertex,
-                         std::span<const Index> original_cell, std::span<const NamedGroup> groups,
+    std::size_t add_mesh(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
+                         std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
     // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
     // were floats, else doubles.
-    [[nodiscard]] bool holds(std::size_t mesh, ValuesView positions) const;
+    [[nodiscard]] bool holds(std::size_t mesh, ciel::ValuesView positions) const;
     // `positions`: offsets of all vertices from the mesh's origin. Returns the index of the set. Throws Error when
     // their number is wrong, when a position is not finite, or when the mesh cannot store them without rounding.
-    std::size_t add_coordinates(std::size_t mesh, ValuesView positions);
+    std::size_t add_coordinates(std::size_t mesh, ciel::ValuesView positions);
     // Returns the index of the last coordinate set that is bitwise equal to `positions`; nullopt if there is none.
-    [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ValuesView positions) const;
+    [[nodiscard]] std::optional<std::size_t> find_coordinates(std::size_t mesh, ciel::ValuesView positions) const;
     // When appending, readers see the step as soon as the call returns. The values are converted to the type of earlier
     // steps. Throws Error when an array has a wrong size, or when `time` is not later than the last step.
     void add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays);
@@ -75,4 +75,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

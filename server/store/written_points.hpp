@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace ciel::store {
+namespace server::store {
 
 // Only for a dataset that this process writes or has locked: no other process changes its files meanwhile.
 class WrittenPoints {
@@ -18,16 +18,16 @@ public:
           positions_(layout::chunk(mesh / "positions", coordinates, 3),
                      3 * attributes.info.vertices * (double_positions_ ? sizeof(double) : sizeof(float))) {}
 
-    [[nodiscard]] FaceMeshView view() const { // without cells and faces
-        const ValuesView positions =
-            double_positions_ ? ValuesView(positions_.as<double>()) : ValuesView(positions_.as<float>());
-        return face_mesh_view(origin_, positions, {}, {}, {}, {}, {});
+    [[nodiscard]] ciel::FaceMeshView view() const { // without cells and faces
+        const ciel::ValuesView positions =
+            double_positions_ ? ciel::ValuesView(positions_.as<double>()) : ciel::ValuesView(positions_.as<float>());
+        return ciel::face_mesh_view(origin_, positions, {}, {}, {}, {}, {});
     }
 
 private:
-    Vec3d origin_;
+    ciel::Vec3d origin_;
     bool double_positions_;
     MappedFile positions_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

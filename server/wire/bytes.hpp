@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 static_assert(std::endian::native == std::endian::little, "arrays of numbers are copied as they are in memory");
 
@@ -36,4 +36,4 @@ template <typename T>
 requires std::is_trivially_copyable_v<T>
 void write_raw(std::ostream& out, const T& value) { out.write(reinterpret_cast<const char*>(&value), sizeof value); }
 
-} // namespace ciel::wire
+} // namespace server::wire

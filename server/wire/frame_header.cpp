@@ -1,6 +1,6 @@
 #include "wire/frame_header.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32_t most) {
     FrameHeader piece = whole;
@@ -14,4 +14,4 @@ FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32
     return piece;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -4,7 +4,7 @@
 
 #include "protocol/frame_header.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Most bytes of a WebSocket message from the server, with the header. Proxies close a socket on longer messages.
 inline constexpr std::size_t longest_message = 512 << 10;
@@ -13,4 +13,4 @@ inline constexpr std::size_t longest_message = 512 << 10;
 // bytes. Only the first piece keeps first_of_frame. Only the last piece keeps last_of_frame.
 [[nodiscard]] FrameHeader piece_of(const FrameHeader& whole, std::uint32_t offset, std::uint32_t most);
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace ciel::wire {
+namespace server::wire {
 
 using UploadId = std::array<std::uint8_t, 16>;
 
@@ -20,4 +20,4 @@ inline constexpr std::size_t upload_header_bytes = 40;
 // The result refers to `message`. Throws Error on a wrong magic number, version, kind, length or reserved byte.
 [[nodiscard]] UploadPiece read_upload_piece(std::span<const std::uint8_t> message);
 
-} // namespace ciel::wire
+} // namespace server::wire

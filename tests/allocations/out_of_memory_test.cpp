@@ -16,6 +16,7 @@
 #include <thread>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 // True for the test meshes with all kinds of cells, or with vertices that several blocks share.

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 struct How {

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr std::size_t layers = 384; // layers of one surface with patches
@@ -68,4 +69,4 @@ TEST_F(TransparentUpload, PointsAreCopiedOnce) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -14,6 +14,7 @@
 #include <random>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 constexpr std::size_t bumps = 16;

@@ -7,6 +7,7 @@
 #include "unit/methods/service.hpp"
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 Vec3d place_inside(const store::MeshInfo& mesh) {

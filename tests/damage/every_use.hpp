@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace ciel::test {
+using namespace server;
 
 // An operation that was refused, and the message for the user.
 struct Told {

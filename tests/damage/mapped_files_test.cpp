@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +82,4 @@ TEST(TruncatedFiles, AreLostThoughTheirZerosHaveTheChecksum) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

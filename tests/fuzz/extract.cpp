@@ -11,6 +11,7 @@
 namespace {
 
 using namespace ciel;
+using namespace server;
 using namespace ciel::test;
 
 constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};

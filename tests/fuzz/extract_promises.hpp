@@ -15,6 +15,7 @@
 #include <set>
 
 namespace ciel::test {
+using namespace server;
 
 [[nodiscard]] inline std::span<const Index> corners(const Surface& surface, std::size_t i) {
     const Index begin = surface.polygon_offset[i];

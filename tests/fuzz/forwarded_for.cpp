@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 using namespace ciel;
-using namespace ciel::gateway;
+using namespace server::gateway;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);

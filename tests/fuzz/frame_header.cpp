@@ -6,7 +6,7 @@
 #include <cstring>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace ciel::wire;
+    using namespace server::wire;
     try {
         const FrameHeader header = read_frame_header({data, size});
         std::array<std::uint8_t, frame_header_bytes> again{};

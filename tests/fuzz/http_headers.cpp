@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-using namespace ciel::gateway;
+using namespace server::gateway;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view rest(reinterpret_cast<const char*>(data), size);

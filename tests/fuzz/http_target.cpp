@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-using namespace ciel::gateway;
+using namespace server::gateway;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const StaticFiles no_files;

@@ -10,7 +10,7 @@
 
 namespace {
 
-void check(const std::vector<ciel::importer::IndexEntry>& entries) {
+void check(const std::vector<server::importer::IndexEntry>& entries) {
     const bool sound = !entries.empty() && std::all_of(entries.begin(), entries.end(), [](const auto& entry) {
         return !entry.file.empty() && std::isfinite(entry.time);
     });
@@ -25,9 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
-        if (data[0] % 3 == 0) check(ciel::importer::parse_pvd(text, "x"));
-        if (data[0] % 3 == 1) check(ciel::importer::parse_series(text, "x"));
-        if (data[0] % 3 == 2 && ciel::importer::openfoam_units(text).size() > 200) std::abort();
+        if (data[0] % 3 == 0) check(server::importer::parse_pvd(text, "x"));
+        if (data[0] % 3 == 1) check(server::importer::parse_series(text, "x"));
+        if (data[0] % 3 == 2 && server::importer::openfoam_units(text).size() > 200) std::abort();
     } catch (const ciel::Error&) { // the parser may refuse the input
     }
     return 0;

@@ -12,7 +12,7 @@ namespace {
 bool accepts(const std::string& content) {
     std::istringstream file(content);
     try {
-        ciel::importer::check_legacy_vtk_counts(file, content.size(), "x");
+        server::importer::check_legacy_vtk_counts(file, content.size(), "x");
         return true;
     } catch (const ciel::Error&) { // the parser may refuse the input
         return false;

@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));
     try {
-        const auto extent = ciel::importer::read_netcdf_extent(file, "x");
+        const auto extent = server::importer::read_netcdf_extent(file, "x");
         if (!extent) return 0;
         std::uint64_t before = 0;
         for (std::uint64_t bytes = 1; bytes < std::uint64_t{1} << 40U; bytes *= 2) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-using namespace ciel::importer;
+using namespace server::importer;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

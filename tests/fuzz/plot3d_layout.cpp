@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-using namespace ciel::importer;
+using namespace server::importer;
 
 namespace {
 

@@ -18,9 +18,9 @@ bool is_answer(const json& answer) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static ciel::engine::Server server({});
-    static ciel::sessions::Connection connection;
-    const std::string text = ciel::methods::dispatch(server, connection, {reinterpret_cast<const char*>(data), size});
+    static server::engine::Server server({});
+    static server::sessions::Connection connection;
+    const std::string text = server::methods::dispatch(server, connection, {reinterpret_cast<const char*>(data), size});
     if (text.empty()) return 0;
     const json reply = json::parse(text, nullptr, false);
     bool good = reply.is_array() ? !reply.empty() : is_answer(reply);

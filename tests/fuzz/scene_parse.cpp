@@ -7,7 +7,7 @@
 #include <string_view>
 
 using nlohmann::json;
-using namespace ciel::scene;
+using namespace server::scene;
 
 namespace {
 

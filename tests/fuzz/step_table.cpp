@@ -12,7 +12,7 @@
 namespace {
 
 using namespace ciel;
-using namespace ciel::store;
+using namespace server::store;
 
 const std::string id = "0123456789abcdef";
 

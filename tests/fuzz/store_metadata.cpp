@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace ciel::store;
+using namespace server::store;
 
 const std::filesystem::path file = "fuzzed";
 

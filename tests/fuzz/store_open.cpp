@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace ciel;
+using namespace server;
 
 constexpr const char* files[] = {
     ".zattrs", "steps.json", "meshes/0/.zattrs", "meshes/0/arrays/p/.zarray", "meshes/0/arrays/p/.zattrs",

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace ciel::wire;
+    using namespace server::wire;
     try {
         const UploadPiece piece = read_upload_piece({data, size});
         if (piece.bytes.size() + upload_header_bytes != size) std::abort();

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr int width = 360, height = 270;
@@ -79,4 +80,4 @@ TEST(GoldenVolume, TheBluntFinWholeAndCutOpen) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

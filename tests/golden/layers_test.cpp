@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr int width = 240, height = 180, columns = 3;
@@ -97,4 +98,4 @@ TEST(GoldenLayers, LookRightFromSixSides) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

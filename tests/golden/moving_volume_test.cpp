@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr int block = 8;          // Side of a block in pixels. The mean color of a block does not depend on sharpness.
@@ -82,4 +83,4 @@ TEST(DenseVolume, HasTheColorsOfItsStillWhileItMoves) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 Shape bowl(const Vec3d& center, double radius) {
@@ -86,4 +87,4 @@ TEST(GoldenOcclusion, StillAndMoving) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::session {
+namespace server::session {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -125,4 +126,4 @@ TEST(GoldenScenes, LayersOfADocumentLookAsTheyDid) {
 }
 
 } // namespace
-} // namespace ciel::session
+} // namespace server::session

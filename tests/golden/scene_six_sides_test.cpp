@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::session {
+namespace server::session {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -84,4 +85,4 @@ TEST(GoldenScenes, LayersOfADocumentLookRightFromSixSides) {
 }
 
 } // namespace
-} // namespace ciel::session
+} // namespace server::session

@@ -9,7 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 // An opaque ball and a transparent one in front of a colored square.
@@ -135,4 +136,4 @@ TEST_F(GoldenFailure, SaysWhatIsWrongWithTheFileOrTheSize) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr std::size_t width = 240, height = 180, columns = 3, rows = 2;
@@ -96,4 +97,4 @@ TEST(GoldenTwoVolumes, AreMixedFromSixSidesInAnyOrder) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

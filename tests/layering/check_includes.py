@@ -1,6 +1,7 @@
 """Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
 library of the outside world into another room, when the declared edges form a circle, when a room above the store reads
-the face lists of a mesh, or when a private name of the kernel is not in ciel::detail or is used elsewhere."""
+the face lists of a mesh, when a private name of the kernel is not in ciel::detail or is used elsewhere, or when a room
+opens the kernel's namespace."""
 
 import graphlib
 import pathlib
@@ -115,10 +116,21 @@ def wrong_namespaces(server):
     return problems
 
 
+def rooms_in_the_kernel(server):
+    """Returns a sentence for each line with which a room opens the kernel's namespace. Rooms are in server::ROOM."""
+    return [
+        f"{source}:{number}: {line}: only the kernel opens namespace ciel; a room's names are in server::ROOM"
+        for source in sorted(server.rglob("*.[ch]pp"))
+        if source.relative_to(server).parts[0] != "ciel"
+        for number, line in enumerate(source.read_text().splitlines(), 1)
+        if re.match(r"(?:inline )?namespace ciel\b(?!.*=)", line)
+    ]
+
+
 def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
     edges, orders = read_declared(edges_file)
     rooms = {path.name for path in server.iterdir() if path.is_dir()}
-    problems = circle_in(edges) + wrong_namespaces(server)
+    problems = circle_in(edges) + wrong_namespaces(server) + rooms_in_the_kernel(server)
     for source in sorted(server.rglob("*.[ch]pp")):
         relative = source.relative_to(server)
         room, folder = place_of(relative)

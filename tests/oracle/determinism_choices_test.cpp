@@ -18,6 +18,7 @@
 #include <tuple>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, Algorithm::naive};

@@ -12,6 +12,7 @@
 #include <mutex>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 struct How {

@@ -17,6 +17,7 @@
 #include <set>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 using Sides = std::vector<std::pair<Id, Loop>>; // sorted pairs of an input cell and one of its faces

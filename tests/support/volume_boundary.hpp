@@ -5,6 +5,7 @@
 #include "geometry/slab_sink.hpp"
 
 namespace ciel::test {
+using namespace server;
 
 // `faces`: the boundary faces of the mesh, or all faces. `boxes`: the result of block_boxes for the positions.
 [[nodiscard]] inline color::SlabMesh volume_boundary(const Topology& topology, const FaceMeshView& faces,

@@ -2,6 +2,7 @@
 #include "wasm/results.hpp"
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 void record_slab(const std::string& where, const color::SlabMesh& slab, Results& results) {

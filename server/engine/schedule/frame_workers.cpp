@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 // A job of post_later() that waits longer than this after it is due runs before jobs of post().
 constexpr std::chrono::seconds patience{1};
@@ -142,4 +142,4 @@ void FrameWorkers::work(const std::stop_token& stop) {
     }
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-namespace ciel::engine {
+namespace server::engine {
 
 using Clock = std::chrono::steady_clock;
 
@@ -72,7 +72,7 @@ public:
             if (posted) return result.get();
         } catch (const std::future_error&) { // the job was dropped
         }
-        throw Error("the server is about to stop and draws no further pictures; try again after its restart");
+        throw ciel::Error("the server is about to stop and draws no further pictures; try again after its restart");
     }
 
     void rest();                         // makes each worker call its rest() when it is idle
@@ -101,4 +101,4 @@ private:
     std::vector<std::jthread> threads_;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ciel::engine {
+namespace server::engine {
 
 SlowCallQueue::SlowCallQueue(const limits::Limits& limits) : limits_(limits) {
     for (std::uint64_t i = 0; i < limits.slow_calls; ++i)
@@ -40,7 +40,7 @@ void SlowCallQueue::post_next(std::uint64_t connection, Job job) {
 
 void SlowCallQueue::check_open() const {
     if (draining_)
-        throw Error(
+        throw ciel::Error(
             "the server is about to stop and makes no further pictures and exports; try again after its restart");
 }
 
@@ -121,4 +121,4 @@ std::size_t SlowCallQueue::running() const {
     return running_;
 }
 
-} // namespace ciel::engine
+} // namespace server::engine

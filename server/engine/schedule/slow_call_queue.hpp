@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace ciel::engine {
+namespace server::engine {
 
 // Thread-safe. Connections take turns, so that a connection with many calls does not delay the others.
 class SlowCallQueue {
@@ -53,4 +53,4 @@ private:
     std::vector<std::jthread> threads_;
 };
 
-} // namespace ciel::engine
+} // namespace server::engine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vtkCellType.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -23,10 +23,10 @@ constexpr int surface_types[] = {VTK_TRIANGLE,
 } // namespace
 
 Dimension cell_dimension(int vtk_type) {
-    if (vtk_type == VTK_POLYHEDRON || find_vtk_shape(vtk_type) != nullptr) return Dimension::volume;
+    if (vtk_type == VTK_POLYHEDRON || ciel::find_vtk_shape(vtk_type) != nullptr) return Dimension::volume;
     const bool surface =
         std::find(std::begin(surface_types), std::end(surface_types), vtk_type) != std::end(surface_types);
     return surface ? Dimension::surface : Dimension::none;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -30,17 +30,17 @@ Corners normalised(Corners corners) {
 std::size_t CornersHash::operator()(const Corners& corners) const { return mix(corners); }
 std::size_t CornerIndex::PlaceHash::operator()(const Place& place) const { return mix(place); }
 
-CornerIndex::Place CornerIndex::place_of(const Vec3d& position) {
+CornerIndex::Place CornerIndex::place_of(const ciel::Vec3d& position) {
     Place place{};
     // Adding 0 turns -0 into +0, so that equal positions have equal bits.
     for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = std::bit_cast<std::uint64_t>(position[axis] + 0.0);
     return place;
 }
 
-Corners CornerIndex::learn(std::span<const Index> vertices) {
+Corners CornerIndex::learn(std::span<const ciel::Index> vertices) {
     Corners corners;
-    for (const Index vertex : vertices)
-        corners.push_back(vertices_.try_emplace(place_of(position(mesh_, vertex)), vertex).first->second);
+    for (const ciel::Index vertex : vertices)
+        corners.push_back(vertices_.try_emplace(place_of(ciel::position(mesh_, vertex)), vertex).first->second);
     return normalised(std::move(corners));
 }
 
@@ -48,7 +48,7 @@ Corners CornerIndex::find(vtkDataSet* data, vtkIdType cell) {
     data->GetCellPoints(cell, ids_);
     Corners corners;
     for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i) {
-        Vec3d point{};
+        ciel::Vec3d point{};
         data->GetPoint(ids_->GetId(i), point.data());
         const auto known = vertices_.find(place_of(point));
         if (known != vertices_.end()) corners.push_back(known->second);
@@ -58,4 +58,4 @@ Corners CornerIndex::find(vtkDataSet* data, vtkIdType cell) {
     return complete || corners.size() >= 3 ? corners : Corners{};
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

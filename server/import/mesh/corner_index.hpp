@@ -10,9 +10,9 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
-using Corners = std::vector<Index>; // sorted, distinct vertices of a cell or face; one vertex per position
+using Corners = std::vector<ciel::Index>; // sorted, distinct vertices of a cell or face; one vertex per position
 
 [[nodiscard]] Corners normalised(Corners corners); // sorts and removes duplicates
 
@@ -22,10 +22,10 @@ struct CornersHash {
 
 class CornerIndex {
 public:
-    explicit CornerIndex(const FaceMeshView& mesh) : mesh_(mesh) {}
+    explicit CornerIndex(const ciel::FaceMeshView& mesh) : mesh_(mesh) {}
 
     // Replaces each vertex of the mesh by the first vertex that was registered at the same position.
-    [[nodiscard]] Corners learn(std::span<const Index> vertices);
+    [[nodiscard]] Corners learn(std::span<const ciel::Index> vertices);
     // Returns the corners of a cell of the input. Skips points without a registered vertex, for example mid-side nodes.
     // Returns an empty list if points were skipped and fewer than three corners are left.
     [[nodiscard]] Corners find(vtkDataSet* data, vtkIdType cell);
@@ -35,11 +35,11 @@ private:
     struct PlaceHash {
         std::size_t operator()(const Place& place) const;
     };
-    static Place place_of(const Vec3d& position);
+    static Place place_of(const ciel::Vec3d& position);
 
-    FaceMeshView mesh_;
-    std::unordered_map<Place, Index, PlaceHash> vertices_; // position -> first vertex registered there
+    ciel::FaceMeshView mesh_;
+    std::unordered_map<Place, ciel::Index, PlaceHash> vertices_; // position -> first vertex registered there
     vtkNew<vtkIdList> ids_;
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -10,7 +10,7 @@ constexpr std::size_t least_corners = 4; // a cell with fewer distinct corners h
 
 class Found {
 public:
-    void add(Index cell) {
+    void add(ciel::Index cell) {
         constexpr std::size_t shown = 10;
         if (count_++ < shown) first_ += (first_.empty() ? "" : ", ") + std::to_string(cell);
     }
@@ -25,7 +25,7 @@ private:
     std::string first_;
 };
 
-bool has_repeated(std::vector<Index>& corners) {
+bool has_repeated(std::vector<ciel::Index>& corners) {
     std::sort(corners.begin(), corners.end());
     const auto end = std::unique(corners.begin(), corners.end());
     const bool repeated = end != corners.end();
@@ -37,7 +37,7 @@ bool has_repeated(std::vector<Index>& corners) {
 
 std::vector<std::string> degenerate_cells(const JoinedMesh& joined) {
     Found collapsed, flat;
-    std::vector<Index> loop, corners;
+    std::vector<ciel::Index> loop, corners;
     for (std::size_t cell = 0; cell < joined.cell_types.size(); ++cell) {
         bool repeated = false;
         corners.clear();
@@ -60,4 +60,4 @@ std::vector<std::string> degenerate_cells(const JoinedMesh& joined) {
     return sentences;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

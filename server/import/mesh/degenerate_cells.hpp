@@ -4,9 +4,9 @@
 
 #include "import/mesh/joined_mesh.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns at most two sentences, on cells with volume and on cells without. Each has the first ten ids.
 [[nodiscard]] std::vector<std::string> degenerate_cells(const JoinedMesh& joined);
 
-} // namespace ciel::importer
+} // namespace server::importer

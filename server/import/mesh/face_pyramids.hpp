@@ -4,13 +4,13 @@
 
 #include "ciel/face_mesh.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct InvertedPyramids {
-    std::uint64_t count = 0;  // number of inverted pyramids; a cell may have several
-    std::vector<Index> cells; // ids of the cells with inverted pyramids in the mesh, sorted, distinct
+    std::uint64_t count = 0;        // number of inverted pyramids; a cell may have several
+    std::vector<ciel::Index> cells; // ids of the cells with inverted pyramids in the mesh, sorted, distinct
 };
 
-[[nodiscard]] InvertedPyramids find_inverted_pyramids(const FaceMeshView& mesh);
+[[nodiscard]] InvertedPyramids find_inverted_pyramids(const ciel::FaceMeshView& mesh);
 
-} // namespace ciel::importer
+} // namespace server::importer

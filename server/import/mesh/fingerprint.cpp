@@ -16,7 +16,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -97,4 +97,4 @@ Fingerprint fingerprint(const InputGrids& input_grids) {
     return {cells.value(), positions.value()};
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

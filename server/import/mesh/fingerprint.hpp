@@ -3,7 +3,7 @@
 
 #include "import/source/input_grids.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct Fingerprint {
     std::string cells;     // checksum of connectivity, blanking, and the names of volumes, surfaces and zones
@@ -12,4 +12,4 @@ struct Fingerprint {
 
 [[nodiscard]] Fingerprint fingerprint(const InputGrids& input_grids);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -22,11 +22,11 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
-constexpr std::uint64_t max_count = none - 1ULL;
+constexpr std::uint64_t max_count = ciel::none - 1ULL;
 
 // Checks all point ids from the file, because later code does not check them.
 class MemberJoiner {
@@ -35,41 +35,41 @@ public:
         : mesh_(mesh), member_(member), data_(mesh.members[member].data), point_count_(data_->GetNumberOfPoints()) {}
 
     void add_cells() {
-        mesh_.members[member_].mesh_cell_begin = static_cast<Index>(mesh_.cell_types.size());
+        mesh_.members[member_].mesh_cell_begin = static_cast<ciel::Index>(mesh_.cell_types.size());
         if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data_))
             add_unstructured(grid);
         else
             add_structured();
-        mesh_.members[member_].mesh_cell_end = static_cast<Index>(mesh_.cell_types.size());
+        mesh_.members[member_].mesh_cell_end = static_cast<ciel::Index>(mesh_.cell_types.size());
     }
 
 private:
     [[noreturn]] void fail(const std::string& what) const {
         const std::string& name = mesh_.members[member_].name;
-        throw Error(name.empty() ? what : "block \"" + name + "\": " + what);
+        throw ciel::Error(name.empty() ? what : "block \"" + name + "\": " + what);
     }
 
-    Index vertex(vtkIdType id, vtkIdType cell) const {
+    ciel::Index vertex(vtkIdType id, vtkIdType cell) const {
         if (id < 0 || id >= point_count_)
             fail("cell " + std::to_string(cell) + " uses point " + std::to_string(id) + ", but there are only " +
                  std::to_string(point_count_) + " points");
-        return mesh_.members[member_].first_point + static_cast<Index>(id);
+        return mesh_.members[member_].first_point + static_cast<ciel::Index>(id);
     }
 
-    void close_cell(CellType type, vtkIdType cell) {
+    void close_cell(ciel::CellType type, vtkIdType cell) {
         mesh_.cell_types.push_back(static_cast<std::uint8_t>(type));
         mesh_.cell_offset.push_back(mesh_.face_offset.size() - 1);
-        mesh_.source_cell.push_back(mesh_.members[member_].first_cell + static_cast<Index>(cell));
+        mesh_.source_cell.push_back(mesh_.members[member_].first_cell + static_cast<ciel::Index>(cell));
     }
 
-    void add_shape(const VtkShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
+    void add_shape(const ciel::VtkShape& shape, std::span<const vtkIdType> nodes, vtkIdType cell) {
         if (nodes.size() < shape.least_points)
             fail("cell " + std::to_string(cell) + " has " + std::to_string(nodes.size()) +
                  " nodes; the smallest number of nodes for its cell type is " + std::to_string(shape.least_points));
-        VtkCorners corners{};
+        ciel::VtkCorners corners{};
         for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
         if (shape.reduced_from != nullptr) ++mesh_.reduced_cells[shape.reduced_from];
-        append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
+        ciel::append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
         close_cell(shape.type, cell);
     }
 
@@ -90,8 +90,8 @@ private:
     }
 
     // Six quadrilaterals with eight corners are a hexahedron, even if the file calls the cell a polyhedron.
-    [[nodiscard]] CellType type_of_last_faces(std::size_t faces) const {
-        return type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
+    [[nodiscard]] ciel::CellType type_of_last_faces(std::size_t faces) const {
+        return ciel::type_of_cell(std::span(mesh_.face_offset).last(faces + 1), mesh_.face_vertex);
     }
 
     [[nodiscard]] bool is_ghost(vtkIdType cell) const {
@@ -135,7 +135,7 @@ private:
                 vtkIdType size = 0;
                 const vtkIdType* nodes = nullptr;
                 grid->GetCells()->GetCellAtId(cell, size, nodes);
-                add_shape(*find_vtk_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
+                add_shape(*ciel::find_vtk_shape(type), {nodes, static_cast<std::size_t>(size)}, cell);
             }
         }
         if (!flat.cells.empty()) mesh_.flat_cells.push_back(std::move(flat));
@@ -180,7 +180,7 @@ private:
                     if (hole || (!blank_points_known_ && is_ghost(cell)))
                         ++mesh_.blanked_cells;
                     else
-                        add_shape(*find_vtk_shape(VTK_HEXAHEDRON), nodes, cell);
+                        add_shape(*ciel::find_vtk_shape(VTK_HEXAHEDRON), nodes, cell);
                 }
     }
 
@@ -203,12 +203,12 @@ private:
 };
 
 void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
-    std::map<vtkPoints*, Index> shared;
+    std::map<vtkPoints*, ciel::Index> shared;
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
     for (const InputGrid& input_grid : volumes) {
         JoinedMesh::Member member{
-            input_grid.name, input_grid.data, static_cast<Index>(points), static_cast<Index>(cells), 0, 0,
+            input_grid.name, input_grid.data, static_cast<ciel::Index>(points), static_cast<ciel::Index>(cells), 0, 0,
             input_grid.whole};
         auto* set = vtkPointSet::SafeDownCast(input_grid.data);
         vtkPoints* own = set != nullptr ? set->GetPoints() : nullptr;
@@ -221,17 +221,17 @@ void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
         }
         cells += static_cast<std::uint64_t>(input_grid.data->GetNumberOfCells());
         if (points > max_count || cells > max_count)
-            throw Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
+            throw ciel::Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
         mesh.members.push_back(std::move(member));
     }
-    mesh.point_count = static_cast<Index>(points);
+    mesh.point_count = static_cast<ciel::Index>(points);
 }
 
 void check_finite(const JoinedMesh& mesh) {
-    for (const Index vertex : mesh.face_vertex)
+    for (const ciel::Index vertex : mesh.face_vertex)
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite(mesh.positions[3 * std::size_t{vertex} + axis]))
-                throw Error("point " + std::to_string(vertex) + " has a coordinate that is not a finite number");
+                throw ciel::Error("point " + std::to_string(vertex) + " has a coordinate that is not a finite number");
 }
 
 } // namespace
@@ -240,18 +240,18 @@ RunningCounts count_running(const std::vector<InputGrid>& volumes) {
     JoinedMesh mesh;
     number_members(mesh, volumes);
     if (volumes.empty()) return {};
-    const auto last = static_cast<Index>(volumes.back().data->GetNumberOfCells());
+    const auto last = static_cast<ciel::Index>(volumes.back().data->GetNumberOfCells());
     return {mesh.point_count, mesh.members.back().first_cell + last};
 }
 
-store::Values point_positions(const std::vector<JoinedMesh::Member>& members, Index point_count) {
+store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count) {
     std::vector<double> positions(3 * std::size_t{point_count});
     for (const JoinedMesh::Member& member : members)
         for (vtkIdType i = 0; i < member.data->GetNumberOfPoints(); ++i) {
             const std::size_t at = std::size_t{member.first_point} + static_cast<std::size_t>(i);
             member.data->GetPoint(i, &positions[3 * at]);
         }
-    return are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
+    return ciel::are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
 }
 
 JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
@@ -269,19 +269,19 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
             const std::uint64_t begin = mesh.face_offset[face];
             const std::uint64_t end = mesh.face_offset[face + 1];
             for (std::uint64_t i = begin; i < end; ++i) {
-                const Index a = mesh.face_vertex[i];
-                const Index b = mesh.face_vertex[i + 1 < end ? i + 1 : begin];
+                const ciel::Index a = mesh.face_vertex[i];
+                const ciel::Index b = mesh.face_vertex[i + 1 < end ? i + 1 : begin];
                 if (a != b) visit(std::min(a, b), std::max(a, b));
             }
         }
     };
     // A bucket has the edges with the same lower vertex id. Buckets are short, so that sorting takes linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
-    for_each_edge([&](Index low, Index) { ++bucket[low + 1]; });
+    for_each_edge([&](ciel::Index low, ciel::Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];
-    std::vector<Index> upper(bucket.back());
+    std::vector<ciel::Index> upper(bucket.back());
     std::vector<std::uint64_t> next(bucket.begin(), bucket.end() - 1);
-    for_each_edge([&](Index low, Index high) { upper[next[low]++] = high; });
+    for_each_edge([&](ciel::Index low, ciel::Index high) { upper[next[low]++] = high; });
     std::uint64_t count = 0;
     for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
         const auto begin = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i]);
@@ -292,4 +292,4 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
     return count;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Running ids number the points of all members consecutively, member after member. Likewise, they number the cells.
 // Members that share a vtkPoints object also share the running ids of its points. A vertex of the joined mesh has the
@@ -16,10 +16,10 @@ struct JoinedMesh {
     struct Member { // an input grid in the joined mesh
         std::string name;
         vtkSmartPointer<vtkDataSet> data;
-        Index first_point = 0;                        // running id of the member's first point
-        Index first_cell = 0;                         // running id of the member's first cell
-        Index mesh_cell_begin = 0, mesh_cell_end = 0; // the member's cells in the joined mesh, end excluded
-        int whole = -1;                               // InputGrid::whole of the member
+        ciel::Index first_point = 0;                        // running id of the member's first point
+        ciel::Index first_cell = 0;                         // running id of the member's first cell
+        ciel::Index mesh_cell_begin = 0, mesh_cell_end = 0; // the member's cells in the joined mesh, end excluded
+        int whole = -1;                                     // InputGrid::whole of the member
     };
     struct FlatCells { // cells of dimension 2 inside a volume
         std::size_t member = 0;
@@ -28,7 +28,7 @@ struct JoinedMesh {
 
     std::vector<Member> members;
     std::vector<FlatCells> flat_cells;
-    Index point_count = 0; // number of running points
+    ciel::Index point_count = 0; // number of running points
     std::uint64_t blanked_cells = 0;
     std::map<std::string, std::uint64_t> reduced_cells; // VtkShape::reduced_from -> number of cells
     std::uint64_t ignored_cells = 0;                    // cells of dimension 0 or 1; they are left out
@@ -38,10 +38,10 @@ struct JoinedMesh {
     std::vector<std::uint8_t> cell_types;
     std::vector<std::uint64_t> cell_offset{0};
     std::vector<std::uint64_t> face_offset{0};
-    std::vector<Index> face_vertex;
-    std::vector<Index> source_cell; // cell of the joined mesh -> running cell
+    std::vector<ciel::Index> face_vertex;
+    std::vector<ciel::Index> source_cell; // cell of the joined mesh -> running cell
 
-    [[nodiscard]] PolyhedraView view() const {
+    [[nodiscard]] ciel::PolyhedraView view() const {
         return {{}, positions, cell_types, cell_offset, face_offset, face_vertex};
     }
 };
@@ -54,9 +54,9 @@ struct JoinedMesh {
 [[nodiscard]] JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes);
 
 // Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
-[[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, Index point_count);
+[[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count);
 
 // Ignores edges from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);
 
-} // namespace ciel::importer
+} // namespace server::importer

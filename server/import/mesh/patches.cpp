@@ -7,23 +7,23 @@
 #include <optional>
 #include <vtkPointSet.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
 // The two sides of a baffle have the same corners. claim() returns the side that fewer surfaces have claimed.
 class BoundaryFaces {
 public:
-    void add(Corners corners, Index face) { faces_[std::move(corners)].push_back({face, 0, none}); }
+    void add(Corners corners, ciel::Index face) { faces_[std::move(corners)].push_back({face, 0, ciel::none}); }
 
-    Index claim(const Corners& corners, Index surface) {
+    ciel::Index claim(const Corners& corners, ciel::Index surface) {
         const auto found = faces_.find(corners);
-        if (found == faces_.end()) return none;
+        if (found == faces_.end()) return ciel::none;
         Candidate* best = nullptr;
         for (Candidate& candidate : found->second)
             if (candidate.last_surface != surface && (best == nullptr || candidate.claims < best->claims))
                 best = &candidate;
-        if (best == nullptr) return none;
+        if (best == nullptr) return ciel::none;
         best->last_surface = surface;
         ++best->claims;
         return best->face;
@@ -31,25 +31,25 @@ public:
 
 private:
     struct Candidate {
-        Index face;
-        Index claims;
-        Index last_surface;
+        ciel::Index face;
+        ciel::Index claims;
+        ciel::Index last_surface;
     };
     std::unordered_map<Corners, std::vector<Candidate>, CornersHash> faces_;
 };
 
 template <typename Corner>
-void add_boundary(const FaceMeshView& mesh, BoundaryFaces& faces, Corner&& corners_of) {
-    for (Index face = 0; face < mesh.face_count(); ++face)
-        if (mesh.neighbour[face] == none) faces.add(corners_of(mesh.loop(face).unchecked()), face);
+void add_boundary(const ciel::FaceMeshView& mesh, BoundaryFaces& faces, Corner&& corners_of) {
+    for (ciel::Index face = 0; face < mesh.face_count(); ++face)
+        if (mesh.neighbour[face] == ciel::none) faces.add(corners_of(mesh.loop(face).unchecked()), face);
 }
 
 class ByPlace {
 public:
-    explicit ByPlace(const FaceMeshView& mesh) : index_(mesh) {
-        add_boundary(mesh, faces_, [this](std::span<const Index> loop) { return index_.learn(loop); });
+    explicit ByPlace(const ciel::FaceMeshView& mesh) : index_(mesh) {
+        add_boundary(mesh, faces_, [this](std::span<const ciel::Index> loop) { return index_.learn(loop); });
     }
-    Index claim(vtkDataSet* data, vtkIdType cell, Index surface) {
+    ciel::Index claim(vtkDataSet* data, vtkIdType cell, ciel::Index surface) {
         return faces_.claim(index_.find(data, cell), surface);
     }
 
@@ -61,43 +61,43 @@ private:
 // A welded point is replaced by its representative.
 class ById {
 public:
-    ById(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)
-        : representative_(representative), stored_(joined.point_count, none) {
-        for (Index vertex = 0; vertex < assembled.original_vertex.size(); ++vertex)
+    ById(const ciel::Assembled& assembled, const JoinedMesh& joined, const std::vector<ciel::Index>& representative)
+        : representative_(representative), stored_(joined.point_count, ciel::none) {
+        for (ciel::Index vertex = 0; vertex < assembled.original_vertex.size(); ++vertex)
             stored_[assembled.original_vertex[vertex]] = vertex;
-        add_boundary(assembled.mesh.view(), faces_, [](std::span<const Index> loop) {
+        add_boundary(assembled.mesh.view(), faces_, [](std::span<const ciel::Index> loop) {
             return normalised({loop.begin(), loop.end()});
         });
     }
-    Index claim(vtkDataSet* data, vtkIdType cell, Index first_point, Index surface) {
+    ciel::Index claim(vtkDataSet* data, vtkIdType cell, ciel::Index first_point, ciel::Index surface) {
         data->GetCellPoints(cell, ids_);
         Corners corners;
         for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i) {
-            const Index running = first_point + static_cast<Index>(ids_->GetId(i));
+            const ciel::Index running = first_point + static_cast<ciel::Index>(ids_->GetId(i));
             corners.push_back(stored_[representative_.empty() ? running : representative_[running]]);
         }
         return faces_.claim(normalised(std::move(corners)), surface);
     }
 
 private:
-    const std::vector<Index>& representative_;
-    std::vector<Index> stored_; // running point -> vertex of the assembled mesh, or `none`
+    const std::vector<ciel::Index>& representative_;
+    std::vector<ciel::Index> stored_; // running point -> vertex of the assembled mesh, or `none`
     BoundaryFaces faces_;
     vtkNew<vtkIdList> ids_;
 };
 
 class Matcher {
 public:
-    Matcher(const Assembled& assembled, const JoinedMesh& joined, const std::vector<Index>& representative)
+    Matcher(const ciel::Assembled& assembled, const JoinedMesh& joined, const std::vector<ciel::Index>& representative)
         : assembled_(assembled), joined_(joined), representative_(representative) {}
 
     void add(Patch patch, vtkDataSet* data, std::span<const vtkIdType> cells) {
         const JoinedMesh::Member* member = member_with_points_of(data);
-        const auto surface = static_cast<Index>(patches_.size());
+        const auto surface = static_cast<ciel::Index>(patches_.size());
         for (const vtkIdType cell : cells) {
-            const Index face = member != nullptr ? by_id().claim(data, cell, member->first_point, surface)
-                                                 : by_place().claim(data, cell, surface);
-            if (face == none) {
+            const ciel::Index face = member != nullptr ? by_id().claim(data, cell, member->first_point, surface)
+                                                       : by_place().claim(data, cell, surface);
+            if (face == ciel::none) {
                 ++patch.unmatched;
                 continue;
             }
@@ -129,9 +129,9 @@ private:
         return *by_id_;
     }
 
-    const Assembled& assembled_;
+    const ciel::Assembled& assembled_;
     const JoinedMesh& joined_;
-    const std::vector<Index>& representative_;
+    const std::vector<ciel::Index>& representative_;
     std::optional<ByPlace> by_place_;
     std::optional<ById> by_id_;
     std::vector<Patch> patches_;
@@ -139,8 +139,9 @@ private:
 
 } // namespace
 
-std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
-                                 const std::vector<Index>& representative, const std::vector<InputGrid>& surfaces) {
+std::vector<Patch> match_patches(const ciel::Assembled& assembled, const JoinedMesh& joined,
+                                 const std::vector<ciel::Index>& representative,
+                                 const std::vector<InputGrid>& surfaces) {
     Matcher matcher(assembled, joined, representative);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         std::vector<vtkIdType> cells(static_cast<std::size_t>(surfaces[i].data->GetNumberOfCells()));
@@ -155,4 +156,4 @@ std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& j
     return matcher.take();
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,20 +4,20 @@
 
 #include "import/mesh/joined_mesh.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct Patch {
     std::string name;
     std::size_t surface = 0;        // surface with the patch's values: index into InputGrids::surfaces, or none_of_them
-    std::vector<Index> faces;       // ids of the boundary faces in the assembled mesh
+    std::vector<ciel::Index> faces; // ids of the boundary faces in the assembled mesh
     std::vector<std::size_t> cells; // per face: the matching cell of the surface
     std::uint64_t unmatched = 0;    // number of cells of the surface that match no boundary face
     static constexpr std::size_t none_of_them = ~std::size_t{0};
 };
 
 // Corners are compared after welding. A surface gets each face at most once. `representative`: Welds::representative.
-[[nodiscard]] std::vector<Patch> match_patches(const Assembled& assembled, const JoinedMesh& joined,
-                                               const std::vector<Index>& representative,
+[[nodiscard]] std::vector<Patch> match_patches(const ciel::Assembled& assembled, const JoinedMesh& joined,
+                                               const std::vector<ciel::Index>& representative,
                                                const std::vector<InputGrid>& surfaces);
 
-} // namespace ciel::importer
+} // namespace server::importer

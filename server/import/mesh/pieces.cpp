@@ -9,7 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -29,12 +29,12 @@ struct PiecePoint {
     vtkIdType point;
 };
 
-PiecePoint point_of(const JoinedMesh::Member& piece, Index running) {
+PiecePoint point_of(const JoinedMesh::Member& piece, ciel::Index running) {
     return {piece, static_cast<vtkIdType>(running - piece.first_point)};
 }
 
 bool lie_on_each_other(const PiecePoint& a, const PiecePoint& b) {
-    Vec3d p{}, q{};
+    ciel::Vec3d p{}, q{};
     a.piece.data->GetPoint(a.point, p.data());
     b.piece.data->GetPoint(b.point, q.data());
     return p == q;
@@ -60,7 +60,7 @@ bool are_the_same(const PiecePoint& a, const PiecePoint& b) {
     return lie_on_each_other(a, b) && have_equal_values(a, b);
 }
 
-std::size_t piece_of_cell(const std::vector<JoinedMesh::Member>& pieces, Index joined_cell) {
+std::size_t piece_of_cell(const std::vector<JoinedMesh::Member>& pieces, ciel::Index joined_cell) {
     const auto next = std::ranges::upper_bound(pieces, joined_cell, {}, &JoinedMesh::Member::mesh_cell_begin);
     return static_cast<std::size_t>(next - pieces.begin()) - 1;
 }
@@ -71,42 +71,42 @@ public:
     explicit PiecesByPoint(const std::vector<JoinedMesh::Member>& pieces) {
         for (const JoinedMesh::Member& piece : pieces) by_first_.emplace(piece.first_point, &piece);
     }
-    [[nodiscard]] PiecePoint at(Index running) const {
+    [[nodiscard]] PiecePoint at(ciel::Index running) const {
         return point_of(*std::prev(by_first_.upper_bound(running))->second, running);
     }
 
 private:
-    std::map<Index, const JoinedMesh::Member*> by_first_;
+    std::map<ciel::Index, const JoinedMesh::Member*> by_first_;
 };
 
 class PieceMatcher {
 public:
-    PieceMatcher(const Assembled& assembled, const JoinedMesh& joined)
+    PieceMatcher(const ciel::Assembled& assembled, const JoinedMesh& joined)
         : assembled_(assembled), joined_(joined), mesh_(assembled.mesh.view()), index_(mesh_) {}
 
     PieceJoins run() {
-        for (Index face = 0; face < mesh_.face_count(); ++face) {
-            if (mesh_.neighbour[face] == none && joined_.members[piece_of(face)].whole >= 0) add(face);
+        for (ciel::Index face = 0; face < mesh_.face_count(); ++face) {
+            if (mesh_.neighbour[face] == ciel::none && joined_.members[piece_of(face)].whole >= 0) add(face);
         }
         for (const auto& [corners, faces] : open_)
-            for (const Index face : faces)
-                if (std::ranges::any_of(faces, [&](Index other) { return are_of_one_whole(face, other); }))
+            for (const ciel::Index face : faces)
+                if (std::ranges::any_of(faces, [&](ciel::Index other) { return are_of_one_whole(face, other); }))
                     ++cut_.apart;
         return std::move(cut_);
     }
 
 private:
-    [[nodiscard]] std::size_t piece_of(Index face) const {
+    [[nodiscard]] std::size_t piece_of(ciel::Index face) const {
         return piece_of_cell(joined_.members, assembled_.original_cell[mesh_.owner[face]]);
     }
-    [[nodiscard]] bool are_of_one_whole(Index a, Index b) const {
+    [[nodiscard]] bool are_of_one_whole(ciel::Index a, ciel::Index b) const {
         const std::size_t piece = piece_of(a), other = piece_of(b);
         return piece != other && joined_.members[piece].whole == joined_.members[other].whole;
     }
 
-    void add(Index face) {
-        std::vector<Index>& here = open_[index_.learn(mesh_.loop(face).unchecked())];
-        const auto other = std::ranges::find_if(here, [&](Index candidate) { return join(candidate, face); });
+    void add(ciel::Index face) {
+        std::vector<ciel::Index>& here = open_[index_.learn(mesh_.loop(face).unchecked())];
+        const auto other = std::ranges::find_if(here, [&](ciel::Index candidate) { return join(candidate, face); });
         if (other == here.end())
             here.push_back(face);
         else
@@ -114,14 +114,14 @@ private:
     }
 
     // Returns false and joins nothing unless the faces coincide and belong to two pieces with the same `whole`.
-    bool join(Index a, Index b) {
+    bool join(ciel::Index a, ciel::Index b) {
         if (!are_of_one_whole(a, b)) return false;
         const JoinedMesh::Member &piece_a = joined_.members[piece_of(a)], &piece_b = joined_.members[piece_of(b)];
         PointPairs pairs;
-        for (const Index vertex : mesh_.loop(b)) {
+        for (const ciel::Index vertex : mesh_.loop(b)) {
             const PiecePoint point = point_of(piece_b, assembled_.original_vertex[vertex]);
-            std::optional<Index> same;
-            for (const Index candidate : mesh_.loop(a))
+            std::optional<ciel::Index> same;
+            for (const ciel::Index candidate : mesh_.loop(a))
                 if (are_the_same(point_of(piece_a, assembled_.original_vertex[candidate]), point))
                     same = assembled_.original_vertex[candidate];
             if (!same) return false;
@@ -132,17 +132,17 @@ private:
         return true;
     }
 
-    const Assembled& assembled_;
+    const ciel::Assembled& assembled_;
     const JoinedMesh& joined_;
-    FaceMeshView mesh_;
+    ciel::FaceMeshView mesh_;
     CornerIndex index_;
-    std::unordered_map<Corners, std::vector<Index>, CornersHash> open_;
+    std::unordered_map<Corners, std::vector<ciel::Index>, CornersHash> open_;
     PieceJoins cut_;
 };
 
 } // namespace
 
-PieceJoins find_cut_between_pieces(const Assembled& assembled, const JoinedMesh& joined) {
+PieceJoins find_cut_between_pieces(const ciel::Assembled& assembled, const JoinedMesh& joined) {
     return PieceMatcher(assembled, joined).run();
 }
 
@@ -152,4 +152,4 @@ bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Memb
         points, [&](const auto& pair) { return are_the_same(by_point.at(pair.first), by_point.at(pair.second)); });
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct PieceJoins {
     PointPairs points;        // running points to join
@@ -18,9 +18,9 @@ struct PieceJoins {
 };
 
 // `assembled`: the mesh assembled from `joined` before any points are joined.
-[[nodiscard]] PieceJoins find_cut_between_pieces(const Assembled& assembled, const JoinedMesh& joined);
+[[nodiscard]] PieceJoins find_cut_between_pieces(const ciel::Assembled& assembled, const JoinedMesh& joined);
 
 // `pieces`: the members of the mesh with the data of the later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -16,8 +16,8 @@ std::string plural(std::uint64_t count, const std::string& one, const std::strin
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-const char* reason_text(BadCells::Reason reason) {
-    using Reason = BadCells::Reason;
+const char* reason_text(ciel::BadCells::Reason reason) {
+    using Reason = ciel::BadCells::Reason;
     static const std::map<Reason, const char*> texts{
         {Reason::open, "not closed"},
         {Reason::inconsistent_winding, "faces that cannot be wound consistently"},
@@ -29,9 +29,9 @@ const char* reason_text(BadCells::Reason reason) {
     return texts.at(reason);
 }
 
-std::string id_list(const std::vector<Index>& ids, const std::vector<Index>& source_cell) {
+std::string id_list(const std::vector<ciel::Index>& ids, const std::vector<ciel::Index>& source_cell) {
     std::string text;
-    for (const Index id : ids) text += (text.empty() ? "" : ", ") + std::to_string(source_cell[id]);
+    for (const ciel::Index id : ids) text += (text.empty() ? "" : ", ") + std::to_string(source_cell[id]);
     return text;
 }
 
@@ -40,9 +40,9 @@ bool has_pieces(const JoinedMesh& joined) {
                        [](const auto& member) { return member.whole >= 0; });
 }
 
-void describe_assembly(const JoinedMesh& joined, const AssembleReport& report, StepMesh& mesh) {
-    for (const BadCells& bad : report.bad_cells) {
-        const bool is_in_two_pieces = bad.reason == BadCells::Reason::repeated && has_pieces(joined);
+void describe_assembly(const JoinedMesh& joined, const ciel::AssembleReport& report, StepMesh& mesh) {
+    for (const ciel::BadCells& bad : report.bad_cells) {
+        const bool is_in_two_pieces = bad.reason == ciel::BadCells::Reason::repeated && has_pieces(joined);
         mesh.bad_cells += is_in_two_pieces ? 0 : bad.count; // a cell repeated in two pieces is a ghost cell
         mesh.notes.push_back(plural(bad.count, "cell was", "cells were") + " left out: " + reason_text(bad.reason) +
                              " (first ids: " + id_list(bad.first_ids, joined.source_cell) + ").");
@@ -88,8 +88,8 @@ void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
     constexpr std::size_t shown = 10;
     const InvertedPyramids inverted = find_inverted_pyramids(mesh.view());
     if (inverted.count == 0) return;
-    std::vector<Index> ids;
-    for (const Index cell : inverted.cells) ids.push_back(mesh.assembled.original_cell[cell]);
+    std::vector<ciel::Index> ids;
+    for (const ciel::Index cell : inverted.cells) ids.push_back(mesh.assembled.original_cell[cell]);
     std::sort(ids.begin(), ids.end());
     ids.resize(std::min(ids.size(), shown));
     mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the centre of " +
@@ -104,7 +104,7 @@ void name_patches(const std::vector<InputGrid>& surfaces, StepMesh& mesh) {
             mesh.notes.push_back(plural(patch.unmatched, "face", "faces") + " of surface \"" + patch.name +
                                  "\" are not boundary faces of the mesh and were ignored.");
         if (patch.faces.empty()) continue;
-        std::vector<Index> faces = patch.faces;
+        std::vector<ciel::Index> faces = patch.faces;
         std::sort(faces.begin(), faces.end());
         const bool is_known = patch.surface < surfaces.size();
         store::PatchFacts facts = is_known ? surfaces[patch.surface].facts : store::PatchFacts{};
@@ -114,16 +114,16 @@ void name_patches(const std::vector<InputGrid>& surfaces, StepMesh& mesh) {
 
 // A zone has the cells of all members with its name. If all members have the same name, makes no zone.
 void name_members(const JoinedMesh& joined, StepMesh& mesh) {
-    std::map<std::string, std::vector<Index>> ids;
+    std::map<std::string, std::vector<ciel::Index>> ids;
     std::vector<std::string> names; // in order of first use
-    const std::vector<Index>& original = mesh.assembled.original_cell;
-    std::vector<Index> stored(joined.cell_types.size(), none);
-    for (Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
+    const std::vector<ciel::Index>& original = mesh.assembled.original_cell;
+    std::vector<ciel::Index> stored(joined.cell_types.size(), ciel::none);
+    for (ciel::Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
     for (const JoinedMesh::Member& member : joined.members) {
         const auto [zone, is_new] = ids.try_emplace(member.name);
         if (is_new) names.push_back(member.name);
-        for (Index cell = member.mesh_cell_begin; cell < member.mesh_cell_end; ++cell)
-            if (stored[cell] != none) zone->second.push_back(stored[cell]);
+        for (ciel::Index cell = member.mesh_cell_begin; cell < member.mesh_cell_end; ++cell)
+            if (stored[cell] != ciel::none) zone->second.push_back(stored[cell]);
     }
     if (names.size() < 2) return;
     for (const std::string& name : names) {
@@ -145,12 +145,12 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
 void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
     if (zones.empty()) return;
     std::vector<Zone> found;
-    std::unordered_map<Index, Index> stored; // running cell -> cell of the assembled mesh
-    for (Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
+    std::unordered_map<ciel::Index, ciel::Index> stored; // running cell -> cell of the assembled mesh
+    for (ciel::Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
         stored.emplace(joined.source_cell[mesh.assembled.original_cell[cell]], cell);
     for (const NamedCells& named : zones) {
         Zone zone{named.name, {}, 0};
-        for (const Index cell : named.cells) {
+        for (const ciel::Index cell : named.cells) {
             const auto at = stored.find(cell);
             if (at == stored.end())
                 ++zone.unmatched;
@@ -165,12 +165,13 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
 }
 
 PieceJoins find_cuts(const JoinedMesh& joined, const InputGrids& input_grids) {
-    if (has_pieces(joined)) return find_cut_between_pieces(assemble(joined.view()), joined);
+    if (has_pieces(joined)) return find_cut_between_pieces(ciel::assemble(joined.view()), joined);
     return {input_grids.same_points, input_grids.joined_faces, input_grids.single_faces, 0};
 }
 
 template <class T>
-std::vector<T> reordered(std::span<const T> running, std::span<const Index> stored_to_running, std::size_t width) {
+std::vector<T> reordered(std::span<const T> running, std::span<const ciel::Index> stored_to_running,
+                         std::size_t width) {
     std::vector<T> stored(stored_to_running.size() * width);
     for (std::size_t i = 0; i < stored_to_running.size(); ++i)
         std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
@@ -184,8 +185,8 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     require_volumes(input_grids);
     JoinedMesh joined = join_input_grids(input_grids.volumes);
     if (joined.cell_types.empty() && joined.convex_point_sets > 0)
-        throw Error("holds only convex point sets, cells without faces; write them as polyhedra");
-    if (joined.cell_types.empty()) throw Error("holds no volume cells");
+        throw ciel::Error("holds only convex point sets, cells without faces; write them as polyhedra");
+    if (joined.cell_types.empty()) throw ciel::Error("holds no volume cells");
 
     StepMesh mesh;
     mesh.input_vertices = joined.point_count;
@@ -204,13 +205,13 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())
-        for (Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
+        for (ciel::Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
 
-    mesh.assembled = assemble(joined.view());
+    mesh.assembled = ciel::assemble(joined.view());
     describe_assembly(joined, mesh.assembled.report, mesh);
     if (mesh.assembled.mesh.cell_types.empty())
-        throw Error("none of its " + std::to_string(mesh.input_cells) +
-                    " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
+        throw ciel::Error("none of its " + std::to_string(mesh.input_cells) +
+                          " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
     mesh.patches = match_patches(mesh.assembled, joined, welds.representative, input_grids.surfaces);
     name_patches(input_grids.surfaces, mesh);
     name_members(joined, mesh);
@@ -220,7 +221,7 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
 
     mesh.point_of_vertex = mesh.assembled.original_vertex;
     mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());
-    for (const Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
+    for (const ciel::Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
     mesh.members = std::move(joined.members);
     return mesh;
 }
@@ -233,18 +234,19 @@ void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved)
     });
 }
 
-store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components) {
+store::Values to_stored(ciel::ValuesView running, std::span<const ciel::Index> stored_to_running, int components) {
     return running.with([&](auto all) {
         return store::Values(reordered(all, stored_to_running, static_cast<std::size_t>(components)));
     });
 }
 
-std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running, std::span<const Index> stored_to_running) {
+std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
+                                    std::span<const ciel::Index> stored_to_running) {
     std::vector<std::int64_t> stored;
     if (running.empty()) return stored;
     stored.reserve(stored_to_running.size());
-    for (const Index item : stored_to_running) stored.push_back(running[item]);
+    for (const ciel::Index item : stored_to_running) stored.push_back(running[item]);
     return stored;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

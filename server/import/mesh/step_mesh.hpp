@@ -7,14 +7,14 @@
 #include "import/mesh/welds.hpp"
 #include "store/writer.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct StepMesh {
     std::vector<JoinedMesh::Member> members; // with the data of the step that was read last
-    Index point_count = 0;
-    Assembled assembled;
-    std::vector<Index> point_of_vertex; // stored vertex -> running point
-    std::vector<Index> cell_of_cell;    // stored cell -> running cell
+    ciel::Index point_count = 0;
+    ciel::Assembled assembled;
+    std::vector<ciel::Index> point_of_vertex; // stored vertex -> running point
+    std::vector<ciel::Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
     std::vector<Seam> seams;  // welded seams only
     PointPairs joined_pieces; // running points joined between pieces
@@ -23,7 +23,7 @@ struct StepMesh {
     std::uint64_t bad_cells = 0;
     std::vector<std::string> notes;
 
-    [[nodiscard]] FaceMeshView view() const { return assembled.mesh.view(); }
+    [[nodiscard]] ciel::FaceMeshView view() const { return assembled.mesh.view(); }
 };
 
 // Throws Error if no volume cell is usable, and for the errors of join_input_grids().
@@ -33,10 +33,11 @@ struct StepMesh {
 void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved);
 
 // `running`: `components` values per running point or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
-[[nodiscard]] store::Values to_stored(ValuesView running, std::span<const Index> stored_to_running, int components);
+[[nodiscard]] store::Values to_stored(ciel::ValuesView running, std::span<const ciel::Index> stored_to_running,
+                                      int components);
 
 // One solver id per running point or cell. Returns an empty list if `running` is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
-                                                  std::span<const Index> stored_to_running);
+                                                  std::span<const ciel::Index> stored_to_running);
 
-} // namespace ciel::importer
+} // namespace server::importer

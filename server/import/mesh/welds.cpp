@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vtkStructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -18,24 +18,26 @@ constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-    Index find(Index i) {
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), ciel::Index{0});
+    }
+    ciel::Index find(ciel::Index i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    void join(Index a, Index b) {
+    void join(ciel::Index a, ciel::Index b) {
         a = find(a);
         b = find(b);
         parent_[std::max(a, b)] = std::min(a, b); // the smallest id represents the set
     }
-    std::vector<Index> representatives() {
-        for (Index i = 0; i < parent_.size(); ++i) find(i);
-        for (Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
+    std::vector<ciel::Index> representatives() {
+        for (ciel::Index i = 0; i < parent_.size(); ++i) find(i);
+        for (ciel::Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
         return std::move(parent_);
     }
 
 private:
-    std::vector<Index> parent_;
+    std::vector<ciel::Index> parent_;
 };
 
 class SeamFinder {
@@ -63,11 +65,11 @@ public:
     }
 
 private:
-    [[nodiscard]] Index point(std::array<int, 3> ijk) const {
+    [[nodiscard]] ciel::Index point(std::array<int, 3> ijk) const {
         return mesh_.members[member_].first_point +
-               static_cast<Index>(ijk[0] + dims_[0] * (ijk[1] + static_cast<std::int64_t>(dims_[1]) * ijk[2]));
+               static_cast<ciel::Index>(ijk[0] + dims_[0] * (ijk[1] + static_cast<std::int64_t>(dims_[1]) * ijk[2]));
     }
-    [[nodiscard]] bool coincide(Index a, Index b) const {
+    [[nodiscard]] bool coincide(ciel::Index a, ciel::Index b) const {
         double distance = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
             distance = std::max(distance, std::abs(mesh_.positions[3 * std::size_t{a} + axis] -
@@ -84,7 +86,7 @@ private:
                 std::array<int, 3> ijk{};
                 ijk[u] = i;
                 ijk[v] = j;
-                const Index first = point(ijk);
+                const ciel::Index first = point(ijk);
                 ijk[axis] = dims_[axis] - 1;
                 pairs.emplace_back(first, point(ijk));
                 if (!coincide(pairs.back().first, pairs.back().second)) return {};
@@ -163,8 +165,8 @@ void join_cut(const PieceJoins& cut, DisjointSets& sets, Welds& welds) {
                               " have no counterpart on another piece and stay boundary faces.");
 }
 
-Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
-    Vec3d middle{};
+ciel::Vec3d middle_of(const JoinedMesh& mesh, const std::vector<bool>& looked_at) {
+    ciel::Vec3d middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (std::size_t i = 0; i < looked_at.size(); ++i) {
@@ -187,13 +189,13 @@ void for_each_coincident(const JoinedMesh& mesh, const std::vector<bool>& looked
             return hash ^ (hash >> 32);
         }
     };
-    std::unordered_map<std::array<float, 3>, Index, Hash> first;
+    std::unordered_map<std::array<float, 3>, ciel::Index, Hash> first;
     first.reserve(mesh.point_count);
-    const Vec3d middle = middle_of(mesh, looked_at);
-    const auto offset = [&](Index point, std::size_t axis) {
+    const ciel::Vec3d middle = middle_of(mesh, looked_at);
+    const auto offset = [&](ciel::Index point, std::size_t axis) {
         return static_cast<float>(mesh.positions[3 * std::size_t{point} + axis] - middle[axis]) + 0.0F; // -0 becomes +0
     };
-    for (Index i = 0; i < mesh.point_count; ++i) {
+    for (ciel::Index i = 0; i < mesh.point_count; ++i) {
         if (!looked_at[i]) continue;
         const auto [at, is_new] = first.try_emplace({offset(i, 0), offset(i, 1), offset(i, 2)}, i);
         if (!is_new) visit(at->second, i);
@@ -212,14 +214,14 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     // Points without cells belong to ghost cells, which were left out. Only --weld also compares these points.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
     if (look)
-        for (const Index point : mesh.face_vertex) looked_at[point] = true;
+        for (const ciel::Index point : mesh.face_vertex) looked_at[point] = true;
     if (look)
-        for_each_coincident(mesh, looked_at, [&](Index a, Index b) {
+        for_each_coincident(mesh, looked_at, [&](ciel::Index a, ciel::Index b) {
             coincident += sets.find(a) == sets.find(b) ? 0 : 1; // 0 if a cut or a seam joined the pair
             if (mode == Weld::all) sets.join(a, b);
         });
-    std::vector<Index> representative = sets.representatives();
-    for (Index i = 0; i < mesh.point_count; ++i) welds.welded_points += representative[i] != i ? 1 : 0;
+    std::vector<ciel::Index> representative = sets.representatives();
+    for (ciel::Index i = 0; i < mesh.point_count; ++i) welds.welded_points += representative[i] != i ? 1 : 0;
     if (mode == Weld::all)
         welds.notes.push_back(
             count_text(welds.welded_points, "points that coincide with others were welded (--weld)."));
@@ -230,4 +232,4 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     return welds;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace ciel::importer {
+namespace server::importer {
 
 enum class Weld { seams, none, all }; // seams: the default; none: --no-weld; all: --weld
 
@@ -23,7 +23,8 @@ using SeamDifference =
     std::function<std::string(const std::vector<Seam>& seams, const std::vector<JoinedMesh::Member>& members)>;
 
 struct Welds {
-    std::vector<Index> representative; // running point -> running point that replaces it; empty if nothing is welded
+    std::vector<ciel::Index>
+        representative; // running point -> running point that replaces it; empty if nothing is welded
     std::uint64_t welded_points = 0;
     std::vector<Seam> seams; // welded seams only
     std::vector<std::string> notes;
@@ -33,4 +34,4 @@ struct Welds {
 [[nodiscard]] Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut,
                                const SeamDifference& difference);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,19 +4,20 @@
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
-std::unordered_map<Corners, Index, CornersHash> cells_by_corners(const FaceMeshView& mesh, CornerIndex& index) {
-    std::vector<std::vector<Index>> vertices(mesh.cell_count());
-    for (Index face = 0; face < mesh.face_count(); ++face)
-        for (const Index cell : {mesh.owner[face], mesh.neighbour[face]})
-            if (cell != none)
+std::unordered_map<Corners, ciel::Index, CornersHash> cells_by_corners(const ciel::FaceMeshView& mesh,
+                                                                       CornerIndex& index) {
+    std::vector<std::vector<ciel::Index>> vertices(mesh.cell_count());
+    for (ciel::Index face = 0; face < mesh.face_count(); ++face)
+        for (const ciel::Index cell : {mesh.owner[face], mesh.neighbour[face]})
+            if (cell != ciel::none)
                 vertices[cell].insert(vertices[cell].end(), mesh.loop(face).begin(), mesh.loop(face).end());
-    std::unordered_map<Corners, Index, CornersHash> cells;
+    std::unordered_map<Corners, ciel::Index, CornersHash> cells;
     cells.reserve(vertices.size());
-    for (Index cell = 0; cell < vertices.size(); ++cell) {
+    for (ciel::Index cell = 0; cell < vertices.size(); ++cell) {
         cells.try_emplace(index.learn(vertices[cell]), cell);
         vertices[cell] = {};
     }
@@ -25,7 +26,7 @@ std::unordered_map<Corners, Index, CornersHash> cells_by_corners(const FaceMeshV
 
 } // namespace
 
-std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<InputGrid>& zones) {
+std::vector<Zone> match_zones(const ciel::FaceMeshView& mesh, const std::vector<InputGrid>& zones) {
     std::vector<Zone> matched;
     if (zones.empty()) return matched;
     CornerIndex index(mesh);
@@ -45,4 +46,4 @@ std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<InputG
     return matched;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

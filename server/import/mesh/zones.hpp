@@ -3,14 +3,14 @@
 
 #include "import/mesh/joined_mesh.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct Zone {
     std::string name;
-    std::vector<Index> cells;    // cell ids in the mesh, sorted
-    std::uint64_t unmatched = 0; // number of cells of the zone that are not in the mesh
+    std::vector<ciel::Index> cells; // cell ids in the mesh, sorted
+    std::uint64_t unmatched = 0;    // number of cells of the zone that are not in the mesh
 };
 
-[[nodiscard]] std::vector<Zone> match_zones(const FaceMeshView& mesh, const std::vector<InputGrid>& zones);
+[[nodiscard]] std::vector<Zone> match_zones(const ciel::FaceMeshView& mesh, const std::vector<InputGrid>& zones);
 
-} // namespace ciel::importer
+} // namespace server::importer

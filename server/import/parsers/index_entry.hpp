@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct IndexEntry {
     double time = 0;
@@ -21,4 +21,4 @@ struct IndexEntry {
 // Returns the entries sorted by time. Error texts start with `name`.
 [[nodiscard]] std::vector<IndexEntry> parse_series(std::string_view text, const std::string& name);
 
-} // namespace ciel::importer
+} // namespace server::importer

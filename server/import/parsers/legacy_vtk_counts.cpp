@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -99,10 +99,10 @@ private:
         std::string declaration;
         for (std::size_t i = words_.size() - length; i < words_.size(); ++i)
             declaration.append(declaration.empty() ? "" : " ").append(words_[i]);
-        throw Error(name_ + ": declares \"" + declaration + "\"" +
-                    (count < 0 ? ", a negative number: the file is damaged"
-                               : " but has only " + std::to_string(static_cast<std::uint64_t>(size_)) +
-                                     " bytes: the file is damaged or cut short"));
+        throw ciel::Error(name_ + ": declares \"" + declaration + "\"" +
+                          (count < 0 ? ", a negative number: the file is damaged"
+                                     : " but has only " + std::to_string(static_cast<std::uint64_t>(size_)) +
+                                           " bytes: the file is damaged or cut short"));
     }
 
     bool declares_cells() const { // CELLS n size
@@ -183,4 +183,4 @@ void check_legacy_vtk_counts(std::istream& file, std::uint64_t file_size, const 
     }
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -6,10 +6,10 @@
 #include <istream>
 #include <string>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Throws Error if a declared count is negative, or larger than the number of bytes in the file. A count of bits may be
 // eight times as large. Error texts start with `name`.
 void check_legacy_vtk_counts(std::istream& file, std::uint64_t file_size, const std::string& name);
 
-} // namespace ciel::importer
+} // namespace server::importer

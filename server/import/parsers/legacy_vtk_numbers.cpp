@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::string with_stand_ins(std::istream& file) {
     return out;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // A finite number that VTK reads instead of NaN or infinity. It fits in a float, and solvers do not write it.
 struct StandIn {
@@ -25,4 +25,4 @@ inline constexpr std::array<StandIn, 3> stand_ins{
 
 [[nodiscard]] std::string with_stand_ins(std::istream& file);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const char* what) const { throw Error(name_ + ": its netCDF header " + what); }
+    [[noreturn]] void fail(const char* what) const { throw ciel::Error(name_ + ": its netCDF header " + what); }
 
     std::uint64_t big_endian(std::size_t bytes) {
         std::array<unsigned char, 8> raw{};
@@ -149,4 +149,4 @@ std::optional<NetcdfExtent> read_netcdf_extent(std::istream& file, const std::st
     return HeaderReader(file, name).run();
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

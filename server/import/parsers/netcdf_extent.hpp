@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct NetcdfExtent {
     std::uint64_t fixed_end = 0;    // file offset after the header and all variables without records
@@ -24,4 +24,4 @@ struct NetcdfExtent {
 // Returns nullopt for a file in another format, such as HDF5. Throws Error if the header is damaged or cut off.
 [[nodiscard]] std::optional<NetcdfExtent> read_netcdf_extent(std::istream& file, const std::string& name);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <optional>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -170,7 +170,7 @@ std::vector<Plot3dLayout> plot3d_restrict(std::vector<Plot3dLayout> layouts, con
         const auto* word =
             std::find_if(std::begin(known), std::end(known), [&](const Word& w) { return w.name == name; });
         if (word == std::end(known))
-            throw Error(
+            throw ciel::Error(
                 "--plot3d has no word \"" + std::string(name) +
                 "\"; use big, little, multi, single, records, stream, iblank, no-iblank, float32, float64, text");
         std::erase_if(layouts, [&](const Plot3dLayout& layout) { return layout.*(word->member) != word->value; });
@@ -185,4 +185,4 @@ bool plot3d_match(const Plot3dLayout& grid, const Plot3dLayout& solution) {
            grid.double_precision == solution.double_precision;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

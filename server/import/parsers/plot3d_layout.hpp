@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 enum class Plot3dKind { grid, solution }; // PLOT3D calls a grid file xyz and a solution file q
 
@@ -44,4 +44,4 @@ inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 // Both must have the same dimensions and encoding.
 [[nodiscard]] bool plot3d_match(const Plot3dLayout& grid, const Plot3dLayout& solution);
 
-} // namespace ciel::importer
+} // namespace server::importer

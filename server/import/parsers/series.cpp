@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -18,8 +18,8 @@ nlohmann::json parse_shallow(std::string_view text, const std::string& name) {
         return depth <= max_depth;
     };
     nlohmann::json document = nlohmann::json::parse(text, callback, false);
-    if (document.is_discarded()) throw Error(name + ": is not well-formed JSON");
-    if (too_deep) throw Error(name + ": is nested too deeply for a file series");
+    if (document.is_discarded()) throw ciel::Error(name + ": is not well-formed JSON");
+    if (too_deep) throw ciel::Error(name + ": is nested too deeply for a file series");
     return document;
 }
 
@@ -28,25 +28,25 @@ nlohmann::json parse_shallow(std::string_view text, const std::string& name) {
 std::vector<IndexEntry> parse_series(std::string_view text, const std::string& name) {
     const nlohmann::json document = parse_shallow(text, name);
     if (!document.is_object() || !document.contains("files") || !document["files"].is_array())
-        throw Error(name + ": is not a file series: it has no \"files\" list");
+        throw ciel::Error(name + ": is not a file series: it has no \"files\" list");
 
     std::vector<IndexEntry> entries;
     for (const nlohmann::json& file : document["files"]) {
         if (!file.is_object() || !file.contains("name") || !file["name"].is_string())
-            throw Error(name + ": an entry of \"files\" has no \"name\"");
+            throw ciel::Error(name + ": an entry of \"files\" has no \"name\"");
         IndexEntry entry{static_cast<double>(entries.size()), "", file["name"].get<std::string>()};
         if (file.contains("time")) {
-            if (!file["time"].is_number()) throw Error(name + ": the time of " + entry.file + " is not a number");
+            if (!file["time"].is_number()) throw ciel::Error(name + ": the time of " + entry.file + " is not a number");
             entry.time = file["time"].get<double>();
         }
         if (entry.file.empty() || !std::isfinite(entry.time))
-            throw Error(name + ": an entry of \"files\" has an empty name or an infinite time");
+            throw ciel::Error(name + ": an entry of \"files\" has an empty name or an infinite time");
         entries.push_back(std::move(entry));
     }
-    if (entries.empty()) throw Error(name + ": names no files; list at least one data file");
+    if (entries.empty()) throw ciel::Error(name + ": names no files; list at least one data file");
     std::stable_sort(entries.begin(), entries.end(),
                      [](const IndexEntry& a, const IndexEntry& b) { return a.time < b.time; });
     return entries;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

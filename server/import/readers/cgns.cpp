@@ -9,7 +9,7 @@
 #include <vtkCommand.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions&) {
     return std::make_unique<CgnsSource>(inputs.front(), reader.Get());
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -14,7 +14,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -55,8 +55,8 @@ Case read_case(const std::string& input) {
         if (std::string tensor = tensor_in(line); !tensor.empty()) found.tensors.insert(std::move(tensor));
     }
     if (!has_geometry)
-        throw Error(input +
-                    ": has no section GEOMETRY and names no mesh; give the case file that has a section GEOMETRY");
+        throw ciel::Error(
+            input + ": has no section GEOMETRY and names no mesh; give the case file that has a section GEOMETRY");
     return found;
 }
 
@@ -100,4 +100,4 @@ std::unique_ptr<Source> open_ensight(const Inputs& inputs, const SourceOptions&)
     return std::make_unique<EnSightSource>(inputs.front(), reader.Get(), std::move(from));
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

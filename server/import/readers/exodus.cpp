@@ -14,7 +14,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -48,11 +48,11 @@ Steps count_steps(const std::string& file) {
     const std::uint64_t size = std::filesystem::file_size(file);
     if (!extent) return {};
     if (extent->fixed_end > size)
-        throw Error(file + ": has " + std::to_string(size) + " of the " + std::to_string(extent->fixed_end) +
-                    " bytes that its mesh needs; copy the file again");
+        throw ciel::Error(file + ": has " + std::to_string(size) + " of the " + std::to_string(extent->fixed_end) +
+                          " bytes that its mesh needs; copy the file again");
     if (extent->records == 0) return {};
     const Steps steps{extent->records, extent->records_within(size)};
-    if (steps.complete == 0) throw Error(file + ": ends before the end of its first step; copy the file again");
+    if (steps.complete == 0) throw ciel::Error(file + ": ends before the end of its first step; copy the file again");
     return steps;
 }
 
@@ -112,4 +112,4 @@ std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) 
     return std::make_unique<ExodusSource>(inputs.front(), reader.Get(), steps);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

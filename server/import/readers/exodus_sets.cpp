@@ -9,7 +9,7 @@
 #include <vtkPoints.h>
 #include <vtk_exodusII.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -54,7 +54,7 @@ public:
 
 private:
     void check(int status) const {
-        if (status < 0) throw Error(name_ + ": its element sets cannot be read; the file may be damaged");
+        if (status < 0) throw ciel::Error(name_ + ": its element sets cannot be read; the file may be damaged");
     }
 
     std::string name_;
@@ -76,9 +76,9 @@ std::vector<ElementSet> read_element_sets(const std::string& file, const std::ve
         for (const std::int64_t number : exodus.set(id)) {
             const std::int64_t element = number - 1;
             if (element < 0 || element >= first.back())
-                throw Error(file + ": element set " + std::to_string(id) + " contains element " +
-                            std::to_string(number) + ", but the last element of the file is " +
-                            std::to_string(first.back()));
+                throw ciel::Error(file + ": element set " + std::to_string(id) + " contains element " +
+                                  std::to_string(number) + ", but the last element of the file is " +
+                                  std::to_string(first.back()));
             const auto block =
                 static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), element) - first.begin() - 1);
             const auto place = std::find(block_ids.begin(), block_ids.end(), blocks[block]);
@@ -110,4 +110,4 @@ vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* blocks, co
     return copy;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkUnstructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // For each element of the set: the index of its element block in `block_ids`, and its cell id in this element block.
 using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
@@ -22,4 +22,4 @@ using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
 // The cells are convex point sets. Points are enough to find a cell in the mesh (mesh/zones.hpp).
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* blocks, const ElementSet& set);
 
-} // namespace ciel::importer
+} // namespace server::importer

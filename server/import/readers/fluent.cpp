@@ -11,7 +11,7 @@
 #include <vtkFLUENTCFFReader.h>
 #endif
 
-namespace ciel::importer {
+namespace server::importer {
 
 bool is_fluent(const Head& head) { return head.extension == ".cas" && head.bytes.find('(') != std::string::npos; }
 
@@ -33,10 +33,11 @@ std::unique_ptr<Source> open_fluent_cff(const Inputs& inputs, const SourceOption
     reader->SetFileName(inputs.front());
     return std::make_unique<ReaderSource>("Fluent CFF", inputs.front(), reader.Get());
 #else
-    throw Error(inputs.front() + ": VTK " + vtkVersion::GetVTKVersion() +
-                " does not read Fluent's HDF5 files; import the file with CIEL's container image, which has a newer "
-                "VTK, or write legacy .cas and .dat files in Fluent");
+    throw ciel::Error(
+        inputs.front() + ": VTK " + vtkVersion::GetVTKVersion() +
+        " does not read Fluent's HDF5 files; import the file with CIEL's container image, which has a newer "
+        "VTK, or write legacy .cas and .dat files in Fluent");
 #endif
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -11,7 +11,7 @@
 #include <vtkNew.h>
 #include <vtkTecplotReader.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -53,7 +53,7 @@ std::unique_ptr<Source> open_vtkhdf(const Inputs& inputs, const SourceOptions&) 
     vtkNew<vtkHDFReader> reader;
     reader->SetFileName(inputs.front().c_str());
     if (reader->CanReadFile(inputs.front().c_str()) == 0)
-        throw Error(inputs.front() + ": is an HDF5 file but holds no VTKHDF group");
+        throw ciel::Error(inputs.front() + ": is an HDF5 file but holds no VTKHDF group");
     return std::make_unique<ReaderSource>("VTKHDF", inputs.front(), reader.Get(),
                                           [&] { return arrays_of(*reader.Get()); });
 }
@@ -102,7 +102,7 @@ Head read_head(const std::string& input) {
     head.path = input;
     std::error_code error;
     head.directory = std::filesystem::is_directory(head.path, error);
-    if (!std::filesystem::exists(head.path, error)) throw Error(input + ": there is no such file or directory");
+    if (!std::filesystem::exists(head.path, error)) throw ciel::Error(input + ": there is no such file or directory");
     head.extension = head.path.extension().string();
     std::transform(head.extension.begin(), head.extension.end(), head.extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -110,7 +110,7 @@ Head read_head(const std::string& input) {
     require_regular(head.path);
     head.size = std::filesystem::file_size(head.path, error);
     std::ifstream file(head.path, std::ios::binary);
-    if (!file) throw Error(input + ": cannot be opened; check its permissions");
+    if (!file) throw ciel::Error(input + ": cannot be opened; check its permissions");
     head.bytes.resize(4096);
     file.read(head.bytes.data(), static_cast<std::streamsize>(head.bytes.size()));
     head.bytes.resize(static_cast<std::size_t>(file.gcount()));
@@ -135,20 +135,21 @@ std::span<const Format> formats() { return table(); }
 const Format& find_format(const std::string& input) {
     const Head head = read_head(input);
     const bool foam_marker = head.extension == ".foam"; // a .foam file is empty by convention
-    if (!head.directory && head.bytes.empty() && !foam_marker) throw Error(input + ": is empty");
+    if (!head.directory && head.bytes.empty() && !foam_marker) throw ciel::Error(input + ": is empty");
     for (const Format& format : table())
         if (format.probe(head)) return format;
     if (head.extension == ".bp")
-        throw Error(input + ": is an ADIOS2 (BP) file, which CIEL does not read; write VTKHDF, VTU or Exodus");
+        throw ciel::Error(input + ": is an ADIOS2 (BP) file, which CIEL does not read; write VTKHDF, VTU or Exodus");
     if (is_zarr_folder(head))
-        throw Error(input + ": is a Zarr folder of another program; the name of a CIEL dataset ends in .ciel");
+        throw ciel::Error(input + ": is a Zarr folder of another program; the name of a CIEL dataset ends in .ciel");
     if (head.directory)
-        throw Error(input + ": is a directory but not an OpenFOAM case (it has no constant/polyMesh); name a file");
+        throw ciel::Error(input +
+                          ": is a directory but not an OpenFOAM case (it has no constant/polyMesh); name a file");
     for (const Format& format : table())
         if (std::find(format.extensions.begin(), format.extensions.end(), head.extension) != format.extensions.end())
-            throw Error(input + ": has the extension of " + std::string(format.name) +
-                        " files but the content of another format; correct the extension or copy the file again");
-    throw Error(input + ": has an unknown format; the known formats are " + known_formats());
+            throw ciel::Error(input + ": has the extension of " + std::string(format.name) +
+                              " files but the content of another format; correct the extension or copy the file again");
+    throw ciel::Error(input + ": has an unknown format; the known formats are " + known_formats());
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

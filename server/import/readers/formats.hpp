@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 using Inputs = std::vector<std::string>;
 
@@ -49,4 +49,4 @@ bool is_fluent_cff(const Head& head);
 bool is_openfoam(const Head& head);
 bool is_plot3d(const Head& head);
 
-} // namespace ciel::importer
+} // namespace server::importer

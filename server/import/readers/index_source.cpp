@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -61,9 +61,10 @@ private:
     // A data file is opened only when its step is read, so that a damaged file affects only this step.
     std::unique_ptr<Source> opened(const std::string& file) const {
         if (!std::filesystem::exists(file))
-            throw Error(file_ + ": names " + file + ", which does not exist; correct the path or copy the file");
+            throw ciel::Error(file_ + ": names " + file + ", which does not exist; correct the path or copy the file");
         if (find_format(file).open == open_index)
-            throw Error(file_ + ": names " + file + ", which is itself an index file; name the data files directly");
+            throw ciel::Error(file_ + ": names " + file +
+                              ", which is itself an index file; name the data files directly");
         return open_source({file}, options_);
     }
 
@@ -87,7 +88,7 @@ private:
 std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& options) {
     const std::string& file = inputs.front();
     if (std::filesystem::file_size(file) > max_index_bytes)
-        throw Error(file + ": is larger than 256 MiB, the limit for an index file");
+        throw ciel::Error(file + ": is larger than 256 MiB, the limit for an index file");
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (std::filesystem::path(file).extension() == ".series")
@@ -95,4 +96,4 @@ std::unique_ptr<Source> open_index(const Inputs& inputs, const SourceOptions& op
     return std::make_unique<IndexSource>(file, "PVD collection", parse_pvd(text, file), options);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

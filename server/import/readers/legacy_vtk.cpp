@@ -20,7 +20,7 @@
 #include <vtkPointSet.h>
 #include <vtkRectilinearGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -63,12 +63,12 @@ public:
             auto data = ReaderSource::read(step, progress);
             if (auto* set = vtkDataSet::SafeDownCast(data)) put_back(*set);
             return data;
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             const std::string what = error.what();
             // In an array of integers, VTK reads only the first digit of a stand-in. VTK's error quotes the rest.
             for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
-                    throw Error(file_ + ": holds nan or inf where whole numbers are declared");
+                    throw ciel::Error(file_ + ": holds nan or inf where whole numbers are declared");
             throw;
         }
     }
@@ -107,7 +107,7 @@ std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOption
     stream.seekg(0);
     const std::string readable = with_stand_ins(stream);
     if (readable.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw Error(
+        throw ciel::Error(
             file +
             ": has more than 2 GiB of text that holds nan or inf, which cannot be read; write the file in binary");
     reader->ReadFromInputStringOn();
@@ -115,4 +115,4 @@ std::unique_ptr<Source> open_legacy_vtk(const Inputs& inputs, const SourceOption
     return std::make_unique<StandInSource>(file, reader.Get());
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -9,7 +9,7 @@
 #include <vtkLSDynaReader.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -22,8 +22,8 @@ public:
     explicit PairedFamily(const fs::path& only) {
         std::string pattern = (fs::temp_directory_path() / "ciel-lsdyna-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr)
-            throw Error("cannot make a temporary directory; check the free space and the permissions of " +
-                        fs::temp_directory_path().string());
+            throw ciel::Error("cannot make a temporary directory; check the free space and the permissions of " +
+                              fs::temp_directory_path().string());
         directory_ = pattern;
         fs::create_symlink(fs::absolute(only), first());
         std::ofstream(directory_ / "d3plot01");
@@ -70,4 +70,4 @@ std::unique_ptr<Source> open_lsdyna(const Inputs& inputs, const SourceOptions&) 
     return std::make_unique<LsDynaSource>(inputs.front(), reader.Get(), std::move(family));
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -11,7 +11,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -22,9 +22,9 @@ public:
         : sources_(std::move(sources)), inputs_(inputs) {
         for (std::size_t i = 1; i < sources_.size(); ++i)
             if (sources_[i]->times() != sources_[0]->times())
-                throw Error(inputs[i] + ": its times differ from those of " + inputs[0] +
-                            "; several inputs must be parts of one mesh with the same times (list the steps of a "
-                            "series in a .pvd or .series file)");
+                throw ciel::Error(inputs[i] + ": its times differ from those of " + inputs[0] +
+                                  "; several inputs must be parts of one mesh with the same times (list the steps of a "
+                                  "series in a .pvd or .series file)");
     }
 
     [[nodiscard]] std::string format() const override { return sources_[0]->format(); }
@@ -95,4 +95,4 @@ std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, cons
     return std::make_unique<SeveralInputs>(std::move(sources), inputs);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -9,7 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPartitionedDataSet.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -47,13 +47,13 @@ read_pieces(std::size_t count,
             pieces.push_back(read(
                 i, [&](double share) { progress((static_cast<double>(i) + share) / static_cast<double>(count)); }));
             if (name) names.push_back(name(i));
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             if (first_reason.empty()) first_reason = error.what();
             lost.push_back(std::string("A piece could not be read and was left out: ") + error.what());
         }
     }
-    if (pieces.empty()) throw Error(first_reason.empty() ? "the file names no pieces" : first_reason);
+    if (pieces.empty()) throw ciel::Error(first_reason.empty() ? "the file names no pieces" : first_reason);
     return together(pieces, names);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

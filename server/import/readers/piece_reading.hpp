@@ -3,7 +3,7 @@
 
 #include "import/source/source.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 // `name` may be empty. Leaves out each piece that cannot be read and adds a sentence to `lost`. If all pieces are left
 // out, throws the Error of the first piece.
@@ -13,4 +13,4 @@ read_pieces(std::size_t count,
             const std::function<std::string(std::size_t piece)>& name, std::vector<std::string>& lost,
             const ReadProgress& progress);
 
-} // namespace ciel::importer
+} // namespace server::importer

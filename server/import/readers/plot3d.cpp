@@ -14,7 +14,7 @@
 #include <vtkMultiBlockPLOT3DReader.h>
 #include <vtkNew.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -112,8 +112,8 @@ std::vector<Plot3dLayout> agreeing(std::vector<Plot3dLayout> grids, const std::v
 std::vector<Plot3dLayout> grid_layouts(const std::string& grid, const std::string& words) {
     std::vector<Plot3dLayout> grids = plot3d_restrict(layouts_of(grid, Plot3dKind::grid), words);
     if (!grids.empty()) return grids;
-    throw Error(grid + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
-                ": the size of the file does not match the dimensions in the file");
+    throw ciel::Error(grid + ": is not a PLOT3D grid" + (words.empty() ? "" : " of the layout --plot3d " + words) +
+                      ": the size of the file does not match the dimensions in the file");
 }
 
 Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
@@ -121,12 +121,13 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     for (std::size_t i = 1; i < inputs.size(); ++i) {
         const std::vector<Plot3dLayout> solutions = layouts_of(inputs[i], Plot3dKind::solution);
         if (solutions.empty())
-            throw Error(
+            throw ciel::Error(
                 inputs[i] +
                 ": is not a PLOT3D solution (q): the size of the file does not match the dimensions in the file");
         grids = agreeing(std::move(grids), solutions);
         if (grids.empty())
-            throw Error(inputs[i] + ": does not belong to the grid " + inputs[0] + ": dimensions or byte order differ");
+            throw ciel::Error(inputs[i] + ": does not belong to the grid " + inputs[0] +
+                              ": dimensions or byte order differ");
     }
     return grids.front();
 }
@@ -168,14 +169,14 @@ bool is_plot3d(const Head& head) {
 std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options) {
     Inputs ordered = inputs;
     for (const std::string& input : inputs)
-        if (!std::filesystem::is_regular_file(input)) throw Error(input + ": there is no such file");
+        if (!std::filesystem::is_regular_file(input)) throw ciel::Error(input + ": there is no such file");
     // The user may give grids and solutions in any order.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });
     std::vector<std::string> notes;
     if (std::string note = take_grid_beside(ordered); !note.empty()) notes.push_back(std::move(note));
     if (layouts_of(ordered[0], Plot3dKind::grid).empty())
-        throw Error(ordered[0] + ": is a PLOT3D solution; give the file of its grid (xyz) as an input too");
+        throw ciel::Error(ordered[0] + ": is a PLOT3D solution; give the file of its grid (xyz) as an input too");
     if (ordered.size() == 1)
         if (std::string note = take_solution_beside(ordered, options.plot3d); !note.empty())
             notes.push_back(std::move(note));
@@ -183,4 +184,4 @@ std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& o
     return std::make_unique<Plot3dSource>(ordered, layout, std::move(notes));
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

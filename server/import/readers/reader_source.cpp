@@ -14,7 +14,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -53,7 +53,7 @@ ReaderSource::ReaderSource(std::string format, std::string file, vtkSmartPointer
     if (times_.empty()) times_ = {0.0};
     if (list_arrays) arrays_ = list_arrays();
     if (!std::is_sorted(times_.begin(), times_.end()))
-        throw Error(file_ + ": its time steps are not in ascending order; sort them in the file");
+        throw ciel::Error(file_ + ": its time steps are not in ascending order; sort them in the file");
 }
 
 vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadProgress& progress) {
@@ -72,8 +72,8 @@ vtkSmartPointer<vtkDataObject> ReaderSource::read(std::size_t step, const ReadPr
 
     vtkDataObject* output = reader_->GetOutputDataObject(0);
     if (output == nullptr)
-        throw Error(file_ +
-                    ": VTK's reader returned no data; the file may be damaged, or of a kind that VTK does not know");
+        throw ciel::Error(
+            file_ + ": VTK's reader returned no data; the file may be damaged, or of a kind that VTK does not know");
     return kept(*output);
 }
 
@@ -94,4 +94,4 @@ vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output) {
     return copy;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

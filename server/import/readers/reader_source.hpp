@@ -5,7 +5,7 @@
 
 #include <vtkAlgorithm.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 class ReaderSource : public Source {
 public:
@@ -47,4 +47,4 @@ std::vector<ArrayName> arrays_of(Reader& reader) {
     return arrays;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

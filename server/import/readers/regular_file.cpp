@@ -2,7 +2,7 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace fs = std::filesystem;
 
@@ -10,7 +10,7 @@ void require_regular(const fs::path& file) {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
-        throw Error(file.string() + ": is not a regular file but a pipe, a socket or a device");
+        throw ciel::Error(file.string() + ": is not a regular file but a pipe, a socket or a device");
 }
 
 void require_regular_files(const fs::path& directory) { require_regular_files(directory, ""); }
@@ -21,4 +21,4 @@ void require_regular_files(const fs::path& directory, std::string_view beginning
         if (entry.path().filename().string().starts_with(beginning)) require_regular(entry.path());
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Throws Error that names the file if the file exists and is neither a regular file nor a directory.
 void require_regular(const std::filesystem::path& file);
@@ -14,4 +14,4 @@ void require_regular_files(const std::filesystem::path& directory);
 
 void require_regular_files(const std::filesystem::path& directory, std::string_view beginning);
 
-} // namespace ciel::importer
+} // namespace server::importer

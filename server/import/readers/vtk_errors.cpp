@@ -11,7 +11,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -55,7 +55,7 @@ void throw_vtk_errors(const std::string& file) {
     if (reported.empty()) return;
     const std::string text = std::exchange(reported, {});
     if (text.find("nable to allocate") != std::string::npos) throw std::bad_alloc();
-    throw Error(file + ": cannot be read: " + text);
+    throw ciel::Error(file + ": cannot be read: " + text);
 }
 
 void forget_vtk_errors() {
@@ -63,4 +63,4 @@ void forget_vtk_errors() {
     reported.clear();
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

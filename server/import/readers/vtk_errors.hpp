@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Installs a window that stores VTK's errors instead of printing them. Call once, before any reader is made.
 void capture_vtk_errors();
@@ -16,4 +16,4 @@ void throw_vtk_errors(const std::string& file);
 // Discards the stored error, for a probe that is expected to fail.
 void forget_vtk_errors();
 
-} // namespace ciel::importer
+} // namespace server::importer

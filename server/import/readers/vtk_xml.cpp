@@ -21,7 +21,7 @@
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -123,7 +123,7 @@ std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&)
         if (!row.composite) list_arrays = [&reader] { return arrays_of(*reader); };
         return std::make_unique<ReaderSource>("VTK XML " + type, file, reader, list_arrays);
     }
-    throw Error(file + ": is a VTK XML file of type \"" + type + "\", which holds no volume mesh");
+    throw ciel::Error(file + ": is a VTK XML file of type \"" + type + "\", which holds no volume mesh");
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace server::importer {
 
 std::string stored_name(const std::string& name) {
     std::string stored = name;
@@ -39,7 +39,7 @@ void ArraySelection::check() const {
     for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
     for (const std::string& name : selected_)
         if (is_missing(name))
-            throw Error("there is no array \"" + name + "\"; there are: " + (names.empty() ? "none" : names));
+            throw ciel::Error("there is no array \"" + name + "\"; there are: " + (names.empty() ? "none" : names));
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

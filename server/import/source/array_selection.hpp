@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 enum class FieldOf { points, cells };
 
@@ -36,4 +36,4 @@ private:
     std::set<std::string> seen_; // names in the dataset, of all arrays passed to saw()
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -20,7 +20,7 @@
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -213,8 +213,8 @@ InputGrids collect_input_grids(vtkDataObject* data) {
 
 void require_volumes(const InputGrids& input_grids) {
     if (!input_grids.volumes.empty()) return;
-    throw Error(input_grids.surfaces.empty() ? "holds no cells; a volume mesh is needed"
-                                             : "holds only surfaces; a volume mesh is needed");
+    throw ciel::Error(input_grids.surfaces.empty() ? "holds no cells; a volume mesh is needed"
+                                                   : "holds only surfaces; a volume mesh is needed");
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

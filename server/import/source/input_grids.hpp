@@ -11,7 +11,7 @@
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct InputGrid { // a leaf of the tree: a volume, a surface or a zone
     std::string name;
@@ -21,15 +21,15 @@ struct InputGrid { // a leaf of the tree: a volume, a surface or a zone
     store::PatchFacts facts = {};
 };
 
-using PointPairs = std::vector<std::pair<Index, Index>>; // pairs of running point ids (joined_mesh.hpp)
+using PointPairs = std::vector<std::pair<ciel::Index, ciel::Index>>; // pairs of running point ids (joined_mesh.hpp)
 
 struct RunningCounts {
-    Index points = 0, cells = 0;
+    ciel::Index points = 0, cells = 0;
 };
 
 struct NamedCells {
     std::string name;
-    std::vector<Index> cells; // running ids (joined_mesh.hpp)
+    std::vector<ciel::Index> cells; // running ids (joined_mesh.hpp)
 };
 
 struct InputGrids {
@@ -49,4 +49,4 @@ struct InputGrids {
 [[nodiscard]] InputGrids collect_input_grids(vtkDataObject* data);
 void require_volumes(const InputGrids& input_grids);
 
-} // namespace ciel::importer
+} // namespace server::importer

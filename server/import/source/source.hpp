@@ -13,7 +13,7 @@
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct SourceOptions {
     std::string plot3d; // the value of --plot3d: words for plot3d_restrict()
@@ -50,4 +50,4 @@ public:
     [[nodiscard]] virtual std::vector<std::string> lost() const { return {}; }
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <set>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes
     return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -6,7 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns a type such as "float64" or "int32".
 [[nodiscard]] std::string type_name(vtkDataArray* array);
@@ -18,4 +18,4 @@ namespace ciel::importer {
 // nine components is a tensor if it has such names, or if it is VTK's attribute TENSORS.
 [[nodiscard]] std::vector<std::string> tensor_component_names(vtkDataSetAttributes* attributes, vtkDataArray* array);
 
-} // namespace ciel::importer
+} // namespace server::importer

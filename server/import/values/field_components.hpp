@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace ciel::importer {
+namespace server::importer {
 
 using ComponentsOf = std::map<std::string, std::string>; // name in the dataset -> components_text (fields.hpp)
 
@@ -38,4 +38,4 @@ private:
     std::map<std::string, std::map<std::string, std::size_t>> steps_; // array -> components -> number of steps
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

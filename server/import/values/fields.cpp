@@ -13,7 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -186,9 +186,9 @@ store::Values gather_as(const std::vector<JoinedMesh::Member>& members, const Fi
         const std::vector<T> own = values_as<T>(member.data, field);
         if (own.empty()) continue;
         if (own.size() != size_of(member) * components)
-            throw Error("array \"" + field.name + "\" of block \"" + member.name + "\" has " +
-                        std::to_string(own.size() / components) + " values; the number of values must be " +
-                        std::to_string(size_of(member)) + ", one for each point or cell");
+            throw ciel::Error("array \"" + field.name + "\" of block \"" + member.name + "\" has " +
+                              std::to_string(own.size() / components) + " values; the number of values must be " +
+                              std::to_string(size_of(member)) + ", one for each point or cell");
         std::copy(own.begin(), own.end(), values.begin() + static_cast<std::ptrdiff_t>(first_of(member) * components));
     }
     return store::Values(std::move(values));
@@ -205,4 +205,4 @@ store::Values gather_field(const std::vector<JoinedMesh::Member>& members, const
     return field.doubles ? gather_as<double>(members, field) : gather_as<float>(members, field);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

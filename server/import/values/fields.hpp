@@ -7,7 +7,7 @@
 #include "import/source/input_grids.hpp"
 #include "store/format/values.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FieldName : ArrayName {
     int components = 1;
@@ -35,4 +35,4 @@ struct FieldName : ArrayName {
 // Tensor components are in the order of field.component_names. Returns no values if the array does not fit `field`.
 [[nodiscard]] store::Values array_values(vtkDataSet* data, const FieldName& field);
 
-} // namespace ciel::importer
+} // namespace server::importer

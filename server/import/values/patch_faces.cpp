@@ -5,17 +5,18 @@
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace server::importer {
 
-PatchFaces::PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches) : entries_(patches.size()) {
-    for (Index face = 0; face < mesh.face_count(); ++face) count_ += mesh.neighbour[face] == none ? 1 : 0;
-    std::vector<Index> faces; // faces of all patches, so that boundary_numbers() reads the mesh only once
+PatchFaces::PatchFaces(const ciel::FaceMeshView& mesh, const std::vector<Patch>& patches) : entries_(patches.size()) {
+    for (ciel::Index face = 0; face < mesh.face_count(); ++face) count_ += mesh.neighbour[face] == ciel::none ? 1 : 0;
+    std::vector<ciel::Index> faces; // faces of all patches, so that boundary_numbers() reads the mesh only once
     for (const Patch& patch : patches) faces.insert(faces.end(), patch.faces.begin(), patch.faces.end());
-    const std::vector<Index> numbers = boundary_numbers(mesh, faces);
+    const std::vector<ciel::Index> numbers = ciel::boundary_numbers(mesh, faces);
     auto number = numbers.begin();
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         for (const std::size_t cell : patches[patch].cells)
-            if (const Index of_face = *number++; of_face != none) entries_[patch].push_back({of_face, cell});
+            if (const ciel::Index of_face = *number++; of_face != ciel::none)
+                entries_[patch].push_back({of_face, cell});
 }
 
 template <class T>
@@ -26,7 +27,7 @@ std::vector<T> PatchFaces::values(const std::vector<PatchValues>& of_patches, in
     std::vector<T> values(count_ * width, store::no_value);
     for (std::size_t patch = 0; patch < entries_.size(); ++patch) {
         if (!of_patches[patch]) continue;
-        const ValuesView own = *of_patches[patch];
+        const ciel::ValuesView own = *of_patches[patch];
         for (const Entry& entry : entries_[patch])
             for (std::size_t c = 0; c < width && (entry.cell + 1) * width <= own.size(); ++c)
                 values[entry.number * width + c] = static_cast<T>(own[entry.cell * width + c]);
@@ -37,4 +38,4 @@ std::vector<T> PatchFaces::values(const std::vector<PatchValues>& of_patches, in
 template std::vector<float> PatchFaces::values(const std::vector<PatchValues>&, int) const;
 template std::vector<double> PatchFaces::values(const std::vector<PatchValues>&, int) const;
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,11 +4,11 @@
 #include "import/mesh/patches.hpp"
 #include "import/values/wall_values.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 class PatchFaces {
 public:
-    PatchFaces(const FaceMeshView& mesh, const std::vector<Patch>& patches);
+    PatchFaces(const ciel::FaceMeshView& mesh, const std::vector<Patch>& patches);
 
     // Faces without values get store::no_value. Returns an empty list if no patch has values. T: float or double.
     template <class T>
@@ -16,11 +16,11 @@ public:
 
 private:
     struct Entry {
-        Index number;     // index among the boundary faces
-        std::size_t cell; // cell id in the patch's surface
+        ciel::Index number; // index among the boundary faces
+        std::size_t cell;   // cell id in the patch's surface
     };
     std::vector<std::vector<Entry>> entries_; // per patch
     std::size_t count_ = 0;                   // number of boundary faces
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -6,18 +6,18 @@
 
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct PatchWeight {
-    Index vertex = 0;     // vertex id in the mesh
-    std::size_t face = 0; // index into the patch's faces
-    double weight = 0;    // the weights of a vertex sum to 1
+    ciel::Index vertex = 0; // vertex id in the mesh
+    std::size_t face = 0;   // index into the patch's faces
+    double weight = 0;      // the weights of a vertex sum to 1
 };
 
 struct PatchVertex {
-    Index vertex = 0;           // vertex id in the mesh
-    double area = 0;            // sum of the areas of the patch's faces around the vertex; never 0
-    std::vector<Vec3d> normals; // orthogonal unit normals of these faces; several where the patch has an edge
+    ciel::Index vertex = 0;           // vertex id in the mesh
+    double area = 0;                  // sum of the areas of the patch's faces around the vertex; never 0
+    std::vector<ciel::Vec3d> normals; // orthogonal unit normals of these faces; several where the patch has an edge
 };
 
 struct PatchWeights {
@@ -26,6 +26,6 @@ struct PatchWeights {
 };
 
 // `faces`: ids of the patch's faces in `mesh`.
-[[nodiscard]] PatchWeights weigh_patch(const FaceMeshView& mesh, const std::vector<Index>& faces);
+[[nodiscard]] PatchWeights weigh_patch(const ciel::FaceMeshView& mesh, const std::vector<ciel::Index>& faces);
 
-} // namespace ciel::importer
+} // namespace server::importer

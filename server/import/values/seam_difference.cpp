@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
-namespace ciel::importer {
+namespace server::importer {
 namespace {
 
 // A share of the field's range. Rounding in a file makes smaller differences.
 constexpr double field_tolerance = 1e-4;
 
-bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>& seams) {
+bool values_differ(ciel::ValuesView values, std::size_t width, const std::vector<Seam>& seams) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const double value : values) {
@@ -30,9 +30,9 @@ bool values_differ(ValuesView values, std::size_t width, const std::vector<Seam>
 }
 
 bool positions_differ(const Seam& seam, const JoinedMesh::Member& member) {
-    return std::any_of(seam.points.begin(), seam.points.end(), [&](const std::pair<Index, Index>& pair) {
-        Vec3d a;
-        Vec3d b;
+    return std::any_of(seam.points.begin(), seam.points.end(), [&](const std::pair<ciel::Index, ciel::Index>& pair) {
+        ciel::Vec3d a;
+        ciel::Vec3d b;
         member.data->GetPoint(pair.first - member.first_point, a.data());
         member.data->GetPoint(pair.second - member.first_point, b.data());
         return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > 2 * seam.tolerance;
@@ -52,4 +52,4 @@ std::string difference_across(const std::vector<Seam>& seams, const std::vector<
     return "";
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

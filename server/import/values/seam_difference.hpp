@@ -3,10 +3,10 @@
 
 #include "import/mesh/welds.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns "position" or the name of a point field that differs; empty if the sides of all seams agree.
 [[nodiscard]] std::string difference_across(const std::vector<Seam>& seams,
                                             const std::vector<JoinedMesh::Member>& members);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <vtkPointData.h>
 #include <vtkVariant.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member
     return ids;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 class vtkDataArray;
 class vtkDataSet;
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns the first of these arrays that holds integers: VTK's global ids, the array GlobalNodeId or GlobalElementId,
 // VTK's pedigree ids, the array PedigreeNodeId or PedigreeElementId. Returns null if none of them holds integers.
@@ -16,4 +16,4 @@ namespace ciel::importer {
 // Points and cells of members without ids get -1. Returns an empty list if no member has ids.
 [[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& members, FieldOf of);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -118,7 +118,7 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const InputGrids& input_gr
     // the chosen components, accept() returns false.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
-            maker = std::make_unique<PointMaker>(PointMaker{PointInterpolation(mesh.view()),
+            maker = std::make_unique<PointMaker>(PointMaker{ciel::PointInterpolation(mesh.view()),
                                                             WallValues(mesh.view(), mesh.patches),
                                                             PatchFaces(mesh.view(), mesh.patches)});
         const std::vector<PatchValues> on_patches = patch_values(mesh, input_grids, field);
@@ -180,4 +180,4 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
     return arrays_;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

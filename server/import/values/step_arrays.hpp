@@ -15,11 +15,11 @@
 #include <memory>
 #include <set>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Interpolates from cells and patches to points, for one mesh and one set of coordinates.
 struct PointMaker {
-    PointInterpolation interpolation;
+    ciel::PointInterpolation interpolation;
     WallValues walls;
     PatchFaces patch_faces;
 };
@@ -63,4 +63,4 @@ private:
     std::vector<store::ArrayValues> arrays_;
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
-namespace ciel::importer {
+namespace server::importer {
 namespace {
 
 // Counts values that differ from the previous value of the same component, but not after conversion to float.
@@ -79,4 +79,4 @@ std::vector<std::string> ValueLoss::notes() const {
     return notes;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

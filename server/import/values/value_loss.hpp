@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Adds up the counts of each array over all steps.
 class ValueLoss {
@@ -27,4 +27,4 @@ private:
     std::map<std::string, Count> counts_; // by array name, with the prefix "cell:" for cell arrays
 };
 
-} // namespace ciel::importer
+} // namespace server::importer

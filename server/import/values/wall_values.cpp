@@ -6,20 +6,20 @@
 #include <cmath>
 #include <unordered_map>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
 enum Kind : std::uint8_t { wall_at_rest, fixed, varying, untouched };
 
-bool holds_one_value(ValuesView values, std::size_t width) {
+bool holds_one_value(ciel::ValuesView values, std::size_t width) {
     for (std::size_t i = width; i < values.size(); ++i)
         if (values[i] != values[i - width]) return false;
     return true;
 }
 
 // overlay() ignores values that are not finite, because the solution has diverged on these faces.
-bool is_finite(ValuesView values, std::size_t begin, std::size_t width) {
+bool is_finite(ciel::ValuesView values, std::size_t begin, std::size_t width) {
     for (std::size_t i = begin; i < begin + width; ++i)
         if (!std::isfinite(values[i])) return false;
     return true;
@@ -27,19 +27,19 @@ bool is_finite(ValuesView values, std::size_t begin, std::size_t width) {
 
 } // namespace
 
-bool holds_only_zero(ValuesView values) {
+bool holds_only_zero(ciel::ValuesView values) {
     return !values.empty() && std::ranges::all_of(values, [](double value) { return value == 0; });
 }
 
-WallValues::WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patches)
+WallValues::WallValues(const ciel::FaceMeshView& mesh, const std::vector<Patch>& patches)
     : entries_(patches.size()), planes_(patches.size()) {
-    std::unordered_map<Index, Index> local;
-    std::unordered_map<Index, double> area;
+    std::unordered_map<ciel::Index, ciel::Index> local;
+    std::unordered_map<ciel::Index, double> area;
     for (std::size_t patch = 0; patch < patches.size(); ++patch) {
         PatchWeights weights = weigh_patch(mesh, patches[patch].faces);
         area.clear();
         for (PatchVertex& vertex : weights.vertices) {
-            const auto [at, is_new] = local.try_emplace(vertex.vertex, static_cast<Index>(vertices_.size()));
+            const auto [at, is_new] = local.try_emplace(vertex.vertex, static_cast<ciel::Index>(vertices_.size()));
             if (is_new) vertices_.push_back(vertex.vertex);
             area[vertex.vertex] = vertex.area;
             planes_[patch].push_back({at->second, std::move(vertex.normals)});
@@ -59,7 +59,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
     std::vector<double> sum(vertices_.size() * width);
     for (std::size_t patch = 0; patch < entries_.size(); ++patch) {
         if (!values[patch]) continue;
-        const ValuesView own = *values[patch];
+        const ciel::ValuesView own = *values[patch];
         Kind kind = varying;
         if (roles[patch] == PatchRole::no_slip_wall)
             kind = wall_at_rest;
@@ -94,7 +94,7 @@ void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std:
         for (const Plane& plane : planes_[patch]) {
             if (kinds[plane.vertex] == wall_at_rest || kinds[plane.vertex] == fixed) continue;
             T* const at = &points[3 * std::size_t{vertices_[plane.vertex]}];
-            const Vec3d along = without_parts_along(plane.normals, {at[0], at[1], at[2]});
+            const ciel::Vec3d along = ciel::without_parts_along(plane.normals, {at[0], at[1], at[2]});
             for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = static_cast<T>(along[axis]);
         }
     }
@@ -105,4 +105,4 @@ template void WallValues::overlay(const std::vector<PatchValues>&, const std::ve
 template void WallValues::overlay(const std::vector<PatchValues>&, const std::vector<PatchRole>&, int,
                                   std::vector<double>&) const;
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // One tuple per cell of the patch's surface; nullopt if the patch has no values.
 using PatchValues = std::optional<store::Values>;
@@ -28,7 +28,7 @@ enum class PatchRole : std::uint8_t {
 // Patches of the same kind are averaged by area.
 class WallValues {
 public:
-    WallValues(const FaceMeshView& mesh, const std::vector<Patch>& patches);
+    WallValues(const ciel::FaceMeshView& mesh, const std::vector<Patch>& patches);
 
     // `values`, `roles`: one per patch. `points`: `components` values per vertex of the mesh. Overwrites the values at
     // vertices on patches with values. Arrays of three components are vectors. T: float or double.
@@ -38,23 +38,23 @@ public:
 
 private:
     struct Entry {
-        Index vertex;     // index into vertices_
-        std::size_t cell; // cell id in the patch's surface
-        double weight;    // the weights of a vertex sum to the area of the patch's faces around it
+        ciel::Index vertex; // index into vertices_
+        std::size_t cell;   // cell id in the patch's surface
+        double weight;      // the weights of a vertex sum to the area of the patch's faces around it
     };
     struct Plane {
-        Index vertex; // index into vertices_
-        std::vector<Vec3d> normals;
+        ciel::Index vertex; // index into vertices_
+        std::vector<ciel::Vec3d> normals;
     };
     template <class T>
     void put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                          std::vector<T>& points) const;
 
-    std::vector<Index> vertices_;             // ids of the vertices on patches
+    std::vector<ciel::Index> vertices_;       // ids of the vertices on patches
     std::vector<std::vector<Entry>> entries_; // per patch
     std::vector<std::vector<Plane>> planes_;  // per patch
 };
 
-[[nodiscard]] bool holds_only_zero(ValuesView values);
+[[nodiscard]] bool holds_only_zero(ciel::ValuesView values);
 
-} // namespace ciel::importer
+} // namespace server::importer

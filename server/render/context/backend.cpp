@@ -2,7 +2,7 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 struct BackendName {
@@ -30,7 +30,7 @@ Backend backend_named(const std::string& name) {
         if (name == named.name) return named.backend;
         known += (known.empty() ? "" : ", ") + std::string(named.name);
     }
-    throw Error("there is no GL back end '" + name + "'; use one of these: " + known);
+    throw ciel::Error("there is no GL back end '" + name + "'; use one of these: " + known);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 // Back ends, in the order in which `automatic` tries them. egl_device tries hardware devices before software devices.
 enum class Backend { automatic, egl_device, egl_surfaceless, osmesa };
@@ -12,4 +12,4 @@ enum class Backend { automatic, egl_device, egl_surfaceless, osmesa };
 // Accepts "auto", "egl-device", "egl-surfaceless" and "osmesa". Throws Error for any other name.
 [[nodiscard]] Backend backend_named(const std::string& name);
 
-} // namespace ciel::render
+} // namespace server::render

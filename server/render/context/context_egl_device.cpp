@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 struct Device {
@@ -19,12 +19,12 @@ std::vector<Device> list_devices(const Egl& egl) {
     const auto describe =
         reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(egl.GetProcAddress("eglQueryDeviceStringEXT"));
     if (query == nullptr || describe == nullptr || !egl.has_client_extension("EGL_EXT_platform_device"))
-        throw Error(
+        throw ciel::Error(
             "EGL cannot list devices: it lacks EGL_EXT_platform_device, eglQueryDevicesEXT or eglQueryDeviceStringEXT");
     EGLint count = 0;
     std::vector<EGLDeviceEXT> handles(32);
     if (query(static_cast<EGLint>(handles.size()), handles.data(), &count) != EGL_TRUE)
-        throw Error("EGL cannot list devices (" + egl.last_error() + ")");
+        throw ciel::Error("EGL cannot list devices (" + egl.last_error() + ")");
     std::vector<Device> devices;
     for (EGLint i = 0; i < count; ++i) {
         const auto handle = handles[static_cast<std::size_t>(i)];
@@ -52,11 +52,11 @@ std::unique_ptr<GlContext> make_egl_device_context() {
             const EGLDisplay display = egl.GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
             return make_egl_context(egl, display,
                                     device.name + (failures.empty() ? "" : " (tried before: " + failures + ")"));
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             failures += (failures.empty() ? "" : "; ") + device.name + ": " + error.what();
         }
     }
-    throw Error(failures.empty() ? "EGL lists no devices" : failures);
+    throw ciel::Error(failures.empty() ? "EGL lists no devices" : failures);
 }
 
-} // namespace ciel::render
+} // namespace server::render

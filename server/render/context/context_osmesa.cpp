@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 struct OsMesa {
@@ -71,10 +71,10 @@ std::unique_ptr<GlContext> make_osmesa_context() {
                                          3,
                                          0};
     OSMesaContext context = library.CreateContextAttribs(attributes.data(), nullptr);
-    if (context == nullptr) throw Error("OSMesa cannot create an OpenGL 3.3 core context");
+    if (context == nullptr) throw ciel::Error("OSMesa cannot create an OpenGL 3.3 core context");
     auto made = std::make_unique<OsMesaContext>(library, context);
-    if (!make_current(*made)) throw Error("the context cannot be made current");
+    if (!make_current(*made)) throw ciel::Error("the context cannot be made current");
     return made;
 }
 
-} // namespace ciel::render
+} // namespace server::render

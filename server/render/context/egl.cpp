@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 class EglContext final : public GlContext {
@@ -50,7 +50,7 @@ EGLConfig choose_config(const Egl& egl, EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (egl.ChooseConfig(display, wanted.data(), &config, 1, &count) != EGL_TRUE || count == 0)
-        throw Error("the display offers no OpenGL configuration");
+        throw ciel::Error("the display offers no OpenGL configuration");
     return config;
 }
 
@@ -65,7 +65,7 @@ EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config) 
     EGLContext context = egl.CreateContext(display, config, EGL_NO_CONTEXT, robust.data());
     if (context == EGL_NO_CONTEXT) context = egl.CreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
     if (context == EGL_NO_CONTEXT)
-        throw Error("the display cannot create an OpenGL 3.3 core context (" + egl.last_error() + ")");
+        throw ciel::Error("the display cannot create an OpenGL 3.3 core context (" + egl.last_error() + ")");
     return context;
 }
 
@@ -83,7 +83,7 @@ Egl::Egl()
       MakeCurrent(library.get<PFNEGLMAKECURRENTPROC>("eglMakeCurrent")),
       GetPlatformDisplay(
           reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(GetProcAddress("eglGetPlatformDisplayEXT"))) {
-    if (GetPlatformDisplay == nullptr) throw Error("libEGL.so.1 lacks EGL_EXT_platform_base");
+    if (GetPlatformDisplay == nullptr) throw ciel::Error("libEGL.so.1 lacks EGL_EXT_platform_base");
 }
 
 const Egl& Egl::instance() {
@@ -108,18 +108,18 @@ bool has_word(const char* words, std::string_view word) {
 }
 
 std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description) {
-    if (display == EGL_NO_DISPLAY) throw Error("EGL returned no display (" + egl.last_error() + ")");
+    if (display == EGL_NO_DISPLAY) throw ciel::Error("EGL returned no display (" + egl.last_error() + ")");
     EGLint major = 0;
     EGLint minor = 0;
     if (egl.Initialize(display, &major, &minor) != EGL_TRUE)
-        throw Error("the display cannot be initialized (" + egl.last_error() + ")");
+        throw ciel::Error("the display cannot be initialized (" + egl.last_error() + ")");
     if (!has_word(egl.QueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
-        throw Error("the display lacks EGL_KHR_surfaceless_context");
-    if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) throw Error("the display has no desktop OpenGL");
+        throw ciel::Error("the display lacks EGL_KHR_surfaceless_context");
+    if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) throw ciel::Error("the display has no desktop OpenGL");
     const EGLContext context = create_context(egl, display, choose_config(egl, display));
     auto made = std::make_unique<EglContext>(egl, display, context, std::move(description));
-    if (!make_current(*made)) throw Error("the context cannot be made current (" + egl.last_error() + ")");
+    if (!make_current(*made)) throw ciel::Error("the context cannot be made current (" + egl.last_error() + ")");
     return made;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,7 @@
 #include <EGL/eglext.h>
 #include <string_view>
 
-namespace ciel::render {
+namespace server::render {
 
 struct Egl {
     Library library;
@@ -38,4 +38,4 @@ private:
 // The display is never terminated. Displays are shared, and terminating a display would destroy all contexts on it.
 [[nodiscard]] std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -2,13 +2,13 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 Gl Gl::load(const Loader& loader) {
     Gl gl;
 #define CIEL_GL_LOAD(name, type)                                                                                       \
     gl.name = reinterpret_cast<type>(loader("gl" #name));                                                              \
-    if (gl.name == nullptr) throw Error("the GL driver lacks gl" #name "; install a driver with OpenGL 3.3");
+    if (gl.name == nullptr) throw ciel::Error("the GL driver lacks gl" #name "; install a driver with OpenGL 3.3");
     CIEL_GL_FUNCTIONS(CIEL_GL_LOAD)
 #undef CIEL_GL_LOAD
     for (const char* name :
@@ -19,4 +19,4 @@ Gl Gl::load(const Loader& loader) {
     return gl;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,7 @@
 #include <GL/glcorearb.h>
 #include <functional>
 
-namespace ciel::render {
+namespace server::render {
 
 // Calls X(NAME, TYPE) for each function. NAME: its name without "gl". TYPE: the type of its pointer.
 #define CIEL_GL_FUNCTIONS(X)                                                                                           \
@@ -103,4 +103,4 @@ struct Gl {
     [[nodiscard]] static Gl load(const Loader& loader);
 };
 
-} // namespace ciel::render
+} // namespace server::render

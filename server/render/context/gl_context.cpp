@@ -2,7 +2,7 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 struct Kind {
@@ -34,13 +34,13 @@ ChosenContext make_context(Backend backend) {
             chosen.append(", ").append(context->description());
             if (!failures.empty()) chosen.append("; tried before: ").append(failures);
             return {std::move(context), kind.backend, std::move(chosen)};
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             if (!failures.empty()) failures += "; ";
             failures.append(name_of(kind.backend)).append(": ").append(error.what());
         }
     }
-    throw Error("no OpenGL 3.3 context could be created: " + failures +
-                "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
+    throw ciel::Error("no OpenGL 3.3 context could be created: " + failures +
+                      "; install libegl1 and libgl1-mesa-dri, or libosmesa6, or a GPU's driver");
 }
 
 bool make_current(GlContext& context) {
@@ -53,4 +53,4 @@ void forget_current(const GlContext& context) {
     if (current == &context) current = nullptr;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 // Use a context only on the thread that created it. It has no default framebuffer, only framebuffer objects.
 class GlContext {
@@ -44,4 +44,4 @@ struct ChosenContext {
 [[nodiscard]] bool make_current(GlContext& context);
 void forget_current(const GlContext& context); // call this before `context` is destroyed
 
-} // namespace ciel::render
+} // namespace server::render

@@ -4,16 +4,16 @@
 
 #include <dlfcn.h>
 
-namespace ciel::render {
+namespace server::render {
 
 Library::Library(const char* name) : name_(name), handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
-    if (handle_ == nullptr) throw Error(dlerror());
+    if (handle_ == nullptr) throw ciel::Error(dlerror());
 }
 
 void* Library::address(const char* symbol) const {
     void* address = dlsym(handle_, symbol);
-    if (address == nullptr) throw Error(name_ + " lacks the function " + symbol);
+    if (address == nullptr) throw ciel::Error(name_ + " lacks the function " + symbol);
     return address;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 // Never closed, because drivers leave thread-local data and exit handlers that point into the library.
 class Library {
@@ -20,4 +20,4 @@ private:
     void* handle_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

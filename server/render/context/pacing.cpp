@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr std::chrono::duration<double> between_waits{0.1}; // a cancelled picture stops after about this time
@@ -15,7 +15,7 @@ constexpr std::size_t piece_of_buffer = std::size_t{4} << 20U; // bytes per glBu
 void draw_piece(const Gl& gl, GLenum primitive, std::size_t first, std::size_t count, GLint base) {
     gl.DrawElementsBaseVertex(primitive, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                               reinterpret_cast<const void*>( // NOLINT(performance-no-int-to-ptr): GL's own way
-                                  first * sizeof(Index)),
+                                  first * sizeof(ciel::Index)),
                               base);
 }
 
@@ -103,4 +103,4 @@ void AnySamples::end() {
     ended_ = true;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace ciel::render {
+namespace server::render {
 
 class Pacing {
 public:
@@ -73,4 +73,4 @@ private:
     bool ended_ = false;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -2,7 +2,7 @@
 
 #include "ciel/types.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& source) {
@@ -15,8 +15,8 @@ void add_shader(const Gl& gl, GLuint program, GLenum kind, const std::string& so
     if (is_compiled == 0) {
         std::vector<char> log(4096);
         gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver cannot compile a shader; update the driver. Its message: " +
-                    std::string(log.data()));
+        throw ciel::Error("the GL driver cannot compile a shader; update the driver. Its message: " +
+                          std::string(log.data()));
     }
     gl.AttachShader(program, shader);
 }
@@ -39,8 +39,8 @@ GLuint link_stages(const Gl& gl, const std::vector<Stage>& stages) {
     if (is_linked == 0) {
         std::vector<char> log(4096);
         gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw Error("the GL driver cannot link a shader program; update the driver. Its message: " +
-                    std::string(log.data()));
+        throw ciel::Error("the GL driver cannot link a shader program; update the driver. Its message: " +
+                          std::string(log.data()));
     }
     return program;
 }
@@ -53,4 +53,4 @@ ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment) {
     return make_shader_program(gl, cover_vertex, fragment);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Vertex shader for a triangle that covers the whole viewport. Draw three vertices without attributes.
 extern const char* const cover_vertex;
@@ -52,4 +52,4 @@ private:
 // The program runs `fragment` for every pixel of the viewport. Draw three vertices without attributes.
 [[nodiscard]] ShaderProgram make_cover_program(const Gl& gl, const std::string& fragment);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -1,6 +1,6 @@
 #include "render/context/vertex_arrays.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,
                                 std::initializer_list<VertexMember> members) {
@@ -20,4 +20,4 @@ VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,
     return arrays;
 }
 
-} // namespace ciel::render
+} // namespace server::render

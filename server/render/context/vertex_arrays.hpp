@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-namespace ciel::render {
+namespace server::render {
 
 struct VertexArrays { // names of GL objects, which exist until the GL context is destroyed
     GLuint array = 0, vertices = 0, indices = 0;
@@ -21,4 +21,4 @@ struct VertexMember {
 [[nodiscard]] VertexArrays make_vertex_arrays(const Gl& gl, std::size_t bytes_of_vertex,
                                               std::initializer_list<VertexMember> members);
 
-} // namespace ciel::render
+} // namespace server::render

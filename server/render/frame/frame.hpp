@@ -13,19 +13,19 @@
 #include <span>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 inline constexpr std::size_t most_clip_planes = 6;
 
 // Does not own the arrays, which must exist until the draw call returns.
 struct Primitives {
-    std::span<const Vec3f> positions; // offsets from the frame's origin
+    std::span<const ciel::Vec3f> positions; // offsets from the frame's origin
     // One per vertex; empty: flat shading. Normals point to the side from which the triangle is counterclockwise.
-    std::span<const Vec3f> normals;
-    ValuesView scalars; // one per vertex; empty: solid color
+    std::span<const ciel::Vec3f> normals;
+    ciel::ValuesView scalars; // one per vertex; empty: solid color
     // A number near the scalars, used if the scalars are doubles. Floats relative to this number are precise.
     double scalar_origin = 0;
-    std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
+    std::span<const ciel::Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
     // True: the lines lie on an opaque surface, so slopes of transparent surfaces do not move the lines.
@@ -79,4 +79,4 @@ struct Image {
 enum class DrawStage { upload, draw, read };
 using AfterStage = std::function<void(DrawStage)>;
 
-} // namespace ciel::render
+} // namespace server::render

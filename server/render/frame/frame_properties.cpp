@@ -1,6 +1,6 @@
 #include "render/frame/frame_properties.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 bool is_transparent(const Primitives& mesh) { return !mesh.lines && mesh.color[3] < 1; }
 
@@ -38,4 +38,4 @@ bool has_overlays_in_layers(const Frame& frame) {
             has(frame, [](const Primitives& mesh) { return is_transparent(mesh) && mesh.color[3] > 0; }));
 }
 
-} // namespace ciel::render
+} // namespace server::render

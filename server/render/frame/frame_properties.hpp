@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 
 // Largest number of peeled layers; layers behind them are not drawn. most_moving_layers is for frames with one sample
 // per pixel that have no volumes or that have transparent points. most_layers is for all other frames.
@@ -32,4 +32,4 @@ template <typename Is>
 [[nodiscard]] bool is_peeled(const Frame& frame);
 [[nodiscard]] bool has_overlays_in_layers(const Frame& frame);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Slab i begins at dot(normal, position) = first + i * thickness. Slice i is the cut of the mesh by the middle plane of
 // slab i. Does not own slices and boundary, which must exist until the draw call returns. If the boundary has gaps or
@@ -17,7 +17,7 @@ namespace ciel::render {
 struct Volume {
     std::span<const color::SlabMesh> slices;   // positions: offsets from the frame's origin
     const color::SlabMesh* boundary = nullptr; // faces around the mesh, counterclockwise seen from outside
-    Vec3d normal{0, 0, 1};                     // unit vector across the slabs
+    ciel::Vec3d normal{0, 0, 1};               // unit vector across the slabs
     double first = 0, thickness = 1;
     std::size_t stride = 1; // odd; only every stride-th slice is drawn, and each drawn slab is thicker by this factor
 
@@ -37,4 +37,4 @@ struct Volume {
     std::uint64_t identity = 0, revision = 0; // as in Primitives
 };
 
-} // namespace ciel::render
+} // namespace server::render

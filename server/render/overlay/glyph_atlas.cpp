@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 constexpr int first_side = 512; // side of the first texture in texels; it has room for about 600 glyphs of 13 pixels
 constexpr int last_side = 4096;
@@ -75,4 +75,4 @@ void GlyphAtlas::bind() {
     changed_top_ = changed_bottom_ = 0;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 #include <optional>
 #include <unordered_map>
 
-namespace ciel::render {
+namespace server::render {
 
 struct AtlasGlyph {
     int u = 0, v = 0, width = 0, height = 0; // texels
@@ -40,4 +40,4 @@ private:
     int changed_top_ = 0, changed_bottom_ = 0;             // range of texel rows not uploaded yet
 };
 
-} // namespace ciel::render
+} // namespace server::render

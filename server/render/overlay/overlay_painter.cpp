@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr float flat = 0, soft = 1, letter = 2, letter_halo = 3, plate = 4; // values of Vertex::kind
@@ -208,4 +208,4 @@ void OverlayPainter::draw(const Frame& frame) {
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

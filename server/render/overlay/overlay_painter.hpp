@@ -6,7 +6,7 @@
 #include "render/overlay/glyph_atlas.hpp"
 #include "render/target/touched_tiles.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 class OverlayPainter {
 public:
@@ -48,4 +48,4 @@ private:
     std::vector<Vertex> vertices_, uploaded_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr double most_reach = 0.25; // of the picture's height; with a larger radius, samples would be too far apart
@@ -30,8 +30,9 @@ void AmbientOcclusion::allocate(const Sheet& sheet, GLint format) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sheet.texture, 0);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw the ambient occlusion of a picture of this size; ask for a smaller "
-                    "picture, or switch ambient occlusion off");
+        throw ciel::Error(
+            "the GL driver cannot draw the ambient occlusion of a picture of this size; ask for a smaller "
+            "picture, or switch ambient occlusion off");
 }
 
 void AmbientOcclusion::resize(int width, int height) {
@@ -41,7 +42,7 @@ void AmbientOcclusion::resize(int width, int height) {
     try {
         allocate(found_, GL_RGBA32F);
         allocate(even_, GL_RG32F);
-    } catch (const Error&) {
+    } catch (const ciel::Error&) {
         width_ = height_ = 0; // the next call allocates again
         throw;
     }
@@ -89,4 +90,4 @@ void AmbientOcclusion::find(const Frame& frame, const annotations::ViewTransform
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

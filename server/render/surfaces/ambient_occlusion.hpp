@@ -11,7 +11,7 @@
 #include "render/frame/frame.hpp"
 #include "render/surfaces/opaque_depth.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed.
 class AmbientOcclusion {
@@ -44,4 +44,4 @@ private:
     int stride_ = 1, width_ = 0, height_ = 0; // picture pixels per texel along a side; size of the textures
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -1,6 +1,6 @@
 #include "render/surfaces/ambient_occlusion_shaders.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr const char* occlusion_fragment = R"(#version 330 core
@@ -165,4 +165,4 @@ float light_from_everywhere(float depth) {
 ShaderProgram make_occlusion_program(const Gl& gl) { return make_cover_program(gl, occlusion_fragment); }
 ShaderProgram make_even_light_program(const Gl& gl) { return make_cover_program(gl, even_light_fragment); }
 
-} // namespace ciel::render
+} // namespace server::render

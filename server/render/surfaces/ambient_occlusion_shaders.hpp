@@ -4,7 +4,7 @@
 
 #include "render/context/shader_program.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // The program writes R: share of the light, G: depth, BA: change of depth per texel along x and y.
 [[nodiscard]] ShaderProgram make_occlusion_program(const Gl& gl);
@@ -14,4 +14,4 @@ namespace ciel::render {
 // light_from_everywhere(depth) returns a factor for a lit color. The caller sets the uniforms.
 extern const char* const occluded_glsl;
 
-} // namespace ciel::render
+} // namespace server::render

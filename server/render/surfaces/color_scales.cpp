@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr int row_size = 1024; // texels per color scale
@@ -71,4 +71,4 @@ void ColorScales::bind() const {
     gl_.BindTexture(GL_TEXTURE_2D, colors_);
 }
 
-} // namespace ciel::render
+} // namespace server::render

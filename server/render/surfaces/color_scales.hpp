@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // `origin` is subtracted from the values, because floats have too few digits for a range such as 101,325 to 101,326.
 struct ScaleRow {
@@ -41,4 +41,4 @@ private:
     std::vector<color::ColorScale> next_, uploaded_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 
 #include <bit>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // Layers of this picture at twice its resolution take 1.06 GB: up to 32 bytes per layer pixel, without records.
@@ -77,7 +77,7 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     // The status of a framebuffer without color is not checked, because it is only the target of depth copies.
     if (color != 0 && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(
+        throw ciel::Error(
             "the GL driver cannot draw transparent surfaces in a picture of this size; ask for a smaller picture");
 }
 
@@ -120,7 +120,7 @@ void DepthPeeling::record(bool on) {
             gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
         gl_.DrawBuffers(on ? 2 : 1, both);
         if (on && gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw Error(
+            throw ciel::Error(
                 "the GL driver cannot draw transparent lines in a picture of this size; ask for a smaller picture");
     }
     if (on || !has_size) {
@@ -295,4 +295,4 @@ void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) co
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -10,7 +10,7 @@
 
 #include <functional>
 
-namespace ciel::render {
+namespace server::render {
 
 // Returns whether layers have twice the picture's resolution: with several samples, up to 3840 x 2160 pixels.
 [[nodiscard]] bool has_finer_layers(int width, int height, int samples);
@@ -98,4 +98,4 @@ private:
     int width_ = 0, height_ = 0, factor_ = 0; // picture pixels; layer pixels per picture pixel along a side
 };
 
-} // namespace ciel::render
+} // namespace server::render

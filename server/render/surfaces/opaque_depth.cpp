@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 OpaqueDepth::OpaqueDepth(const Gl& gl) : gl_(gl) {
     gl_.GenTextures(1, &texture_);
@@ -31,8 +31,8 @@ void OpaqueDepth::resize(int width, int height, bool with_normals) {
     if (!with_normals) gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     gl_.DrawBuffer(with_normals ? GL_COLOR_ATTACHMENT0 : GL_NONE);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw the depth of a picture of " + std::to_string(width) + " x " +
-                    std::to_string(height) + " pixels; ask for a smaller picture");
+        throw ciel::Error("the GL driver cannot draw the depth of a picture of " + std::to_string(width) + " x " +
+                          std::to_string(height) + " pixels; ask for a smaller picture");
     width_ = width;
     height_ = height;
     has_normals_ = with_normals;
@@ -50,4 +50,4 @@ void OpaqueDepth::go_on() const {
     gl_.Viewport(0, 0, width_, height_);
 }
 
-} // namespace ciel::render
+} // namespace server::render

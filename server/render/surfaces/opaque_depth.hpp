@@ -4,7 +4,7 @@
 
 #include "render/context/gl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class OpaqueDepth {
@@ -29,4 +29,4 @@ private:
     bool has_normals_ = false;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,7 +3,7 @@
 #include "render/surfaces/shared_glsl.hpp"
 #include "render/target/per_sample.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // At an outline, the larger of two depth differences is between two surfaces, so `rise` uses the smaller one.
@@ -91,4 +91,4 @@ ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {
                                       layers_picture_fragment);
 }
 
-} // namespace ciel::render
+} // namespace server::render

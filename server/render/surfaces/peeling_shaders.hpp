@@ -3,7 +3,7 @@
 
 #include "render/context/shader_program.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // Copies opaque depths to layers with 2 x 2 pixels per picture pixel. All 4 layer pixels of a picture pixel are then on
 // the same side of an outline: outliers get about the depth at the center of the picture pixel.
@@ -15,4 +15,4 @@ namespace ciel::render {
 // Composites all layers and volumes. Alpha is their transmittance. `per_sample`: for draw_per_sample().
 [[nodiscard]] ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample);
 
-} // namespace ciel::render
+} // namespace server::render

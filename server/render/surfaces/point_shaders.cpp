@@ -2,7 +2,7 @@
 #include "render/surfaces/shader_parts.hpp"
 #include "render/surfaces/shared_glsl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr const char* point_vertex = R"(#version 330 core
@@ -144,4 +144,4 @@ Program make_point_between_program(const Gl& gl, bool on_surfaces) {
     return make_program(gl, on_surfaces ? lying() : depth_layers_glsl + std::string(free_glsl), between_fragment);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -6,16 +6,16 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 
 void check_primitives(const Primitives& mesh) {
     const std::size_t vertices = mesh.positions.size();
-    Index largest = 0;
-    for (const Index vertex : mesh.indices) largest = std::max(largest, vertex);
+    ciel::Index largest = 0;
+    for (const ciel::Index vertex : mesh.indices) largest = std::max(largest, vertex);
     if ((!mesh.normals.empty() && mesh.normals.size() != vertices) ||
         (!mesh.scalars.empty() && mesh.scalars.size() != vertices) || mesh.indices.size() % corners_of(mesh) != 0 ||
         (!mesh.indices.empty() && largest >= vertices)) {
-        throw Error(
+        throw ciel::Error(
             "the arrays of a mesh to draw do not match; normals and scalars must be empty or one for each vertex, "
             "indices must be less than the number of vertices, and each primitive must be complete: there are " +
             std::to_string(vertices) + " vertices, " + std::to_string(mesh.normals.size()) + " normals, " +
@@ -52,7 +52,7 @@ void PrimitiveBuffers::load(const Primitives& mesh) {
     attribute(attribute_position, positions_, 3, mesh.positions.size_bytes(), mesh.positions.data());
     attribute(attribute_normal, normals_, 3, mesh.normals.size_bytes(), mesh.normals.data());
     std::vector<float> relative;
-    if (mesh.scalars.has_doubles()) relative = floats_from(mesh.scalar_origin, mesh.scalars);
+    if (mesh.scalars.has_doubles()) relative = ciel::floats_from(mesh.scalar_origin, mesh.scalars);
     const std::span<const float> scalars = mesh.scalars.has_doubles() ? relative : mesh.scalars.floats();
     attribute(attribute_scalar, scalars_, 1, scalars.size_bytes(), scalars.data());
     upload(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size_bytes(), mesh.indices.data());
@@ -74,4 +74,4 @@ void PrimitiveBuffers::draw(const Primitives& mesh, const ScaleRow& scale) const
     draw_elements(gl_, primitive_, 0, count_);
 }
 
-} // namespace ciel::render
+} // namespace server::render

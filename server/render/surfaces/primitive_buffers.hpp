@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Throws Error if sizes do not match or an index is too large: the GL would read past the ends of the arrays.
 void check_primitives(const Primitives& mesh);
@@ -34,4 +34,4 @@ private:
     std::size_t count_ = 0;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,7 +3,7 @@
 #include "ciel/types.hpp"
 #include "render/surfaces/shared_glsl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 const char* const surface_block = R"( Surface {
     // In eye space, in units of the bounds' diagonal, so that derivatives of small scenes do not underflow.
@@ -173,4 +173,4 @@ std::string with_color_scale(const std::string& body, const std::string& defines
     return "#version 330 core\n" + defines + color_scale_glsl + lighting_glsl + body;
 }
 
-} // namespace ciel::render
+} // namespace server::render

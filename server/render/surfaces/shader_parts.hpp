@@ -4,7 +4,7 @@
 #include "render/context/shader_program.hpp"
 #include "render/surfaces/shaders.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // GLSL interface block `surface`, to be written after "in" or "out". It is the output of surface_vertex.
 extern const char* const surface_block;
@@ -21,4 +21,4 @@ extern const char* const recorded_glsl;
 // Returns the text of a fragment shader: `defines`, then base_color(), the lighting, and `body`.
 [[nodiscard]] std::string with_color_scale(const std::string& body, const std::string& defines = "");
 
-} // namespace ciel::render
+} // namespace server::render

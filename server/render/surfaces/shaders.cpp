@@ -3,7 +3,7 @@
 #include "render/surfaces/ambient_occlusion_shaders.hpp"
 #include "render/surfaces/shared_glsl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // For the most common kind of mesh: one color, normals per vertex, no clip plane. Each interpolated number costs time
@@ -284,4 +284,4 @@ Program make_occluded_program(const Gl& gl) {
 
 Program make_line_program(const Gl& gl) { return make_line_program(gl, before_volume_glsl); }
 
-} // namespace ciel::render
+} // namespace server::render

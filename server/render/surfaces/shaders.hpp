@@ -4,7 +4,7 @@
 #include "render/context/gl.hpp"
 #include "render/frame/frame.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // An attribute without an array has one value for the whole mesh, so one program draws meshes with and without it.
 enum Attribute : GLuint {
@@ -60,4 +60,4 @@ struct Program {
 // Draws transparent points between two layers. `on_surfaces`: the points may lie on surfaces.
 [[nodiscard]] Program make_point_between_program(const Gl& gl, bool on_surfaces);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,7 @@ endforeach()
 file(CONFIGURE OUTPUT ${CIEL_SHARED_GLSL} @ONLY CONTENT [[
 #include "render/surfaces/shared_glsl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 const char* const color_scale_glsl = R"(
 @color_scale@)";
@@ -19,5 +19,5 @@ const char* const depth_layers_glsl = R"(
 const char* const lighting_glsl = R"(
 @lighting@)";
 
-} // namespace ciel::render
+} // namespace server::render
 ]])

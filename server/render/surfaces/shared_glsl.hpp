@@ -1,7 +1,7 @@
 // Shader text that the server and the web page share: protocol/shading/.
 #pragma once
 
-namespace ciel::render {
+namespace server::render {
 
 // base_color() returns the color of a value, or a solid color. Needs the two textures that ColorScales binds.
 extern const char* const color_scale_glsl;
@@ -12,4 +12,4 @@ extern const char* const depth_layers_glsl;
 // lit_surface() and lit_ball() shade a color. `lights`: strengths of ambient light, headlight and key light.
 extern const char* const lighting_glsl;
 
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Converts a float to an unsigned integer. The integers have the same order as the floats.
 [[nodiscard]] inline std::uint32_t sortable(float value) {
@@ -35,4 +35,4 @@ void sort_by_key(const Gl& gl, std::vector<Item>& items, std::vector<Item>& othe
     }
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -1,6 +1,6 @@
 #include "render/surfaces/surface_slopes.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 enum Unit : int { opaque_unit = 4, sheets_unit = 5 }; // texture units that lines and points do not use otherwise
@@ -66,4 +66,4 @@ void SurfaceSlopes::use(const Program& program) const {
     gl_.Uniform1i(program.sheet_slopes, sheets_unit);
 }
 
-} // namespace ciel::render
+} // namespace server::render

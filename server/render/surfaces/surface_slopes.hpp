@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class SurfaceSlopes {
@@ -37,4 +37,4 @@ private:
     int width_ = 0, height_ = 0;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
 
 TransparentTriangles::TransparentTriangles(const Gl& gl)
     : gl_(gl), arrays_(make_vertex_arrays(gl, sizeof(Vertex),
@@ -60,7 +60,7 @@ void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& parts) {
 
 void TransparentTriangles::add(const ScaledPrimitives& part) {
     const Primitives& mesh = *part.primitives;
-    const auto first = static_cast<Index>(vertices_.size());
+    const auto first = static_cast<ciel::Index>(vertices_.size());
     Vertex vertex{{}, {}, 0, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
     in_pieces(gl_, mesh.positions.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
@@ -83,8 +83,8 @@ void TransparentTriangles::upload_vertices() {
 }
 
 void TransparentTriangles::sort() {
-    const auto nearness = [&](Index corner) {
-        const Vec3f& p = vertices_[corner].position;
+    const auto nearness = [&](ciel::Index corner) {
+        const ciel::Vec3f& p = vertices_[corner].position;
         return depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
     };
     sorted_.resize(triangles_.size());
@@ -104,7 +104,7 @@ void TransparentTriangles::upload_order() {
     });
     if (indices_.empty()) return;
     gl_.BindVertexArray(arrays_.array);
-    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_.size() * sizeof(Index), indices_.data());
+    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_.size() * sizeof(ciel::Index), indices_.data());
 }
 
 void TransparentTriangles::draw() const {
@@ -112,4 +112,4 @@ void TransparentTriangles::draw() const {
     draw_elements(gl_, GL_TRIANGLES, 0, indices_.size());
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -10,7 +10,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 class TransparentTriangles {
 public:
@@ -24,14 +24,14 @@ public:
 
 private:
     struct Vertex {
-        Vec3f position, normal;
+        ciel::Vec3f position, normal;
         float scalar;
         std::array<float, 4> color;
         std::array<float, 2> style;
     };
     struct Triangle {
         std::uint32_t key; // larger is nearer
-        std::array<Index, 3> corners;
+        std::array<ciel::Index, 3> corners;
     };
     struct Held { // properties of a mesh on which its uploaded vertices depend
         std::uint64_t identity, revision;
@@ -55,7 +55,7 @@ private:
     std::vector<Triangle> triangles_; // in the order of the meshes, which decides the order of equal depths
     std::vector<Triangle> sorted_;    // in draw order
     std::vector<Triangle> other_;
-    std::vector<Index> indices_;
+    std::vector<ciel::Index> indices_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 #include "render/surfaces/shaders.hpp"
 #include "render/surfaces/sort_by_key.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 TransparentPoints::TransparentPoints(const Gl& gl)
     : gl_(gl), arrays_(make_vertex_arrays(gl, sizeof(Vertex),
@@ -72,9 +72,9 @@ void TransparentPoints::sort() {
     sorted_.resize(vertices_.size());
     in_pieces(gl_, vertices_.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
-            const Vec3f& p = vertices_[i].position;
+            const ciel::Vec3f& p = vertices_[i].position;
             const float nearness = depth_row_.x * p[0] + depth_row_.y * p[1] + depth_row_.z * p[2];
-            sorted_[i] = {sortable(-nearness), static_cast<Index>(i)};
+            sorted_[i] = {sortable(-nearness), static_cast<ciel::Index>(i)};
         }
     });
     sort_by_key(gl_, sorted_, other_);
@@ -87,7 +87,7 @@ void TransparentPoints::upload_order() {
     });
     if (order_.empty()) return;
     gl_.BindVertexArray(arrays_.array);
-    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, order_.size() * sizeof(Index), order_.data());
+    fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, order_.size() * sizeof(ciel::Index), order_.data());
 }
 
 void TransparentPoints::draw() const {
@@ -95,4 +95,4 @@ void TransparentPoints::draw() const {
     draw_elements(gl_, GL_POINTS, 0, order_.size());
 }
 
-} // namespace ciel::render
+} // namespace server::render

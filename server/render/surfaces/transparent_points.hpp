@@ -10,7 +10,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed.
 class TransparentPoints {
@@ -25,14 +25,14 @@ public:
 
 private:
     struct Vertex {
-        Vec3f position;
+        ciel::Vec3f position;
         float scalar, size;
         std::array<float, 4> color;
         std::array<float, 2> style;
     };
     struct Point {
         std::uint32_t key; // larger is farther
-        Index vertex;
+        ciel::Index vertex;
     };
     struct Held { // properties of a mesh on which its uploaded vertices depend
         std::uint64_t identity, revision;
@@ -55,7 +55,7 @@ private:
     std::vector<Held> held_;
     std::vector<Vertex> vertices_; // one per point, in the order of the meshes, which decides the order of equal depths
     std::vector<Point> sorted_, other_;
-    std::vector<Index> order_;
+    std::vector<ciel::Index> order_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

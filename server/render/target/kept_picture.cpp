@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr double most_by_tiles = 0.6; // share of the dirty tiles; above it, one full clear is faster
@@ -101,4 +101,4 @@ const Image& KeptPicture::read() {
     return picture_;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 #include "render/target/target.hpp"
 #include "render/target/touched_tiles.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 class KeptPicture {
 public:
@@ -36,4 +36,4 @@ private:
     Image clean_, picture_; // picture of the background without a frame; picture of the last frame
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -2,7 +2,7 @@
 
 #include "render/target/sheet.hpp"
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // Window depth is linear on a plane, so a large second difference of depths means an outline. Smaller ones also occur
@@ -73,4 +73,4 @@ void draw_per_sample(const Gl& gl, const ShaderProgram& program, const PerSample
     gl.DepthMask(GL_TRUE);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace ciel::render {
+namespace server::render {
 
 // GLSL of seen_from(), the position in pixels from which a fragment takes its color. If `of_samples`, it is the nearest
 // pixel whose ray hits or misses the surface as the samples do. Otherwise it is the position of the fragment.
@@ -22,4 +22,4 @@ struct PerSample {
 void draw_per_sample(const Gl& gl, const ShaderProgram& program, const PerSample& what,
                      const std::function<void()>& draw);
 
-} // namespace ciel::render
+} // namespace server::render

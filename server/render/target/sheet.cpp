@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 Sheet::Sheet(const Gl& gl) : gl_(&gl) {
     gl.GenTextures(1, &texture_);
@@ -20,8 +20,9 @@ void Sheet::size(GLint format, int width, int height) {
     gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
     width_ = 0; // invalid until the framebuffer is complete
     if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw volumes and transparent lines in a picture of " + std::to_string(width) +
-                    " x " + std::to_string(height) + " pixels; ask for a smaller picture");
+        throw ciel::Error("the GL driver cannot draw volumes and transparent lines in a picture of " +
+                          std::to_string(width) + " x " + std::to_string(height) +
+                          " pixels; ask for a smaller picture");
     format_ = format;
     width_ = width;
     height_ = height;
@@ -45,4 +46,4 @@ void bind(const Gl& gl, int unit, GLuint texture) {
     gl.ActiveTexture(GL_TEXTURE0);
 }
 
-} // namespace ciel::render
+} // namespace server::render

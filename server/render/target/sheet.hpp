@@ -3,7 +3,7 @@
 
 #include "render/context/gl.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed.
 class Sheet {
@@ -26,4 +26,4 @@ private:
 void filter(const Gl& gl, GLint how);
 void bind(const Gl& gl, int unit, GLuint texture);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr int band_rows = 32; // per glReadPixels; so few rows are still in the CPU cache when their alpha is removed
@@ -55,8 +55,8 @@ void Target::allocate(Layer& layer, int width, int height, int samples) {
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, layer.depth);
     layer.samples = -1; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error("the GL driver cannot draw a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels; ask for a smaller picture");
+        throw ciel::Error("the GL driver cannot draw a picture of " + std::to_string(width) + " x " +
+                          std::to_string(height) + " pixels; ask for a smaller picture");
     }
     layer.width = width;
     layer.height = height;
@@ -69,8 +69,9 @@ void Target::begin(int width, int height, int samples) {
     gl_.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     gl_.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
     if (width < 1 || height < 1 || width > largest || height > largest) {
-        throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels cannot be drawn; ask for a picture whose sides are from 1 to " + std::to_string(largest));
+        throw ciel::Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                          " pixels cannot be drawn; ask for a picture whose sides are from 1 to " +
+                          std::to_string(largest));
     }
     samples = std::min(samples, most_samples);
     drawn_ = samples > 1 ? &multisampled_ : &single_;
@@ -141,4 +142,4 @@ float Target::read_depth(int x, int y) {
     return depth;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed. A change of size keeps their names.
 class Target {
@@ -43,4 +43,4 @@ private:
     std::vector<std::uint8_t> rgba_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 struct Span { // range of tile indices, both ends included
@@ -26,7 +26,7 @@ public:
           half_height_(static_cast<float>(height) / 2), most_x_(static_cast<float>(width - 1)),
           most_y_(static_cast<float>(height - 1)), reach_(reach) {}
 
-    bool find(const Vec3f& position, Span& span) const {
+    bool find(const ciel::Vec3f& position, Span& span) const {
         const glm::vec4 place = matrix_ * glm::vec4(position[0], position[1], position[2], 1);
         if (!(place.w > 0) || !(place.z >= -place.w)) return false;
         const float x = (place.x / place.w + 1) * half_width_, y = (place.y / place.w + 1) * half_height_;
@@ -38,7 +38,7 @@ public:
 
     // A slanted line touches only a few tiles of its bounding box `whole`, so the line is divided into short pieces.
     template <class Function>
-    void for_pieces(const Vec3f& from, const Vec3f& to, const Span& whole, const Function& function) const {
+    void for_pieces(const ciel::Vec3f& from, const ciel::Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);
         Span last{}, next{};
         if (!find(from, last)) return function(whole);
@@ -139,4 +139,4 @@ std::vector<PixelBox> TouchedTiles::boxes(const TouchedTiles* except) const {
     return found;
 }
 
-} // namespace ciel::render
+} // namespace server::render

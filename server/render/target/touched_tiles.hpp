@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Box in pixels from the lower left, as OpenGL counts them.
 struct PixelBox {
@@ -44,4 +44,4 @@ private:
     std::vector<std::uint8_t> tiles_; // 1 where touched
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::render {
+namespace server::render {
 
-std::vector<std::vector<Index>> boundary_of_slabs(const Volume& volume) {
+std::vector<std::vector<ciel::Index>> boundary_of_slabs(const Volume& volume) {
     const std::size_t slabs = (volume.slices.size() + volume.stride - 1) / volume.stride;
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
-    std::vector<std::vector<Index>> lists(slabs);
+    std::vector<std::vector<ciel::Index>> lists(slabs);
     const color::SlabMesh& mesh = *volume.boundary;
-    const auto place = [&](Index vertex) {
-        const Vec3f& p = mesh.vertices[vertex].position;
+    const auto place = [&](ciel::Index vertex) {
+        const ciel::Vec3f& p = mesh.vertices[vertex].position;
         return (volume.normal[0] * p[0] + volume.normal[1] * p[1] + volume.normal[2] * p[2] - volume.first) / thickness;
     };
     const double last = static_cast<double>(slabs) - 1;
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-        const Index* triangle = &mesh.triangles[i];
+        const ciel::Index* triangle = &mesh.triangles[i];
         const auto [low, high] = std::minmax({place(triangle[0]), place(triangle[1]), place(triangle[2])});
         constexpr double rounding = 1e-3;
         const auto begin = static_cast<std::size_t>(std::clamp(std::floor(low - rounding), 0.0, last));
@@ -27,4 +27,4 @@ std::vector<std::vector<Index>> boundary_of_slabs(const Volume& volume) {
     return lists;
 }
 
-} // namespace ciel::render
+} // namespace server::render

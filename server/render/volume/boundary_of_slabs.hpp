@@ -3,10 +3,10 @@
 
 #include "render/frame/volume.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // Returns a list of triangles (three indices each) for each drawn slab, which consists of Volume::stride slabs. A
 // triangle on a border is in both lists; the edge program (slab_shaders.hpp) decides in which slab a pixel is drawn.
-[[nodiscard]] std::vector<std::vector<Index>> boundary_of_slabs(const Volume& volume);
+[[nodiscard]] std::vector<std::vector<ciel::Index>> boundary_of_slabs(const Volume& volume);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Consecutive entries of an index buffer; `base` is added to each index.
 struct IndexRange {
@@ -19,11 +19,11 @@ struct IndexRange {
 
 struct BoxedRange {
     IndexRange range;
-    Vec3f low, high; // bounding box of the positions
+    ciel::Vec3f low, high; // bounding box of the positions
 };
 
 // `range`: the part of the index buffer that contains `triangles`. `at`: returns the position of a vertex.
-[[nodiscard]] std::vector<BoxedRange> boxed_ranges_of(const IndexRange& range, std::span<const Index> triangles,
-                                                      const std::function<const Vec3f&(Index)>& at);
+[[nodiscard]] std::vector<BoxedRange> boxed_ranges_of(const IndexRange& range, std::span<const ciel::Index> triangles,
+                                                      const std::function<const ciel::Vec3f&(ciel::Index)>& at);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -10,14 +10,14 @@
 #include <glm/vec3.hpp>
 #include <numeric>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr int cells = 256;             // cells per side of the grid that covers the mesh in the plane of the slabs
 constexpr double worth_splitting = 40; // triangles with a larger extent are split; unit: cells
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
-glm::dvec3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3f& v) { return {v[0], v[1], v[2]}; }
 
 // across(): distance along the slabs' normal. along(): two coordinates parallel to the slabs, in cells.
 class Places {
@@ -37,7 +37,7 @@ public:
         per_length_ = static_cast<double>(cells) / glm::max(high - low_, glm::dvec2(1e-300));
     }
     [[nodiscard]] double across(const glm::dvec3& p) const { return glm::dot(across_, p); }
-    [[nodiscard]] glm::dvec2 along(const Vec3f& position) const {
+    [[nodiscard]] glm::dvec2 along(const ciel::Vec3f& position) const {
         const glm::dvec3 p = vector_of(position);
         return (glm::dvec2(glm::dot(along_[0], p), glm::dot(along_[1], p)) - low_) * per_length_;
     }
@@ -103,7 +103,7 @@ public:
         : places_(places), low_(middle - tolerance * half), high_(middle + tolerance * half),
           margin_(places.cells_of(widest_inner * half)) {}
 
-    void add(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    void add(const ciel::Vec3f& a, const ciel::Vec3f& b, const ciel::Vec3f& c) {
         Polygon piece{{point_of(a), point_of(b), point_of(c)}, 3};
         piece = piece.cut([this](const Point& point) { return point.across - low_; });
         piece = piece.cut([this](const Point& point) { return high_ - point.across; });
@@ -160,7 +160,7 @@ private:
         }
     };
 
-    [[nodiscard]] Point point_of(const Vec3f& position) const {
+    [[nodiscard]] Point point_of(const ciel::Vec3f& position) const {
         return {places_.along(position), places_.across(vector_of(position))};
     }
     static std::size_t index(int row) { return static_cast<std::size_t>(row); }
@@ -204,7 +204,7 @@ public:
     }
 
     SortedSlice sort() && {
-        const std::vector<Index>& corners = slice_.triangles;
+        const std::vector<ciel::Index>& corners = slice_.triangles;
         for (std::size_t i = 0; i < corners.size(); i += 3) add({corners[i], corners[i + 1], corners[i + 2]});
         sorted_.outer = sorted_.triangles.size();
         sorted_.triangles.insert(sorted_.triangles.end(), inner_.begin(), inner_.end());
@@ -212,15 +212,15 @@ public:
     }
 
 private:
-    using Triangle = std::array<Index, 3>;
+    using Triangle = std::array<ciel::Index, 3>;
 
-    [[nodiscard]] const color::SlabVertex& vertex(Index i) const {
+    [[nodiscard]] const color::SlabVertex& vertex(ciel::Index i) const {
         return i < slice_.vertices.size() ? slice_.vertices[i] : sorted_.more[i - slice_.vertices.size()];
     }
 
     void add(const Triangle& triangle) {
         Box box;
-        for (const Index corner : triangle) box.add(places_[corner]);
+        for (const ciel::Index corner : triangle) box.add(places_[corner]);
         if (!near_.has_any(box)) {
             inner_.insert(inner_.end(), triangle.begin(), triangle.end());
         } else if (const glm::dvec2 size = box.high - box.low; std::max(size.x, size.y) > worth_splitting) {
@@ -232,10 +232,10 @@ private:
 
     void split(const Triangle& triangle) {
         const std::size_t edge = longest_edge({places_[triangle[0]], places_[triangle[1]], places_[triangle[2]]});
-        const Index a = triangle[edge], b = triangle[(edge + 1) % 3], c = triangle[(edge + 2) % 3];
+        const ciel::Index a = triangle[edge], b = triangle[(edge + 1) % 3], c = triangle[(edge + 2) % 3];
         color::SlabVertex middle = halfway(vertex(a), vertex(b));
         middle.limits = vertex(triangle[0]).limits;
-        const auto m = static_cast<Index>(slice_.vertices.size() + sorted_.more.size());
+        const auto m = static_cast<ciel::Index>(slice_.vertices.size() + sorted_.more.size());
         sorted_.more.push_back(middle);
         places_.push_back(0.5 * (places_[a] + places_[b]));
         add({m, c, a});
@@ -256,23 +256,23 @@ private:
     const NearBoundary& near_;
     std::vector<glm::dvec2> places_; // coordinates of the vertices along the slabs, in cells
     SortedSlice sorted_;
-    std::vector<Index> inner_;
+    std::vector<ciel::Index> inner_;
 };
 
 } // namespace
 
-std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::vector<Index>> boundary_of_slab) {
+std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::vector<ciel::Index>> boundary_of_slab) {
     std::vector<SortedSlice> out(boundary_of_slab.size());
     const Places places(volume);
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
-    parallel_for(out.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(out.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t slab = begin; slab < end; ++slab) {
             const std::size_t i = slab * volume.stride + volume.stride / 2;
             if (i >= volume.slices.size()) continue;
             const color::SlabMesh& slice = volume.slices[i];
             const double middle = volume.first + (static_cast<double>(slab) + 0.5) * thickness;
             NearBoundary near(places, middle, thickness / 2);
-            const std::vector<Index>& list = boundary_of_slab[slab];
+            const std::vector<ciel::Index>& list = boundary_of_slab[slab];
             for (std::size_t k = 0; k < list.size(); k += 3)
                 near.add(volume.boundary->vertices[list[k]].position, volume.boundary->vertices[list[k + 1]].position,
                          volume.boundary->vertices[list[k + 2]].position);
@@ -283,4 +283,4 @@ std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::
     return out;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -4,13 +4,13 @@
 
 #include "render/frame/volume.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // Inner triangles are last. Large triangles near the boundary are split, so that most of their area is inner.
 struct SortedSlice {
     const color::SlabMesh* slice = nullptr; // not owned; its vertices have the first indices
     std::vector<color::SlabVertex> more;    // vertices from splits; their indices follow the vertices of the slice
-    std::vector<Index> triangles;
+    std::vector<ciel::Index> triangles;
     std::size_t outer = 0; // number of indices in `triangles` before the first inner triangle
 };
 
@@ -21,6 +21,6 @@ inline constexpr double widest_inner = 3;
 // Returns the middle slice of each drawn slab, which consists of Volume::stride slabs; empty if there is no such slice.
 // `boundary_of_slab`: result of boundary_of_slabs(). The volume's slices must outlive the result.
 [[nodiscard]] std::vector<SortedSlice> sort_slices(const Volume& volume,
-                                                   std::span<const std::vector<Index>> boundary_of_slab);
+                                                   std::span<const std::vector<ciel::Index>> boundary_of_slab);
 
-} // namespace ciel::render
+} // namespace server::render

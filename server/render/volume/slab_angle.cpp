@@ -6,12 +6,12 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 using Corners = std::array<glm::dvec3, 8>;
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 // Returns infinity unless all rays are on the same side of the plane through the eye with this normal.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
@@ -26,7 +26,7 @@ double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
 
 } // namespace
 
-double slab_angle(const VolumeView& view, const Vec3d& normal) {
+double slab_angle(const VolumeView& view, const ciel::Vec3d& normal) {
     const glm::dmat4 eye = glm::inverse(view.transform->view);
     const glm::dvec2 corner = view.rays_of_pixels().corner;
     const glm::dvec3 low = vector_of(view.low), high = vector_of(view.high);
@@ -40,4 +40,4 @@ double slab_angle(const VolumeView& view, const Vec3d& normal) {
     return view.frame->camera.parallel ? widest : std::min(widest, widest_tangent(vector_of(normal), box));
 }
 
-} // namespace ciel::render
+} // namespace server::render

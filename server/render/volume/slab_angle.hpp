@@ -3,9 +3,9 @@
 
 #include "render/volume/volume_rays.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 // Returns the tangent of this angle, or an upper bound. Returns infinity if a ray may run parallel to the slabs.
-[[nodiscard]] double slab_angle(const VolumeView& view, const Vec3d& normal);
+[[nodiscard]] double slab_angle(const VolumeView& view, const ciel::Vec3d& normal);
 
-} // namespace ciel::render
+} // namespace server::render

@@ -15,7 +15,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 // Outputs values as positions in the transfer table, from 0 to 1, and gradients in eye space as change of this position
@@ -286,4 +286,4 @@ ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind) {
 
 ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind) { return make_slab_program(gl, true, kind); }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 
 #include <compare>
 
-namespace ciel::render {
+namespace server::render {
 
 enum VolumeAttribute : GLuint {
     volume_position = 0,
@@ -29,4 +29,4 @@ struct SlabProgramKind {
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 
-} // namespace ciel::render
+} // namespace server::render

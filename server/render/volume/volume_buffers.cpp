@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstddef>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 template <class T>
@@ -19,13 +19,14 @@ GLsizeiptr bytes(const std::vector<T>& items) {
 void check(const color::SlabMesh& mesh) {
     const auto largest = std::ranges::max_element(mesh.triangles);
     if (mesh.triangles.size() % 3 != 0 || (largest != mesh.triangles.end() && *largest >= mesh.vertices.size()))
-        throw Error("a slice or the boundary of a volume has wrong triangles; each triangle must have three vertex "
-                    "indices that are less than " +
-                    std::to_string(mesh.vertices.size()) + ", the number of vertices");
+        throw ciel::Error(
+            "a slice or the boundary of a volume has wrong triangles; each triangle must have three vertex "
+            "indices that are less than " +
+            std::to_string(mesh.vertices.size()) + ", the number of vertices");
 }
 
 VolumeBuffers::Bounds bounds_of(const color::SlabMesh& mesh) {
-    VolumeBuffers::Bounds bounds{mesh.vertices.empty() ? Vec3f{} : mesh.vertices[0].position, {}};
+    VolumeBuffers::Bounds bounds{mesh.vertices.empty() ? ciel::Vec3f{} : mesh.vertices[0].position, {}};
     bounds.high = bounds.low;
     for (const color::SlabVertex& vertex : mesh.vertices)
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -40,7 +41,7 @@ std::uint64_t places_of(const color::SlabMesh& mesh) {
     const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
     for (const color::SlabVertex& vertex : mesh.vertices)
         for (const float coordinate : vertex.position) add(std::bit_cast<std::uint32_t>(coordinate));
-    for (const Index corner : mesh.triangles) add(corner);
+    for (const ciel::Index corner : mesh.triangles) add(corner);
     return hash;
 }
 
@@ -60,8 +61,9 @@ void VolumeBuffers::load(const Volume& volume) {
     const bool same_slices = identity_ == volume.identity && revision_ == volume.revision && revision_ != 0;
     if (same_slices && stride_ == volume.stride) return;
     if (volume.boundary == nullptr || volume.stride == 0 || !(volume.thickness > 0) || volume.slices.empty())
-        throw Error("a volume to draw lacks slices, a boundary, a stride above 0, or a distance above 0 between its "
-                    "slices; give all of them");
+        throw ciel::Error(
+            "a volume to draw lacks slices, a boundary, a stride above 0, or a distance above 0 between its "
+            "slices; give all of them");
     revision_ = 0; // not valid if anything below throws
     if (!same_slices)
         for (const color::SlabMesh& slice : volume.slices) check(slice);
@@ -96,29 +98,31 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
         const auto base = static_cast<GLint>(vertices);
         if (sorted.slice != nullptr) append(sorted.slice->vertices);
         append(sorted.more);
-        gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(indices * sizeof(Index)),
+        gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(indices * sizeof(ciel::Index)),
                           bytes(sorted.triangles), sorted.triangles.data());
         const auto all = static_cast<GLsizei>(sorted.triangles.size()), outer = static_cast<GLsizei>(sorted.outer);
         slice_of_slab_.push_back({{indices, outer, base}, {indices + sorted.outer, all - outer, base}});
-        slice_ranges_.push_back(boxed_ranges_of({indices, all, base}, sorted.triangles, [&](Index i) -> const Vec3f& {
-            const std::size_t own = sorted.slice->vertices.size();
-            return i < own ? sorted.slice->vertices[i].position : sorted.more[i - own].position;
-        }));
+        slice_ranges_.push_back(
+            boxed_ranges_of({indices, all, base}, sorted.triangles, [&](ciel::Index i) -> const ciel::Vec3f& {
+                const std::size_t own = sorted.slice->vertices.size();
+                return i < own ? sorted.slice->vertices[i].position : sorted.more[i - own].position;
+            }));
         indices += sorted.triangles.size();
     }
 }
 
-void VolumeBuffers::upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<Index>>& lists) {
-    std::vector<Index> indices = mesh.triangles;
+void VolumeBuffers::upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<ciel::Index>>& lists) {
+    std::vector<ciel::Index> indices = mesh.triangles;
     boundary_places_ = places_of(mesh);
     bounds_ = bounds_of(mesh);
     whole_boundary_ = {0, static_cast<GLsizei>(indices.size()), 0};
     boundary_of_slab_.clear();
     boundary_ranges_.clear();
-    for (const std::vector<Index>& list : lists) {
+    for (const std::vector<ciel::Index>& list : lists) {
         boundary_of_slab_.push_back({indices.size(), static_cast<GLsizei>(list.size()), 0});
-        boundary_ranges_.push_back(boxed_ranges_of(boundary_of_slab_.back(), list,
-                                                   [&](Index i) -> const Vec3f& { return mesh.vertices[i].position; }));
+        boundary_ranges_.push_back(
+            boxed_ranges_of(boundary_of_slab_.back(), list,
+                            [&](ciel::Index i) -> const ciel::Vec3f& { return mesh.vertices[i].position; }));
         indices.insert(indices.end(), list.begin(), list.end());
     }
     gl_.BindVertexArray(boundary_.array);
@@ -131,4 +135,4 @@ void VolumeBuffers::draw(const IndexRange& range) const {
     draw_elements(gl_, GL_TRIANGLES, range.first, static_cast<std::size_t>(range.count), range.base);
 }
 
-} // namespace ciel::render
+} // namespace server::render

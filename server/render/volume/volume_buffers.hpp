@@ -6,12 +6,12 @@
 #include "render/volume/boxed_ranges.hpp"
 #include "render/volume/inner_polygons.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 class VolumeBuffers {
 public:
     struct Bounds { // box of the boundary's positions
-        Vec3f low, high;
+        ciel::Vec3f low, high;
     };
     struct Slice {
         IndexRange outer, inner; // triangles (inner_polygons.hpp)
@@ -41,7 +41,7 @@ public:
 
 private:
     void upload_slices(const std::vector<SortedSlice>& slices);
-    void upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<Index>>& lists);
+    void upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<ciel::Index>>& lists);
 
     const Gl& gl_;
     VertexArrays slices_, boundary_;
@@ -55,4 +55,4 @@ private:
     std::uint64_t boundary_places_ = 0;
 };
 
-} // namespace ciel::render
+} // namespace server::render

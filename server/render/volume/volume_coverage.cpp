@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr const char* boundary_vertex = R"(#version 330 core
@@ -72,8 +72,8 @@ void VolumeCoverage::allocate(int width, int height, int samples) {
     attach(samples_buffer_, GL_R8, GL_COLOR_ATTACHMENT0);
     attach(depth_buffer_, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw the outline of a volume in a picture of " + std::to_string(width) +
-                    " x " + std::to_string(height) + " pixels; ask for a smaller picture");
+        throw ciel::Error("the GL driver cannot draw the outline of a volume in a picture of " + std::to_string(width) +
+                          " x " + std::to_string(height) + " pixels; ask for a smaller picture");
     width_ = width;
     height_ = height;
     samples_ = samples;
@@ -166,4 +166,4 @@ void VolumeCoverage::finish() {
     gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

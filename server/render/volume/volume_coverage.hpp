@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed.
 class VolumeCoverage {
@@ -40,4 +40,4 @@ private:
     VolumeView view_;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr double rounding = 1e-6; // tolerance for comparisons, as a share of a slab's thickness
@@ -131,4 +131,4 @@ std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double ey
     return order;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 struct SlabRow { // slabs of one volume; slab i begins at first + i * thickness
     double first = 0, thickness = 1;
@@ -33,4 +33,4 @@ struct SlabPieces {
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 
-} // namespace ciel::render
+} // namespace server::render

@@ -12,13 +12,13 @@
 #include <limits>
 #include <utility>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr int table_unit = 1; // for the transfer table; VolumeRays does not use it
 enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // compositing programs
 
-glm::dvec3 vector_of(const Vec3d& v) { return {v[0], v[1], v[2]}; }
+glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 // Returns (a, b) so that value * a + b is from 0 to 1 in the transfer table. An empty range is mapped to the middle.
 glm::vec2 normalisation(const color::ColorScale& scale) {
@@ -51,11 +51,12 @@ GLint format_of_picture(const Frame& frame) {
 void check_directions(const Frame& frame) {
     for (const Volume& volume : frame.volumes) {
         if (volume.normal != frame.volumes[0].normal)
-            throw Error(
+            throw ciel::Error(
                 "the volumes of one picture are sliced in different directions; give all volumes the same direction");
         if (!std::isfinite(volume.first) || !std::isfinite(volume.thickness))
-            throw Error("the slices of a volume have a position or a distance that is not a finite number; both must "
-                        "be finite");
+            throw ciel::Error(
+                "the slices of a volume have a position or a distance that is not a finite number; both must "
+                "be finite");
     }
 }
 
@@ -365,7 +366,7 @@ glm::vec4 VolumePainter::half_of_slab(const Volume& volume, double from_eye) con
 }
 
 double VolumePainter::eye_across(const Frame& frame) const {
-    const Vec3d& normal = frame.volumes[0].normal;
+    const ciel::Vec3d& normal = frame.volumes[0].normal;
     if (!frame.camera.parallel) return view_.eye_along(normal);
     const glm::dvec3 back(glm::inverse(view_.transform->view)[2]);
     const double infinity = std::numeric_limits<double>::infinity();
@@ -405,4 +406,4 @@ void VolumePainter::put_on_picture(float opacity, bool coarse, bool per_sample) 
     gl_.Disable(GL_SCISSOR_TEST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

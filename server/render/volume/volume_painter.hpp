@@ -14,7 +14,7 @@
 #include <list>
 #include <map>
 
-namespace ciel::render {
+namespace server::render {
 
 // The GL objects exist until the GL context is destroyed.
 class VolumePainter {
@@ -112,4 +112,4 @@ private:
     double slab_angle_ = 0; // result of slab_angle()
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr float never = 1e30F; // a depth behind everything; the constant `never` of the shaders
@@ -47,13 +47,13 @@ glm::vec2 VolumeView::parallel_depths() const {
     return {static_cast<float>((b + 1) / a), static_cast<float>(-2 / a)};
 }
 
-double VolumeView::eye_along(const Vec3d& normal) const {
+double VolumeView::eye_along(const ciel::Vec3d& normal) const {
     return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
 }
 
 // If this is true, part_fragment moves entries of rays away from the eye, because boundary faces may coincide.
 bool VolumeView::eye_is_in_bounds() const {
-    const Vec3d& eye = frame->camera.position;
+    const ciel::Vec3d& eye = frame->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (eye[axis] < frame->bounds_min[axis] || eye[axis] > frame->bounds_max[axis]) return false;
     return !frame->camera.parallel;
@@ -246,4 +246,4 @@ void VolumeRays::cover_box() const {
     gl_.Disable(GL_SCISSOR_TEST);
 }
 
-} // namespace ciel::render
+} // namespace server::render

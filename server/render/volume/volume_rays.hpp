@@ -10,7 +10,7 @@
 #include <list>
 #include <map>
 
-namespace ciel::render {
+namespace server::render {
 
 // A ray part is an interval of a ray inside a mesh. Parts are reused if these inputs are equal.
 struct RayPlaces {
@@ -27,7 +27,7 @@ struct VolumeView {
     GLuint opaque = 0;         // texture of the window depths at which rays end, or 0
     int width = 0, height = 0; // size of the volumes' picture in pixels, one ray per pixel
     // Bounding box of the meshes of all volumes, as offsets from the frame's origin.
-    Vec3d low{}, high{};
+    ciel::Vec3d low{}, high{};
 
     // The ray of pixel p in eye space. Its x and y at a given depth are
     // side_corner + side_step * p + depth * (corner + step * p).
@@ -38,7 +38,7 @@ struct VolumeView {
     void set_rays(const ShaderProgram& program) const; // `program` must be in use
     // Returns (nearest depth, farthest depth - nearest depth); (0, 0) for a perspective view.
     [[nodiscard]] glm::vec2 parallel_depths() const;
-    [[nodiscard]] double eye_along(const Vec3d& normal) const;
+    [[nodiscard]] double eye_along(const ciel::Vec3d& normal) const;
     [[nodiscard]] bool is_clipped() const { return !frame->clip.empty(); }
     [[nodiscard]] bool eye_is_in_bounds() const;
     [[nodiscard]] RayPlaces places() const;
@@ -94,4 +94,4 @@ private:
     GLuint query_ = 0, no_array_ = 0, begins_ = 0;
 };
 
-} // namespace ciel::render
+} // namespace server::render

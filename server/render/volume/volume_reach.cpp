@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr const char* version = "#version 330 core\n";
@@ -89,9 +89,9 @@ void VolumeReach::size(const VolumeView& view, GLuint picture) {
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
     width_ = 0; // invalid until the framebuffer is complete
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the GL driver cannot draw volumes between transparent surfaces in a picture of " +
-                    std::to_string(view.width) + " x " + std::to_string(view.height) +
-                    " pixels; ask for a smaller picture");
+        throw ciel::Error("the GL driver cannot draw volumes between transparent surfaces in a picture of " +
+                          std::to_string(view.width) + " x " + std::to_string(view.height) +
+                          " pixels; ask for a smaller picture");
     width_ = view.width;
     height_ = view.height;
 }
@@ -153,7 +153,7 @@ void VolumeReach::read_tiles() {
     gl_.ReadPixels(0, 0, columns_, rows_, GL_RED, GL_FLOAT, farthest_.data());
 }
 
-bool VolumeReach::meets(const Vec3f& low, const Vec3f& high) const {
+bool VolumeReach::meets(const ciel::Vec3f& low, const ciel::Vec3f& high) const {
     glm::dvec3 first(1e30), last(-1e30);
     for (unsigned corner = 0; corner < 8; ++corner) {
         const glm::dvec4 place((corner & 1U) != 0 ? high[0] : low[0], (corner & 2U) != 0 ? high[1] : low[1],
@@ -179,4 +179,4 @@ bool VolumeReach::meets(const Vec3f& low, const Vec3f& high) const {
     return false;
 }
 
-} // namespace ciel::render
+} // namespace server::render

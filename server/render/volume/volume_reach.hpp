@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ciel::render {
+namespace server::render {
 
 // Window depths, and colors with alpha 0 outside the layer. Their size may be any multiple of the volumes' picture.
 struct LayerInVolumes {
@@ -26,7 +26,7 @@ public:
     void begin(const VolumeView& view, const LayerInVolumes& layer, const Sheet& picture, const glm::dvec3& slabs);
 
     // Returns whether a part of the box may be in front of the layer.
-    [[nodiscard]] bool meets(const Vec3f& low, const Vec3f& high) const;
+    [[nodiscard]] bool meets(const ciel::Vec3f& low, const ciel::Vec3f& high) const;
 
 private:
     void read_tiles();
@@ -43,4 +43,4 @@ private:
     int width_ = 0, height_ = 0;
 };
 
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr const char* version = "#version 330 core\n";
@@ -238,4 +238,4 @@ ShaderProgram make_volume_picture_program(const Gl& gl, RaysOfPicture rays) {
                 picture_fragment);
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ciel::render {
+namespace server::render {
 
 // Largest number of parts of a ray inside the mesh. Behind them, slices are drawn as if the mesh continued.
 inline constexpr int most_ray_parts = 8;
@@ -26,4 +26,4 @@ inline constexpr int most_ray_parts = 8;
 enum class RaysOfPicture { one_for_each_pixel, one_for_samples, one_for_several_pixels };
 [[nodiscard]] ShaderProgram make_volume_picture_program(const Gl& gl, RaysOfPicture rays);
 
-} // namespace ciel::render
+} // namespace server::render

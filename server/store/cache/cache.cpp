@@ -1,6 +1,6 @@
 #include "store/cache/cache.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 std::shared_ptr<const void> Cache::get_erased(const std::string& key, const std::function<Made()>& make) {
     const std::shared_ptr<Slot> mine = slot(key);
@@ -44,4 +44,4 @@ std::size_t Cache::bytes() const {
     return bytes_;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -11,7 +11,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace ciel::store {
+namespace server::store {
 
 class Cache {
 public:
@@ -52,4 +52,4 @@ private:
     std::unordered_map<std::string, Entry> entries_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 void check_stretch(const MappedFile& file, CheckedStretches& stretches, std::size_t stretch) {
@@ -29,7 +29,7 @@ void check_stretch(const MappedFile& file, CheckedStretches& stretches, std::siz
 void load_stretches(const MappedFile& file, CheckedStretches& stretches, std::size_t begin, std::size_t end) {
     if (begin >= end || stretches.are_all_checked()) return;
     const std::size_t size = stretches.checks().bytes_each, first = begin / size;
-    parallel_for((end - 1) / size + 1 - first, 16, [&](std::size_t from, std::size_t to) {
+    ciel::parallel_for((end - 1) / size + 1 - first, 16, [&](std::size_t from, std::size_t to) {
         for (std::size_t stretch = first + from; stretch < first + to; ++stretch)
             if (!stretches.is_checked(stretch)) check_stretch(file, stretches, stretch);
     });
@@ -41,7 +41,7 @@ CheckedStretches::CheckedStretches(std::size_t file_bytes, StretchChecks checks)
 
 void CheckedFile::load_all() const {
     constexpr std::size_t stretches_per_task = 16;
-    parallel_for(stretches_->count(), stretches_per_task, [this](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(stretches_->count(), stretches_per_task, [this](std::size_t begin, std::size_t end) {
         for (std::size_t stretch = begin; stretch < end; ++stretch)
             if (!stretches_->is_checked(stretch)) check(stretch);
     });
@@ -60,4 +60,4 @@ void CheckedFile::check(std::size_t stretch) const {
     check_stretch(file_, *stretches_, stretch);
 }
 
-} // namespace ciel::store
+} // namespace server::store

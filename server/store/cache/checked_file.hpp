@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 struct StretchChecks {
     std::size_t bytes_each = 0;
@@ -76,8 +76,8 @@ private:
 
 // The caller must load the stretches that contain the numbers before it reads the numbers.
 struct ValuesToLoad {
-    ValuesView values; // empty if `file` is null
+    ciel::ValuesView values; // empty if `file` is null
     std::shared_ptr<const CheckedFile> file;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 std::shared_ptr<const CheckedFile> ChunkCache::get(const std::filesystem::path& file, std::size_t bytes,
                                                    const std::function<StretchChecks()>& checks) {
@@ -72,4 +72,4 @@ void ChunkCache::for_each(const std::function<void(const CheckedFile&)>& visit) 
     }
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -11,7 +11,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace ciel::store {
+namespace server::store {
 
 // Keeps the `most_kept` most recently used files mapped, and all files that a caller still holds. Does not keep all
 // files mapped, because the system allows a process 65,530 mappings, and a dataset can have more chunks.
@@ -51,4 +51,4 @@ private:
     std::unordered_map<const Entry*, Kept::iterator> place_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

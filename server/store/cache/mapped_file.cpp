@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace ciel::store {
+namespace server::store {
 
 namespace {
 
@@ -165,4 +165,4 @@ void MappedFile::refuse() const {
     refuse_changed(path_);
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -16,7 +16,7 @@
 #include <span>
 #include <sys/stat.h>
 
-namespace ciel::store {
+namespace server::store {
 
 struct WatchedMapping; // watched_mappings.hpp
 
@@ -87,4 +87,4 @@ private:
     WatchedMapping* watched_ = nullptr;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 ElementType type_of(const std::string& name) {
@@ -21,26 +21,26 @@ ElementType type_of(const std::string& name) {
 }
 
 bool is_cell_type(std::uint8_t type) {
-    switch (static_cast<CellType>(type)) {
-    case CellType::tetrahedron:
-    case CellType::hexahedron:
-    case CellType::wedge:
-    case CellType::pyramid:
-    case CellType::polyhedron:
+    switch (static_cast<ciel::CellType>(type)) {
+    case ciel::CellType::tetrahedron:
+    case ciel::CellType::hexahedron:
+    case ciel::CellType::wedge:
+    case ciel::CellType::pyramid:
+    case ciel::CellType::polyhedron:
         return true;
     }
     return false;
 }
 
 // The loop has no branches. Therefore it takes hardly more time than reading the indices.
-Index highest(std::span<const Index> ids) {
-    Index result = 0;
-    for (const Index id : ids) result = std::max(result, id);
+ciel::Index highest(std::span<const ciel::Index> ids) {
+    ciel::Index result = 0;
+    for (const ciel::Index id : ids) result = std::max(result, id);
     return result;
 }
 
 void check_below(const MappedFile& file, std::uint64_t limit, const char* of_what) {
-    const auto ids = file.as<Index>();
+    const auto ids = file.as<ciel::Index>();
     if (!ids.empty() && highest(ids) >= limit)
         refuse_damage(file.path(), "holds index " + std::to_string(highest(ids)) + ", but there are only " +
                                        std::to_string(limit) + " " + of_what);
@@ -58,22 +58,22 @@ void check_offsets(const MappedFile& file, std::uint64_t corners) {
 }
 
 bool is_sorted(const MappedFile& file, std::size_t begin, std::size_t end) {
-    const auto ids = file.as<Index>().subspan(begin, end - begin);
+    const auto ids = file.as<ciel::Index>().subspan(begin, end - begin);
     return std::is_sorted(ids.begin(), ids.end());
 }
 
 void check_neighbours(const MappedFile& owner, const MappedFile& neighbour, std::uint64_t cells) {
-    const auto own = owner.as<Index>();
-    const auto other = neighbour.as<Index>();
+    const auto own = owner.as<ciel::Index>();
+    const auto other = neighbour.as<ciel::Index>();
     bool wrong = false;
     for (std::size_t i = 0; i < other.size(); ++i)
-        wrong |= other[i] != none && (other[i] >= cells || other[i] <= own[i]);
+        wrong |= other[i] != ciel::none && (other[i] >= cells || other[i] <= own[i]);
     if (wrong)
         refuse_damage(neighbour.path(), "has a cell that does not exist or is not greater than the owner of its face");
 }
 
 void check_ascending(const MappedFile& file) {
-    const auto ids = file.as<Index>();
+    const auto ids = file.as<ciel::Index>();
     if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) != ids.end())
         refuse_damage(file.path(), "is not sorted or contains an id twice");
 }
@@ -100,10 +100,10 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
 
     for (const char* group : {"faces", "types", "groups", "numbers"}) verified_[group];
     for (const char* name : layout::id_arrays) stretches_[name];
-    vertex_count_ = array("original_vertex").as<Index>().size();
+    vertex_count_ = array("original_vertex").as<ciel::Index>().size();
     if (vertex_count_ == 0 || cell_count() == 0 || (!has_numbers() && stored_faces() == 0))
         refuse_damage(directory_, "is an empty mesh");
-    if (vertex_count_ >= none || cell_count() >= none || stored_faces() >= none)
+    if (vertex_count_ >= ciel::none || cell_count() >= ciel::none || stored_faces() >= ciel::none)
         refuse(directory_,
                "has more than 4,294,967,294 vertices, faces or cells, the limit for a mesh; import a smaller mesh");
     check_sizes();
@@ -163,7 +163,10 @@ void MappedMesh::map_group(std::size_t index) {
     const MappedFile& file = array("groups/" + std::to_string(index));
     const std::uint64_t limit = of == Group::Of::faces ? stored_faces() : cell_count();
     groups_.push_back(
-        {of, name, {file.as<Index>(), static_cast<Index>(limit), keeper("groups/" + std::to_string(index))}, facts});
+        {of,
+         name,
+         {file.as<ciel::Index>(), static_cast<ciel::Index>(limit), keeper("groups/" + std::to_string(index))},
+         facts});
 }
 
 CheckedStretches& MappedMesh::stretches_of(const std::string& ids) const {
@@ -188,7 +191,7 @@ const std::string& MappedMesh::checksum_of(const std::string& name) const {
 }
 
 void MappedMesh::verify_checksums(const std::vector<std::string>& names) const {
-    parallel_for(names.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(names.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const MappedFile& file = array(names[i]);
             if (checksum(file.bytes()) != checksum_of(names[i]))
@@ -208,13 +211,13 @@ void MappedMesh::verify_faces() const {
     const MappedFile &vertices = array(face_array("face_vertex")), &owner = array(face_array("owner"));
     const std::vector<std::function<void()>> checks{
         [&] { check_below(vertices, vertex_count_, "vertices"); },
-        [&] { check_offsets(array(face_array("face_offset")), vertices.as<Index>().size()); },
+        [&] { check_offsets(array(face_array("face_offset")), vertices.as<ciel::Index>().size()); },
         [&] { check_below(owner, cell_count(), "cells"); },
         [&] {
             check_neighbours(owner, array(face_array("neighbour")), cell_count());
             check_order();
         }};
-    parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ciel::parallel_for(checks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) checks[i]();
     });
 }
@@ -228,12 +231,12 @@ void MappedMesh::verify_types() const {
 // Numbered faces have two parts, each sorted by owner: the boundary faces, then the faces inside the mesh.
 void MappedMesh::check_order() const {
     const auto& owner = array(face_array("owner"));
-    const auto neighbour = array(face_array("neighbour")).as<Index>();
+    const auto neighbour = array(face_array("neighbour")).as<ciel::Index>();
     const std::size_t boundary = attributes_.info.boundary_faces, first_inner = has_numbers() ? boundary : 0;
-    check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(neighbour, none)));
+    check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(neighbour, ciel::none)));
     if (!is_sorted(owner, 0, first_inner) || !is_sorted(owner, first_inner, neighbour.size()))
         refuse_damage(owner.path(), "is not sorted in ascending order");
-    if (std::ranges::any_of(neighbour.first(first_inner), [](Index cell) { return cell != none; }))
+    if (std::ranges::any_of(neighbour.first(first_inner), [](ciel::Index cell) { return cell != ciel::none; }))
         refuse_damage(array(face_array("neighbour")).path(), "has a face inside the mesh among the boundary faces");
 }
 
@@ -262,62 +265,63 @@ void MappedMesh::verify() const {
     (void)solver_vertex();
     (void)solver_cell();
     if (!blocks_) return;
-    const TopologyCounts counts = stored_topology().counts();
+    const ciel::TopologyCounts counts = stored_topology().counts();
     const MeshInfo& info = attributes_.info;
     if (counts.vertices != info.vertices || counts.cells != info.cells || counts.faces != info.faces ||
         counts.boundary_faces != info.boundary_faces)
         refuse_damage(directory_ / layout::attributes_document,
                       "declares other numbers of vertices, faces or cells than the blocks have");
-    for (const RecordKind kind : record_kinds)
-        parallel_for(blocks_->block_count(), 8, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t b = begin; b < end; ++b) (void)blocks_->read(static_cast<Index>(b), kind);
+    for (const ciel::RecordKind kind : record_kinds)
+        ciel::parallel_for(blocks_->block_count(), 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) (void)blocks_->read(static_cast<ciel::Index>(b), kind);
         });
 }
 
-FaceMeshView MappedMesh::view_points(ValuesView positions) const {
-    return face_mesh_view(attributes_.origin, positions, cell_types(), {}, {}, {}, {});
+ciel::FaceMeshView MappedMesh::view_points(ciel::ValuesView positions) const {
+    return ciel::face_mesh_view(attributes_.origin, positions, cell_types(), {}, {}, {}, {});
 }
 
-FaceMeshView MappedMesh::with_stored_faces(FaceMeshView points) const {
+ciel::FaceMeshView MappedMesh::with_stored_faces(ciel::FaceMeshView points) const {
     verified_.at("faces").once([this] { verify_faces(); });
-    const auto vertices = array(face_array("face_vertex")).as<Index>();
-    const Index cells = points.cell_count();
+    const auto vertices = array(face_array("face_vertex")).as<ciel::Index>();
+    const ciel::Index cells = points.cell_count();
     points.face_offset = {array(face_array("face_offset")).as<std::uint64_t>(), vertices.size() + 1,
                           keeper(face_array("face_offset"))};
     points.face_vertex = {vertices, points.vertex_count(), keeper(face_array("face_vertex"))};
-    points.owner = {array(face_array("owner")).as<Index>(), cells, keeper(face_array("owner"))};
-    points.neighbour = {array(face_array("neighbour")).as<Index>(), cells, keeper(face_array("neighbour"))};
+    points.owner = {array(face_array("owner")).as<ciel::Index>(), cells, keeper(face_array("owner"))};
+    points.neighbour = {array(face_array("neighbour")).as<ciel::Index>(), cells, keeper(face_array("neighbour"))};
     return points;
 }
 
 void MappedMesh::number_faces() const {
     verified_.at("groups").once([this] { verify_groups(); });
     verified_.at("numbers").once([this] {
-        std::vector<std::vector<Index>> ids(groups_.size());
+        std::vector<std::vector<ciel::Index>> ids(groups_.size());
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
         // view_points({}) has no positions. Therefore its vertex count is 0, and the limit of face_vertex is set here.
-        FaceMeshView mesh = with_stored_faces(view_points({}));
-        mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<Index>(vertex_count_), keeper("face_vertex")};
+        ciel::FaceMeshView mesh = with_stored_faces(view_points({}));
+        mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<ciel::Index>(vertex_count_),
+                            keeper("face_vertex")};
         NumberedGroups numbered = number_groups(mesh, ids);
         // Checks the files again, because they may have changed since the first check, and `numbered` is kept.
         for (const auto& [name, file] : arrays_)
             if (!has_its_checksum(name, file)) file.refuse();
-        check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, none)));
+        check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, ciel::none)));
         numbered_ = std::move(numbered);
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces)
-                groups_[i].ids = {numbered_.ids[i], static_cast<Index>(numbered_.faces.owner.size())};
+                groups_[i].ids = {numbered_.ids[i], static_cast<ciel::Index>(numbered_.faces.owner.size())};
     });
 }
 
-FaceMeshView MappedMesh::numbered_faces(FaceMeshView points) const {
+ciel::FaceMeshView MappedMesh::numbered_faces(ciel::FaceMeshView points) const {
     if (has_numbers()) return with_stored_faces(std::move(points));
     number_faces();
-    return with_faces(std::move(points), numbered_.faces);
+    return ciel::with_faces(std::move(points), numbered_.faces);
 }
 
-FaceMeshView MappedMesh::first_faces(FaceMeshView faces) const {
+ciel::FaceMeshView MappedMesh::first_faces(ciel::FaceMeshView faces) const {
     const std::size_t count = attributes_.info.boundary_faces;
     faces.face_offset = faces.face_offset.part(0, count + 1);
     faces.owner = faces.owner.part(0, count);
@@ -325,19 +329,21 @@ FaceMeshView MappedMesh::first_faces(FaceMeshView faces) const {
     return faces;
 }
 
-FaceMeshView MappedMesh::boundary(FaceMeshView points) const { return first_faces(numbered_faces(std::move(points))); }
+ciel::FaceMeshView MappedMesh::boundary(ciel::FaceMeshView points) const {
+    return first_faces(numbered_faces(std::move(points)));
+}
 
-FaceMeshView MappedMesh::all_faces(FaceMeshView points) const {
+ciel::FaceMeshView MappedMesh::all_faces(ciel::FaceMeshView points) const {
     verified_.at("types").once([this] { verify_types(); });
     if (!has_numbers()) return with_stored_faces(std::move(points));
     const std::lock_guard lock(making_faces_);
     auto faces = all_faces_.lock();
     if (!faces) {
-        faces = std::make_shared<const FaceLists>(ciel::all_faces(stored_topology(), boundary(points)));
+        faces = std::make_shared<const ciel::FaceLists>(ciel::all_faces(stored_topology(), boundary(points)));
         check_intact();
         all_faces_ = faces;
     }
-    FaceMeshView mesh = with_faces(std::move(points), *faces);
+    ciel::FaceMeshView mesh = ciel::with_faces(std::move(points), *faces);
     mesh.keep_alive = std::make_shared<const std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>>(
         mesh.keep_alive, faces);
     return mesh;
@@ -370,4 +376,4 @@ void MappedMesh::check_intact() const {
     if (blocks_) blocks_->check_intact();
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <optional>
 
-namespace ciel::store {
+namespace server::store {
 
 class MappedMesh {
 public:
@@ -31,30 +31,32 @@ public:
     // When an array is first requested, the functions below check its checksum and its indices. They throw Error that
     // names a damaged file. Files may change later. Therefore views check each index again when the index is read.
     [[nodiscard]] const std::vector<Group>& groups() const;
-    [[nodiscard]] std::span<const Index> original_vertex() const { return ids<Index>("original_vertex"); }
-    [[nodiscard]] std::span<const Index> original_cell() const { return ids<Index>("original_cell"); }
+    [[nodiscard]] std::span<const ciel::Index> original_vertex() const { return ids<ciel::Index>("original_vertex"); }
+    [[nodiscard]] std::span<const ciel::Index> original_cell() const { return ids<ciel::Index>("original_cell"); }
     // An id of -1 means that the solver gave no id. Empty if the imported file has no solver ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
     // Return nullopt if the imported file has no solver ids. Only the stretch that contains the id is checked.
-    [[nodiscard]] Index original_vertex(Index vertex) const { return *id<Index>("original_vertex", vertex); }
-    [[nodiscard]] Index original_cell(Index cell) const { return *id<Index>("original_cell", cell); }
-    [[nodiscard]] std::optional<std::int64_t> solver_vertex(Index vertex) const {
+    [[nodiscard]] ciel::Index original_vertex(ciel::Index vertex) const {
+        return *id<ciel::Index>("original_vertex", vertex);
+    }
+    [[nodiscard]] ciel::Index original_cell(ciel::Index cell) const { return *id<ciel::Index>("original_cell", cell); }
+    [[nodiscard]] std::optional<std::int64_t> solver_vertex(ciel::Index vertex) const {
         return id<std::int64_t>("solver_vertex", vertex);
     }
-    [[nodiscard]] std::optional<std::int64_t> solver_cell(Index cell) const {
+    [[nodiscard]] std::optional<std::int64_t> solver_cell(ciel::Index cell) const {
         return id<std::int64_t>("solver_cell", cell);
     }
     // `positions`: offsets from the mesh's origin. Returns no faces and reads no array.
-    [[nodiscard]] FaceMeshView view_points(ValuesView positions) const;
-    [[nodiscard]] FaceMeshView numbered_faces(FaceMeshView points) const;
-    [[nodiscard]] FaceMeshView boundary(FaceMeshView points) const;
+    [[nodiscard]] ciel::FaceMeshView view_points(ciel::ValuesView positions) const;
+    [[nodiscard]] ciel::FaceMeshView numbered_faces(ciel::FaceMeshView points) const;
+    [[nodiscard]] ciel::FaceMeshView boundary(ciel::FaceMeshView points) const;
     // The faces inside the mesh are made from the blocks, or, in format 1, read from the arrays.
-    [[nodiscard]] FaceMeshView all_faces(FaceMeshView points) const;
+    [[nodiscard]] ciel::FaceMeshView all_faces(ciel::FaceMeshView points) const;
     // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
-    [[nodiscard]] Topology stored_topology() const { return blocks_->topology(); }
-    [[nodiscard]] Index block_count() const { return blocks_->block_count(); }
+    [[nodiscard]] ciel::Topology stored_topology() const { return blocks_->topology(); }
+    [[nodiscard]] ciel::Index block_count() const { return blocks_->block_count(); }
     void verify() const; // reads and checks all arrays and records; throws Error at the first damaged file
     // Throws Error when a file has shrunk, or has changed and no longer matches its checksum. Calls stat for each file.
     void check_unchanged();
@@ -70,7 +72,7 @@ private:
         return found->second.as<T>();
     }
     template <typename T>
-    [[nodiscard]] std::optional<T> id(const std::string& name, Index of) const {
+    [[nodiscard]] std::optional<T> id(const std::string& name, ciel::Index of) const {
         const auto found = arrays_.find(name);
         if (found == arrays_.end()) return std::nullopt;
         load_stretches(found->second, stretches_of(name), of * sizeof(T), (std::size_t{of} + 1) * sizeof(T));
@@ -79,7 +81,7 @@ private:
     [[nodiscard]] CheckedStretches& stretches_of(const std::string& ids) const;
     [[nodiscard]] std::span<const std::uint8_t> cell_types() const { return array("cell_types").as<std::uint8_t>(); }
     // A view calls refuse() on any thread when an index is out of range or contradicts another array.
-    class Keeper final : public ArrayKeeper {
+    class Keeper final : public ciel::ArrayKeeper {
     public:
         Keeper(const MappedMesh& mesh, std::string name) : mesh_(mesh), name_(std::move(name)) {}
         [[noreturn]] void refuse() const override { mesh_.refuse_changed(name_); }
@@ -89,7 +91,7 @@ private:
         std::string name_;
     };
     [[noreturn]] void refuse_changed(const std::string& suspected) const;
-    [[nodiscard]] const ArrayKeeper* keeper(const std::string& name) const { return &keepers_.at(name); }
+    [[nodiscard]] const ciel::ArrayKeeper* keeper(const std::string& name) const { return &keepers_.at(name); }
     void map(const std::string& name, ElementType type);
     void map_group(std::size_t index);
     void check_sizes() const;
@@ -104,10 +106,10 @@ private:
     // In format 1, the arrays of faces are not in the folder and have all faces.
     [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
     [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
-    [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<Index>().size(); }
-    [[nodiscard]] FaceMeshView with_stored_faces(FaceMeshView points) const;
+    [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<ciel::Index>().size(); }
+    [[nodiscard]] ciel::FaceMeshView with_stored_faces(ciel::FaceMeshView points) const;
     void number_faces() const;
-    [[nodiscard]] FaceMeshView first_faces(FaceMeshView faces) const;
+    [[nodiscard]] ciel::FaceMeshView first_faces(ciel::FaceMeshView faces) const;
 
     std::filesystem::path directory_;
     std::string dataset_id_;
@@ -122,7 +124,7 @@ private:
     std::shared_ptr<const StoredBlocks> blocks_; // null if the mesh was stored without blocks
     mutable NumberedGroups numbered_;            // only in format 1; made when faces or groups are first used
     mutable std::mutex making_faces_;
-    mutable std::weak_ptr<const FaceLists> all_faces_; // null if no caller uses all faces
+    mutable std::weak_ptr<const ciel::FaceLists> all_faces_; // null if no caller uses all faces
 
     // Runs a check at the first call of once(). If the check throws, the next call runs it again. Thread-safe.
     class Verified {
@@ -145,4 +147,4 @@ private:
     mutable std::map<std::string, Verified> verified_; // by name of an array, or of a check of several arrays
 };
 
-} // namespace ciel::store
+} // namespace server::store

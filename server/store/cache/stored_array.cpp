@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::store {
+namespace server::store {
 
 namespace fs = std::filesystem;
 
@@ -56,7 +56,7 @@ void refuse_infinite(std::span<const std::byte> stretch, bool doubles, const fs:
 
 ValuesToLoad view_of(std::shared_ptr<const CheckedFile> chunk, bool doubles) {
     const MappedFile& file = chunk->file();
-    return {doubles ? ValuesView(file.as<double>()) : ValuesView(file.as<float>()), std::move(chunk)};
+    return {doubles ? ciel::ValuesView(file.as<double>()) : ciel::ValuesView(file.as<float>()), std::move(chunk)};
 }
 
 Values loaded(ValuesToLoad to_load) {
@@ -64,4 +64,4 @@ Values loaded(ValuesToLoad to_load) {
     return {to_load.values, std::move(to_load.file)};
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 struct ArrayLayout {
     std::filesystem::path directory;
@@ -47,17 +47,19 @@ void refuse_infinite(std::span<const std::byte> stretch, bool doubles, const std
 [[nodiscard]] Values loaded(ValuesToLoad to_load); // loads all stretches
 
 // Keeps the file of positions mapped.
-class PositionsLoader final : public VertexLoader {
+class PositionsLoader final : public ciel::VertexLoader {
 public:
     PositionsLoader(ValuesToLoad positions, std::size_t blocks)
-        : VertexLoader(blocks), file_(std::move(positions.file)),
+        : ciel::VertexLoader(blocks), file_(std::move(positions.file)),
           vertex_bytes_(3 * (positions.values.has_doubles() ? sizeof(double) : sizeof(float))) {}
 
-    void load(Index begin, Index end) const override { file_->load(begin * vertex_bytes_, end * vertex_bytes_); }
+    void load(ciel::Index begin, ciel::Index end) const override {
+        file_->load(begin * vertex_bytes_, end * vertex_bytes_);
+    }
 
 private:
     std::shared_ptr<const CheckedFile> file_;
     std::size_t vertex_bytes_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

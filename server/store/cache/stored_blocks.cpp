@@ -8,31 +8,33 @@
 #include <atomic>
 #include <mutex>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 // RecordSource requires 1 MiB of readable bytes after a record: a wrong index in a changed record can lead there.
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 
-class MappedSource final : public RecordSource {
+class MappedSource final : public ciel::RecordSource {
 public:
     explicit MappedSource(std::shared_ptr<const StoredBlocks> blocks) : blocks_(std::move(blocks)) {}
 
-    std::span<const std::byte> record(Index block, RecordKind kind) override { return blocks_->mapped(block, kind); }
+    std::span<const std::byte> record(ciel::Index block, ciel::RecordKind kind) override {
+        return blocks_->mapped(block, kind);
+    }
     [[nodiscard]] std::size_t memory_bytes() const override { return 0; }
 
 private:
     std::shared_ptr<const StoredBlocks> blocks_;
 };
 
-class CopyingSource final : public RecordSource {
+class CopyingSource final : public ciel::RecordSource {
 public:
     CopyingSource(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
         : blocks_(std::move(blocks)), is_trusted_(is_trusted) {
         for (auto& of_kind : kept_) of_kind.resize(blocks_->block_count());
     }
 
-    std::span<const std::byte> record(Index block, RecordKind kind) override {
+    std::span<const std::byte> record(ciel::Index block, ciel::RecordKind kind) override {
         const std::lock_guard lock(reading_[block % reading_.size()]);
         std::vector<std::uint64_t>& kept = kept_[place_of_kind(kind)].at(block);
         if (kept.empty()) {
@@ -58,7 +60,8 @@ BlockIndex read_index(const std::filesystem::path& mesh, const std::string& data
     return parse_block_index(bytes_of(read_text(file, layout::index_bytes)), dataset_id, file);
 }
 
-InputFile open_records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number, std::uint64_t bytes) {
+InputFile open_records(const std::filesystem::path& mesh, ciel::RecordKind kind, std::size_t number,
+                       std::uint64_t bytes) {
     InputFile file(layout::records(mesh, kind, number));
     if (file.size() != bytes)
         refuse_damage(file.path(), "has " + std::to_string(file.size()) + " bytes, but the index declares " +
@@ -85,14 +88,14 @@ StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string&
     }
 }
 
-Topology StoredBlocks::topology(bool is_trusted) const {
+ciel::Topology StoredBlocks::topology(bool is_trusted) const {
     const auto tables = std::as_bytes(std::span(index_.tables));
     if (access_ == FileAccess::mapped && !is_trusted)
         return {tables, std::make_unique<MappedSource>(shared_from_this())};
     return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
 }
 
-void StoredBlocks::check_head(File& file, RecordKind kind) const {
+void StoredBlocks::check_head(File& file, ciel::RecordKind kind) const {
     if (file.has_head) return;
     const auto mapped = file.mapped.bytes();
     std::array<std::byte, file_head_bytes> head;
@@ -113,7 +116,7 @@ bool StoredBlocks::read_into(const RecordPlace& place, const File& file, std::ve
            checksum_number(bytes) == place.checksum;
 }
 
-std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) const {
+std::vector<std::uint64_t> StoredBlocks::read(ciel::Index block, ciel::RecordKind kind) const {
     const std::size_t of_kind = place_of_kind(kind);
     const RecordPlace& place = index_.places[of_kind].at(block);
     File& file = *files_[of_kind][place.file];
@@ -123,7 +126,7 @@ std::vector<std::uint64_t> StoredBlocks::read(Index block, RecordKind kind) cons
     return record;
 }
 
-std::span<const std::byte> StoredBlocks::mapped(Index block, RecordKind kind) const {
+std::span<const std::byte> StoredBlocks::mapped(ciel::Index block, ciel::RecordKind kind) const {
     const std::size_t of_kind = place_of_kind(kind);
     const RecordPlace& place = index_.places[of_kind].at(block);
     File& file = *files_[of_kind][place.file];
@@ -137,7 +140,7 @@ std::span<const std::byte> StoredBlocks::mapped(Index block, RecordKind kind) co
     return record;
 }
 
-void StoredBlocks::refuse_record(File& file, Index block) const {
+void StoredBlocks::refuse_record(File& file, ciel::Index block) const {
     const std::lock_guard lock(checking_);
     if (file.in.changed_at() != file.changed_at) lose(file);
     refuse_damage(file.in.path(), "does not match the checksum of block " + std::to_string(block));
@@ -173,4 +176,4 @@ void StoredBlocks::lose(File& file) const {
     refuse_open_file(file.in.path(), "changed");
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -11,7 +11,7 @@
 #include <memory>
 #include <mutex>
 
-namespace ciel::store {
+namespace server::store {
 
 // Thread-safe. A topology that was made from this object keeps the object alive. When a file is changed in place,
 // copied records stay the same, and mapped records read as zeros or as the new content. Any content is safe: a topology
@@ -25,12 +25,12 @@ public:
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
     // is_trusted: true if this process has written the records. The topology then copies them and does not check them.
-    [[nodiscard]] Topology topology(bool is_trusted = false) const;
+    [[nodiscard]] ciel::Topology topology(bool is_trusted = false) const;
     // Returns a copy of a record. Throws Error that names the file when the record cannot be read or is damaged.
-    [[nodiscard]] std::vector<std::uint64_t> read(Index block, RecordKind kind) const;
+    [[nodiscard]] std::vector<std::uint64_t> read(ciel::Index block, ciel::RecordKind kind) const;
     // Only for FileAccess::mapped. Throws Error as read does.
-    [[nodiscard]] std::span<const std::byte> mapped(Index block, RecordKind kind) const;
-    [[nodiscard]] Index block_count() const { return static_cast<Index>(index_.places[0].size()); }
+    [[nodiscard]] std::span<const std::byte> mapped(ciel::Index block, ciel::RecordKind kind) const;
+    [[nodiscard]] ciel::Index block_count() const { return static_cast<ciel::Index>(index_.places[0].size()); }
     // Throws Error when a file has changed and a record no longer matches its checksum. Calls stat once for each file.
     void check_unchanged() const;
     void check_intact() const; // throws Error when a file is known to have changed or shrunk
@@ -46,9 +46,9 @@ private:
         std::atomic<bool> is_lost = false;
     };
     [[nodiscard]] bool read_into(const RecordPlace& place, const File& file, std::vector<std::uint64_t>& record) const;
-    void check_head(File& file, RecordKind kind) const;
+    void check_head(File& file, ciel::RecordKind kind) const;
     void check_file(std::size_t kind, std::size_t number) const;
-    [[noreturn]] void refuse_record(File& file, Index block) const;
+    [[noreturn]] void refuse_record(File& file, ciel::Index block) const;
     [[noreturn]] void lose(File& file) const;
 
     std::string dataset_id_;
@@ -61,4 +61,4 @@ private:
     std::array<std::unique_ptr<std::atomic<std::uint8_t>[]>, 3> verified_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

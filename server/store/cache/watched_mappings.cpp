@@ -5,7 +5,7 @@
 #include <mutex>
 #include <sys/mman.h>
 
-namespace ciel::store {
+namespace server::store {
 
 // Nodes are never deleted, so that the signal handler can read the list at any time. begin == 0: the node is free.
 struct WatchedMapping {
@@ -99,4 +99,4 @@ void note_change(WatchedMapping& mapping) { lose(mapping, Loss::changed); }
 
 std::size_t lost_mapping_count() { return lost_count; }
 
-} // namespace ciel::store
+} // namespace server::store

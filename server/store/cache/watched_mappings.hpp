@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cstddef>
 
-namespace ciel::store {
+namespace server::store {
 
 struct WatchedMapping;
 
@@ -22,4 +22,4 @@ void note_change(WatchedMapping& mapping); // marks the mapping as lost (Loss::c
 // Counts the mappings that are lost and still watched.
 [[nodiscard]] std::size_t lost_mapping_count();
 
-} // namespace ciel::store
+} // namespace server::store

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::string_view beside_mark = ".new-"; // part of the names of temporary files, which are FILE.new-PID
@@ -44,7 +44,7 @@ bool is_beside(const std::string& name) {
 } // namespace
 
 FileError::FileError(const std::filesystem::path& file, const std::string& sentence)
-    : Error(file.string() + ": " + sentence) {
+    : ciel::Error(file.string() + ": " + sentence) {
     std::filesystem::path shown;
     for (const std::filesystem::path& part : file) {
         if (shown.empty() && part.extension() != ".ciel") continue;
@@ -59,7 +59,7 @@ bool is_out_of_memory(const std::exception& error) {
     if (const auto* failed = dynamic_cast<const std::system_error*>(&error))
         return failed->code() == std::errc::not_enough_memory ||
                failed->code() == std::errc::resource_unavailable_try_again;
-    if (dynamic_cast<const Error*>(&error) != nullptr) return false;
+    if (dynamic_cast<const ciel::Error*>(&error) != nullptr) return false;
     // TBB throws an exception when it cannot start a thread. Only the message distinguishes it from other exceptions.
     return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
 }
@@ -245,4 +245,4 @@ bool lock_directory(const std::filesystem::path& directory, Descriptor& lock) {
     return true;
 }
 
-} // namespace ciel::store
+} // namespace server::store

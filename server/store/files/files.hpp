@@ -12,11 +12,11 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::store {
+namespace server::store {
 
 // what() contains the full path of the file. for_clients() is sent to clients: it contains the path from the dataset's
 // directory NAME.ciel on, or only the file name if the file is in no dataset.
-class FileError : public Error {
+class FileError : public ciel::Error {
 public:
     FileError(const std::filesystem::path& file, const std::string& sentence);
     [[nodiscard]] const std::string& for_clients() const { return for_clients_; }
@@ -112,4 +112,4 @@ private:
 // Locks until `lock` is destroyed or the process ends. Returns false at once if the directory is locked already.
 [[nodiscard]] bool lock_directory(const std::filesystem::path& directory, Descriptor& lock);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <sys/vfs.h>
 
-namespace ciel::store {
+namespace server::store {
 
 bool is_on_this_machine(const std::filesystem::path& path) {
     // Values of statfs::f_type, from statfs(2) and from the headers of the file systems.
@@ -29,4 +29,4 @@ bool is_on_this_machine(const std::filesystem::path& path) {
     return std::ranges::find(remote, static_cast<std::uint32_t>(status.f_type)) == remote.end();
 }
 
-} // namespace ciel::store
+} // namespace server::store

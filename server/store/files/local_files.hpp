@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace ciel::store {
+namespace server::store {
 
 // Also returns true if the file system cannot be examined.
 [[nodiscard]] bool is_on_this_machine(const std::filesystem::path& path);
@@ -15,4 +15,4 @@ enum class FileAccess { mapped, read };
     return is_on_this_machine(directory) ? FileAccess::mapped : FileAccess::read;
 }
 
-} // namespace ciel::store
+} // namespace server::store

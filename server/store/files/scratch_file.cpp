@@ -8,11 +8,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 [[noreturn]] void fail_errno(const std::string& sentence, int number) {
-    throw Error(sentence + " (" + std::strerror(number) + ")");
+    throw ciel::Error(sentence + " (" + std::strerror(number) + ")");
 }
 
 // For file systems without O_TMPFILE: creates a file with a name and unlinks it at once.
@@ -62,4 +62,4 @@ void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
     }
 }
 
-} // namespace ciel::store
+} // namespace server::store

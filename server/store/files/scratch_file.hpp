@@ -4,7 +4,7 @@
 
 #include "store/files/files.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 // Not thread-safe.
 class ScratchFile {
@@ -21,4 +21,4 @@ private:
     Descriptor file_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

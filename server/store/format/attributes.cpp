@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::uint64_t most_components = 64;
@@ -212,4 +212,4 @@ std::string to_text(const ArrayInfo& array) {
 
 std::string group_attributes_text(const GroupName& group) { return to_text(nlohmann::json{{"ciel", to_json(group)}}); }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace ciel::store {
+namespace server::store {
 
 [[nodiscard]] DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string root_attributes_text(const DatasetInfo& info);
@@ -18,7 +18,7 @@ struct GroupName {
 };
 
 struct MeshAttributes {
-    Vec3d origin{};
+    ciel::Vec3d origin{};
     MeshInfo info;
     std::vector<GroupName> groups;
     // By name of the topology array. The name of a group is "groups/<index>".
@@ -33,4 +33,4 @@ struct MeshAttributes {
 [[nodiscard]] std::string to_text(const ArrayInfo& array);
 [[nodiscard]] std::string group_attributes_text(const GroupName& group);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 // The bytes after the common file head. Offsets are in bytes from the beginning of the file.
@@ -28,7 +28,7 @@ void check_place(const RecordPlace& place, std::span<const std::uint64_t> files,
 
 } // namespace
 
-std::size_t place_of_kind(RecordKind kind) {
+std::size_t place_of_kind(ciel::RecordKind kind) {
     return static_cast<std::size_t>(std::ranges::find(record_kinds, kind) - record_kinds.begin());
 }
 
@@ -67,4 +67,4 @@ BlockIndex parse_block_index(std::span<const std::byte> bytes, const std::string
     return index;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -11,12 +11,13 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 // The kinds are in the order in which the index lists them.
-inline constexpr std::array<RecordKind, 3> record_kinds{RecordKind::cells, RecordKind::around, RecordKind::mates};
+inline constexpr std::array<ciel::RecordKind, 3> record_kinds{ciel::RecordKind::cells, ciel::RecordKind::around,
+                                                              ciel::RecordKind::mates};
 
-[[nodiscard]] std::size_t place_of_kind(RecordKind kind); // index of `kind` in record_kinds
+[[nodiscard]] std::size_t place_of_kind(ciel::RecordKind kind); // index of `kind` in record_kinds
 
 struct RecordPlace {
     std::uint16_t file = 0;     // number of the file among the files of the same record kind
@@ -44,4 +45,4 @@ struct BlockIndex {
 [[nodiscard]] BlockIndex parse_block_index(std::span<const std::byte> bytes, const std::string& dataset_id,
                                            const std::filesystem::path& file);
 
-} // namespace ciel::store
+} // namespace server::store

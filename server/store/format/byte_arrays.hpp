@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 class ByteWriter {
 public:
@@ -64,4 +64,4 @@ private:
     const std::filesystem::path& file_;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <xxhash.h>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 constexpr std::string_view prefix = "xxh3:";
 constexpr std::string_view digits = "0123456789abcdef";
@@ -39,4 +39,4 @@ bool is_checksum(const std::string& text) {
                        [](char c) { return digits.find(c) != std::string_view::npos; });
 }
 
-} // namespace ciel::store
+} // namespace server::store

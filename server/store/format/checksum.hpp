@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 [[nodiscard]] std::uint64_t checksum_number(std::span<const std::byte> bytes);
 // A stretch is a run of bytes of a chunk file that are read and checked together. stretch_bytes: its size; the last
@@ -19,4 +19,4 @@ inline constexpr std::size_t stretch_bytes = 1 << 16;
 [[nodiscard]] std::uint64_t checksum_number(const std::string& text); // parses a text that `checksum` returned
 [[nodiscard]] bool is_checksum(const std::string& text);
 
-} // namespace ciel::store
+} // namespace server::store

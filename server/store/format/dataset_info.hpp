@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 // The items that have values. Values on boundary faces are in the order of the faces' ids.
 enum class Association { point, cell, boundary_face };
@@ -43,13 +43,13 @@ struct ArrayInfo {
 
 struct MeshInfo;
 [[nodiscard]] std::uint64_t items_of(const MeshInfo& mesh, Association association);
-[[nodiscard]] Vec3d middle_of(const MeshInfo& mesh);        // center of the bounds
+[[nodiscard]] ciel::Vec3d middle_of(const MeshInfo& mesh);  // center of the bounds
 [[nodiscard]] std::string to_text(Association association); // "point", "cell", "boundary_face"
 [[nodiscard]] std::string to_text(Origin origin);           // "original", "interpolated", "derived" or "unknown"
 
 struct CellExtreme {
-    Index cell = 0; // id of the cell in the dataset
-    Vec3d place{};  // mean position of the cell's corners, in dataset coordinates
+    ciel::Index cell = 0; // id of the cell in the dataset
+    ciel::Vec3d place{};  // mean position of the cell's corners, in dataset coordinates
 };
 
 struct CellExtremes {
@@ -86,7 +86,7 @@ struct Group { // a named set of faces (a patch, or a baffle inside the mesh) or
     enum class Of { faces, cells };
     Of of = Of::faces;
     std::string name;
-    Ids ids; // face numbers (numbered faces) or cell ids, ascending; the dataset owns the memory
+    ciel::Ids ids; // face numbers (numbered faces) or cell ids, ascending; the dataset owns the memory
     PatchFacts facts = {};
 };
 
@@ -110,4 +110,4 @@ struct DatasetInfo {
     std::vector<MeshInfo> meshes;
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -5,7 +5,7 @@
 #include "store/format/layout.hpp"
 #include "store/format/zarr_array.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 namespace fs = std::filesystem;
 
@@ -41,4 +41,4 @@ Documents read_documents(const fs::path& directory) {
     return documents;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -3,7 +3,7 @@
 
 #include "store/format/marker.hpp"
 
-namespace ciel::store {
+namespace server::store {
 
 struct Documents {
     DatasetInfo info; // `arrays` and `meshes` are empty
@@ -14,4 +14,4 @@ struct Documents {
 // document is damaged, or when the format version is newer.
 [[nodiscard]] Documents read_documents(const std::filesystem::path& directory);
 
-} // namespace ciel::store
+} // namespace server::store

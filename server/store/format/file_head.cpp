@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> magic{0x89, 'C', 'I', 'E', 'L', '\r', '\n', 0x1a};
@@ -26,7 +26,8 @@ static_assert(sizeof(Head) == file_head_bytes);
 
 std::array<std::byte, file_head_bytes> file_head(FileKind kind, const std::string& dataset_id) {
     Head head{magic, kind, layout::records_version, layout::records_version, {}, {}};
-    if (dataset_id.size() > head.dataset_id.size()) throw Error("a dataset's id must not be longer than 32 bytes");
+    if (dataset_id.size() > head.dataset_id.size())
+        throw ciel::Error("a dataset's id must not be longer than 32 bytes");
     std::ranges::copy(dataset_id, head.dataset_id.begin());
     return std::bit_cast<std::array<std::byte, file_head_bytes>>(head);
 }
@@ -45,4 +46,4 @@ void check_file_head(std::span<const std::byte> bytes, FileKind kind, const std:
         refuse_damage(file, "belongs to another dataset");
 }
 
-} // namespace ciel::store
+} // namespace server::store

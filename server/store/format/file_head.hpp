@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 // The kind of a file, four characters. A file of records has the kind of its records (RecordKind).
 enum class FileKind : std::uint32_t {
@@ -19,7 +19,7 @@ enum class FileKind : std::uint32_t {
     step_rows = 0x77727473,   // "strw"
     step_arrays = 0x72617473, // "star"
 };
-[[nodiscard]] inline FileKind file_kind(RecordKind kind) { return static_cast<FileKind>(kind); }
+[[nodiscard]] inline FileKind file_kind(ciel::RecordKind kind) { return static_cast<FileKind>(kind); }
 
 inline constexpr std::size_t file_head_bytes = 64;
 
@@ -28,4 +28,4 @@ inline constexpr std::size_t file_head_bytes = 64;
 void check_file_head(std::span<const std::byte> bytes, FileKind kind, const std::string& dataset_id,
                      const std::filesystem::path& file);
 
-} // namespace ciel::store
+} // namespace server::store

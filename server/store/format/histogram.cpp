@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace ciel::store {
+namespace server::store {
 
-void Histogram::add(ValuesView values) {
+void Histogram::add(ciel::ValuesView values) {
     const double low = range[0], high = range[1];
     const auto bins = static_cast<double>(counts.size());
     const double scale = std::isfinite(high - low) ? 1 : 0.5; // halves all numbers if the width overflows a double
@@ -53,7 +53,7 @@ double Histogram::quantile(double share) const {
     return all == 0 ? range[0] : range[1];
 }
 
-void FiniteRange::add(ValuesView values) {
+void FiniteRange::add(ciel::ValuesView values) {
     values.with([&](const auto& all) {
         for (const double value : all)
             if (std::isfinite(value)) {
@@ -65,7 +65,7 @@ void FiniteRange::add(ValuesView values) {
 
 std::array<double, 2> FiniteRange::get() const { return low_ > high_ ? std::array{0.0, 0.0} : std::array{low_, high_}; }
 
-Histogram histogram_of(ValuesView values, std::size_t bins) {
+Histogram histogram_of(ciel::ValuesView values, std::size_t bins) {
     FiniteRange range;
     range.add(values);
     Histogram histogram(range.get(), bins);
@@ -73,4 +73,4 @@ Histogram histogram_of(ValuesView values, std::size_t bins) {
     return histogram;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 inline constexpr std::size_t stored_bins = 256;
 
@@ -23,7 +23,7 @@ struct Histogram {
     std::uint64_t below = 0, above = 0; // finite values outside the range
     std::uint64_t invalid = 0;          // NaN and infinite values
 
-    void add(ValuesView values);
+    void add(ciel::ValuesView values);
 
     // Returns nullopt unless the number of bins of this histogram is `bins` times a power of two.
     [[nodiscard]] std::optional<Histogram> with_bins(std::size_t bins) const;
@@ -36,7 +36,7 @@ struct Histogram {
 
 class FiniteRange {
 public:
-    void add(ValuesView values);
+    void add(ciel::ValuesView values);
     [[nodiscard]] std::array<double, 2> get() const; // {0, 0} if no value is finite
 
 private:
@@ -44,6 +44,6 @@ private:
 };
 
 // The range is [min, max] of the finite values.
-[[nodiscard]] Histogram histogram_of(ValuesView values, std::size_t bins);
+[[nodiscard]] Histogram histogram_of(ciel::ValuesView values, std::size_t bins);
 
-} // namespace ciel::store
+} // namespace server::store

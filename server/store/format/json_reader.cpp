@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ciel::store {
+namespace server::store {
 
 nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file) {
     try {
@@ -79,4 +79,4 @@ bool JsonReader::flag() const {
     return value_->get<bool>();
 }
 
-} // namespace ciel::store
+} // namespace server::store

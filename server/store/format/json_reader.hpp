@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
 // Replaces bytes that are not valid UTF-8 by U+FFFD, because names in imported files may contain any bytes.
@@ -46,4 +46,4 @@ private:
     std::string place_; // path of the value in the document, such as "arrays[2].name"
 };
 
-} // namespace ciel::store
+} // namespace server::store

@@ -3,7 +3,7 @@
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 
-namespace ciel::store::layout {
+namespace server::store::layout {
 namespace {
 constexpr std::size_t longest_directory_name = 200; // in bytes; file systems allow 255
 }
@@ -28,8 +28,10 @@ std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t fi
 
 std::filesystem::path block_index(const std::filesystem::path& mesh) { return mesh / "blocks" / "index"; }
 
-std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number) {
-    const char* const folder = kind == RecordKind::cells ? "cells" : kind == RecordKind::around ? "around" : "mates";
+std::filesystem::path records(const std::filesystem::path& mesh, ciel::RecordKind kind, std::size_t number) {
+    const char* const folder = kind == ciel::RecordKind::cells    ? "cells"
+                               : kind == ciel::RecordKind::around ? "around"
+                                                                  : "mates";
     return mesh / "blocks" / folder / std::to_string(number);
 }
 
@@ -57,4 +59,4 @@ std::string encode_name(const std::string& name) {
     return encoded.empty() ? "%" : encoded;
 }
 
-} // namespace ciel::store::layout
+} // namespace server::store::layout

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store::layout {
+namespace server::store::layout {
 
 inline constexpr int format_version = 2;
 inline constexpr std::uint16_t records_version = 2; // format version of all binary files (file_head.hpp)
@@ -39,7 +39,8 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 [[nodiscard]] std::string encode_name(const std::string& name);
 
 [[nodiscard]] std::filesystem::path block_index(const std::filesystem::path& mesh);
-[[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, RecordKind kind, std::size_t number);
+[[nodiscard]] std::filesystem::path records(const std::filesystem::path& mesh, ciel::RecordKind kind,
+                                            std::size_t number);
 
 // Topology arrays that every mesh has. Each array is one chunk.
 inline constexpr const char* whole_arrays[] = {"cell_types", "original_vertex", "original_cell"};
@@ -55,4 +56,4 @@ inline constexpr const char* id_arrays[] = {"original_vertex", "original_cell", 
 // A mesh has such an array only if the imported file has these ids. Each array is one chunk.
 inline constexpr const char* optional_arrays[] = {"solver_vertex", "solver_cell"};
 
-} // namespace ciel::store::layout
+} // namespace server::store::layout

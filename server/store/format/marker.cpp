@@ -3,7 +3,7 @@
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::uint64_t most_meshes = 1'000'000;
@@ -20,8 +20,8 @@ std::array<double, 2> parse_range(const JsonReader& value) {
 CellExtreme parse_extreme(const JsonReader& value) {
     CellExtreme extreme;
     const std::uint64_t cell = value.at("cell").count();
-    if (cell >= none) value.at("cell").refuse_damage("is larger than any cell's id");
-    extreme.cell = static_cast<Index>(cell);
+    if (cell >= ciel::none) value.at("cell").refuse_damage("is larger than any cell's id");
+    extreme.cell = static_cast<ciel::Index>(cell);
     const auto place = value.at("place").items();
     if (place.size() != 3) value.at("place").refuse_damage("must be [x, y, z]");
     for (std::size_t axis = 0; axis < 3; ++axis) extreme.place[axis] = place[axis].number();
@@ -157,4 +157,4 @@ std::string to_text(const Marker& marker) {
     return to_text(document);
 }
 
-} // namespace ciel::store
+} // namespace server::store

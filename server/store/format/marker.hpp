@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace ciel::store {
+namespace server::store {
 
 struct MarkedArray {
     std::uint64_t chunk = 0;
@@ -48,4 +48,4 @@ struct Marker {
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 
-} // namespace ciel::store
+} // namespace server::store

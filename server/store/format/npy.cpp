@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 constexpr std::string_view magic{"\x93NUMPY", 6};
@@ -97,4 +97,4 @@ NpyArray read_npy(const std::filesystem::path& file) {
     return parse_npy(bytes_of(read_text(file, largest_file)), file);
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 struct NpyArray {
     std::vector<std::size_t> shape; // one or two entries
@@ -20,4 +20,4 @@ struct NpyArray {
 [[nodiscard]] NpyArray parse_npy(std::span<const std::byte> bytes, const std::filesystem::path& file);
 [[nodiscard]] NpyArray read_npy(const std::filesystem::path& file);
 
-} // namespace ciel::store
+} // namespace server::store

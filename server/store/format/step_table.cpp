@@ -10,7 +10,7 @@
 #include <cstring>
 #include <map>
 
-namespace ciel::store {
+namespace server::store {
 
 namespace fs = std::filesystem;
 
@@ -63,9 +63,9 @@ void check_finite(const fs::path& file, std::span<const double> numbers) {
 
 CellExtreme taken(Taker& from, const fs::path& file) {
     const auto stored = from.take<Extreme>();
-    if (stored.cell >= none) refuse_damage(file, "has a cell id that is too large for any mesh");
+    if (stored.cell >= ciel::none) refuse_damage(file, "has a cell id that is too large for any mesh");
     check_finite(file, stored.place);
-    return {static_cast<Index>(stored.cell), stored.place};
+    return {static_cast<ciel::Index>(stored.cell), stored.place};
 }
 
 MarkedArray array_of(const Entry& entry, Taker& from, const fs::path& file) {
@@ -221,4 +221,4 @@ TableFacts append_to_table(const fs::path& dataset, const TableFacts& facts, con
     return after;
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 class InputFile; // files/files.hpp
 
@@ -50,4 +50,4 @@ private:
 [[nodiscard]] TableFacts append_to_table(const std::filesystem::path& dataset, const TableFacts& facts,
                                          const std::string& dataset_id, std::span<const MarkedStep> steps);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 Steps::Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before)
     : times_(std::move(times)), read_(std::move(read)), known_(times_.size()) {
@@ -26,9 +26,9 @@ const Step& Steps::operator[](std::size_t step) const {
 
 const Step& Steps::at(std::size_t step) const {
     if (step >= size())
-        throw Error("the dataset has " + std::to_string(size()) + " steps, numbered from 0; there is no step " +
-                    std::to_string(step));
+        throw ciel::Error("the dataset has " + std::to_string(size()) + " steps, numbered from 0; there is no step " +
+                          std::to_string(step));
     return (*this)[step];
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 // The steps are in the order of ascending times. Thread-safe. A reference to a step is valid as long as this object
 // exists. Functions that return a step throw Error when the step is damaged.
@@ -60,4 +60,4 @@ private:
     mutable std::vector<std::shared_ptr<const Step>> known_; // by step; null until the step is read
 };
 
-} // namespace ciel::store
+} // namespace server::store

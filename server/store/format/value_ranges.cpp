@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 // The bytes after the common file head. Offsets are in bytes from the beginning of the file. 0: the array is absent.
@@ -29,7 +29,7 @@ static_assert(sizeof(StoredHistogram) == 2072);
 constexpr std::array<char, 8> floats_type{'<', 'f', '4'}, doubles_type{'<', 'f', '8'};
 
 bool is_float(double limit) { return static_cast<float>(limit) == limit; }
-bool are_floats(const BlockRanges& ranges) {
+bool are_floats(const ciel::BlockRanges& ranges) {
     return std::ranges::all_of(ranges.low, is_float) && std::ranges::all_of(ranges.high, is_float);
 }
 
@@ -82,7 +82,7 @@ std::vector<double> read_limits(const ByteReader& read, std::uint64_t begin, std
 std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& dataset_id,
                                 std::uint64_t chunk_checksum) {
     RangesHead head;
-    const std::vector<BlockRanges>& scalars = ranges.scalars;
+    const std::vector<ciel::BlockRanges>& scalars = ranges.scalars;
     head.blocks = scalars.empty() ? 0 : scalars[0].low.size();
     head.scalars = scalars.size();
     head.chunk_checksum = chunk_checksum;
@@ -99,9 +99,9 @@ std::vector<std::byte> to_bytes(const ValueRanges& ranges, const std::string& da
     head.stretch_checksums = after_missing + histograms.size() * sizeof(StoredHistogram);
     ByteWriter out(FileKind::ranges, dataset_id);
     out.add(head);
-    for (const BlockRanges& of : scalars) add_limits(out, of.low, floats);
-    for (const BlockRanges& of : scalars) add_limits(out, of.high, floats);
-    for (const BlockRanges& of : scalars) out.add(std::span<const std::uint32_t>(of.missing));
+    for (const ciel::BlockRanges& of : scalars) add_limits(out, of.low, floats);
+    for (const ciel::BlockRanges& of : scalars) add_limits(out, of.high, floats);
+    for (const ciel::BlockRanges& of : scalars) out.add(std::span<const std::uint32_t>(of.missing));
     if (padding_words > 0) out.add(std::uint32_t{0});
     out.add(std::span<const StoredHistogram>(histograms));
     out.add(std::span<const std::uint64_t>(ranges.stretch_checksums));
@@ -132,4 +132,4 @@ std::optional<ValueRanges> parse_value_ranges(std::span<const std::byte> bytes, 
     return ranges;
 }
 
-} // namespace ciel::store
+} // namespace server::store

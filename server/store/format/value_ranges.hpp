@@ -9,11 +9,11 @@
 #include <optional>
 #include <string>
 
-namespace ciel::store {
+namespace server::store {
 
 struct ValueRanges {
     // The first two vectors have an entry for the magnitude, if the array has a magnitude, then one for each component.
-    std::vector<BlockRanges> scalars;             // without blocks if the array is not on points
+    std::vector<ciel::BlockRanges> scalars;       // without blocks if the array is not on points
     std::vector<Histogram> histograms;            // with stored_bins bins; empty if the file has none
     std::vector<std::uint64_t> stretch_checksums; // of the chunk (checksum.hpp); empty if the file has none
 };
@@ -28,4 +28,4 @@ struct ValueRanges {
                                                             std::uint64_t chunk_checksum,
                                                             const std::filesystem::path& file);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 // Keeps the numbers alive. Numbers in a mapped file may change when another process rewrites the file (see Dataset).
-class Values : public ValuesView {
+class Values : public ciel::ValuesView {
 public:
     Values() = default;
-    Values(ValuesView numbers, std::shared_ptr<const void> keep_alive)
-        : ValuesView(numbers), keep_alive_(std::move(keep_alive)) {}
+    Values(ciel::ValuesView numbers, std::shared_ptr<const void> keep_alive)
+        : ciel::ValuesView(numbers), keep_alive_(std::move(keep_alive)) {}
     // T: float or double.
     template <class T>
     explicit Values(std::vector<T>&& own) : Values(std::make_shared<const std::vector<T>>(std::move(own))) {}
@@ -24,14 +24,14 @@ public:
 
 private:
     template <class T>
-    explicit Values(const std::shared_ptr<const std::vector<T>>& own) : ValuesView(*own), keep_alive_(own) {}
+    explicit Values(const std::shared_ptr<const std::vector<T>>& own) : ciel::ValuesView(*own), keep_alive_(own) {}
 
     std::shared_ptr<const void> keep_alive_;
 };
 
 // Returns the values as doubles, or as the nearest floats if `to_doubles` is false. If the values have that type
 // already, they are not copied, and the array of `values` must outlive the result.
-[[nodiscard]] inline Values converted(ValuesView values, bool to_doubles) {
+[[nodiscard]] inline Values converted(ciel::ValuesView values, bool to_doubles) {
     if (values.has_doubles() == to_doubles) return {values, nullptr};
     return values.with([&](auto all) {
         if (to_doubles) return Values(std::vector<double>(all.begin(), all.end()));
@@ -41,4 +41,4 @@ private:
     });
 }
 
-} // namespace ciel::store
+} // namespace server::store

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace ciel::store {
+namespace server::store {
 namespace {
 
 struct TypeRow {
@@ -115,4 +115,4 @@ void check_group_text(std::string_view text, const std::filesystem::path& file) 
     check_version(JsonReader(json, file));
 }
 
-} // namespace ciel::store
+} // namespace server::store

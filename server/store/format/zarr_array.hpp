@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
 
 enum class ElementType { u1, u4, u8, i8, f4, f8 };
 [[nodiscard]] std::size_t element_bytes(ElementType type);
@@ -31,4 +31,4 @@ struct ZarrArray {
 [[nodiscard]] std::string group_text(); // the content of .zgroup
 void check_group_text(std::string_view text, const std::filesystem::path& file);
 
-} // namespace ciel::store
+} // namespace server::store

@@ -10,14 +10,14 @@
 #include <string_view>
 #include <xxhash.h>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 struct Batch {
     const Primitives* mesh = nullptr;
-    std::size_t first = 0;       // index of the batch's first triangle, line or point in the mesh
-    std::vector<Index> vertices; // indices into the mesh's vertices, in order of first use
-    std::vector<Index> indices;  // indices into `vertices`
+    std::size_t first = 0;             // index of the batch's first triangle, line or point in the mesh
+    std::vector<ciel::Index> vertices; // indices into the mesh's vertices, in order of first use
+    std::vector<ciel::Index> indices;  // indices into `vertices`
 };
 
 struct Quantized {
@@ -31,34 +31,35 @@ std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.l
 
 void check(const Primitives& mesh) {
     const std::size_t vertices = mesh.positions.size();
-    const bool fits = (mesh.normals.empty() || mesh.normals.size() == vertices) &&
-                      (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
-                      (mesh.values.empty() ||
-                       (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
-                      mesh.indices.size() % corners_of(mesh) == 0 &&
-                      std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](Index v) { return v < vertices; });
-    if (!fits) throw Error("the arrays of layer '" + mesh.layer + "' do not match and cannot be sent");
+    const bool fits =
+        (mesh.normals.empty() || mesh.normals.size() == vertices) &&
+        (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
+        (mesh.values.empty() ||
+         (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
+        mesh.indices.size() % corners_of(mesh) == 0 &&
+        std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](ciel::Index v) { return v < vertices; });
+    if (!fits) throw ciel::Error("the arrays of layer '" + mesh.layer + "' do not match and cannot be sent");
 }
 
 void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
     const std::size_t corners = corners_of(mesh);
     // Index of each mesh vertex in batch.vertices. Valid only if batch.vertices holds the vertex at that index.
-    std::vector<Index> local(mesh.positions.size(), none);
+    std::vector<ciel::Index> local(mesh.positions.size(), ciel::none);
     Batch batch{&mesh, 0, {}, {}};
-    const auto is_known = [&](Index vertex) {
+    const auto is_known = [&](ciel::Index vertex) {
         return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
     };
     for (std::size_t i = 0; i < mesh.indices.size(); i += corners) {
         const auto primitive = mesh.indices.subspan(i, corners);
         const auto added = static_cast<std::size_t>(
-            std::count_if(primitive.begin(), primitive.end(), [&](Index vertex) { return !is_known(vertex); }));
+            std::count_if(primitive.begin(), primitive.end(), [&](ciel::Index vertex) { return !is_known(vertex); }));
         if (batch.vertices.size() + added > max_vertices && !batch.vertices.empty()) {
             batches.push_back(std::move(batch));
             batch = {&mesh, i / corners, {}, {}};
         }
-        for (const Index vertex : primitive) {
+        for (const ciel::Index vertex : primitive) {
             if (!is_known(vertex)) {
-                local[vertex] = static_cast<Index>(batch.vertices.size());
+                local[vertex] = static_cast<ciel::Index>(batch.vertices.size());
                 batch.vertices.push_back(vertex);
             }
             batch.indices.push_back(local[vertex]);
@@ -117,7 +118,7 @@ Quantized mesh_part(const Batch& batch, double step) {
     std::vector<std::array<std::int32_t, 3>> places;
     places.reserve(batch.vertices.size());
     std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
-    for (const Index vertex : batch.vertices) {
+    for (const ciel::Index vertex : batch.vertices) {
         auto& place = places.emplace_back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
             place[axis] = on_grid(mesh.positions[vertex][axis], 1 / step);
@@ -149,7 +150,7 @@ Quantized values_part(const Batch& batch) {
     std::vector<double> values;
     if (!mesh.scalars.empty()) {
         values.reserve(batch.vertices.size());
-        for (const Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
+        for (const ciel::Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
     } else if (!mesh.values.empty()) {
         const auto own = mesh.values.subview(batch.first, batch.indices.size() / corners_of(mesh));
         values.assign(own.begin(), own.end());
@@ -210,7 +211,7 @@ struct Place { // index of a batch in the frame, number of batches in the frame,
     std::uint32_t base = 0;
 };
 
-std::string description(const Batch& batch, Vec3d origin, const std::string& parts, const Place& place) {
+std::string description(const Batch& batch, ciel::Vec3d origin, const std::string& parts, const Place& place) {
     const Primitives& mesh = *batch.mesh;
     std::string json = "{\"layer\": ";
     append_string(json, mesh.layer);
@@ -248,7 +249,7 @@ std::vector<std::uint8_t> with_description(const std::string& json, const std::v
     return out;
 }
 
-std::vector<std::uint8_t> encode(const Batch& batch, Vec3d origin, double step, const HeldArrays& held,
+std::vector<std::uint8_t> encode(const Batch& batch, ciel::Vec3d origin, double step, const HeldArrays& held,
                                  const Place& place, ArrayIds& ids) {
     const Primitives& mesh = *batch.mesh;
     const Quantized shape = mesh_part(batch, step);
@@ -272,8 +273,8 @@ std::vector<std::uint8_t> encode(const Batch& batch, Vec3d origin, double step, 
 
 } // namespace
 
-EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step, const HeldArrays& held,
-                                std::size_t max_vertices) {
+EncodedGeometry encode_geometry(std::span<const Primitives> meshes, ciel::Vec3d origin, double step,
+                                const HeldArrays& held, std::size_t max_vertices) {
     std::vector<Batch> batches;
     for (const Primitives& mesh : meshes) {
         check(mesh);
@@ -291,4 +292,4 @@ EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin
     return out;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -10,17 +10,17 @@
 #include <unordered_set>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Triangles, lines or points of one layer. Does not own the arrays. `range` and `color` must be finite.
 struct Primitives {
     std::string layer; // id in the scene
-    std::span<const Vec3f> positions, normals;
-    ValuesView scalars; // one per vertex; empty if there are `values`
-    ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
+    std::span<const ciel::Vec3f> positions, normals;
+    ciel::ValuesView scalars; // one per vertex; empty if there are `values`
+    ciel::ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
     // The error is at most half a step. 0: scalars or values are sent as floats.
     double value_step = 0;
-    std::span<const Index> indices; // 3 per triangle, 2 per line, 1 per point
+    std::span<const ciel::Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     std::string map;
     std::array<double, 2> range{0, 1};
@@ -49,7 +49,7 @@ struct EncodedGeometry {
 // Returns one payload per batch; without batches, a single payload with "batches": 0. Vertices shared between batches
 // are repeated with the same grid position. Triangles keep their order. An array in `held` is sent as its id only.
 // `step`: grid step in length units, a power of two (quantize.hpp). Throws Error if sizes or indices do not fit.
-[[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, Vec3d origin, double step,
+[[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, ciel::Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 
-} // namespace ciel::wire
+} // namespace server::wire

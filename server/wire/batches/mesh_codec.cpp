@@ -2,7 +2,7 @@
 
 #include <meshoptimizer.h>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 // Called once before the first encoding of any thread, because the library keeps the versions in global variables.
@@ -35,18 +35,20 @@ std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std:
     });
 }
 
-std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices) {
+std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const ciel::Index> indices,
+                             std::size_t vertices) {
     return append(out, meshopt_encodeIndexBufferBound(indices.size(), vertices),
                   [&](std::uint8_t* to, std::size_t most) {
                       return meshopt_encodeIndexBuffer(to, most, indices.data(), indices.size());
                   });
 }
 
-std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices) {
+std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const ciel::Index> indices,
+                            std::size_t vertices) {
     return append(out, meshopt_encodeIndexSequenceBound(indices.size(), vertices),
                   [&](std::uint8_t* to, std::size_t most) {
                       return meshopt_encodeIndexSequence(to, most, indices.data(), indices.size());
                   });
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -8,13 +8,14 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // `stride`: bytes of a record, a multiple of 4, at most 256. Returns the number of bytes appended.
 std::size_t append_vertices(std::vector<std::uint8_t>& out, std::span<const std::uint8_t> vertices, std::size_t stride);
 // Indices must be below `vertices`. Decoding keeps the order of the triangles, but can rotate their corners.
-std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
+std::size_t append_triangles(std::vector<std::uint8_t>& out, std::span<const ciel::Index> indices,
+                             std::size_t vertices);
 // For lines or points. Indices must be below `vertices`. Decoding returns them in the same order.
-std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const Index> indices, std::size_t vertices);
+std::size_t append_sequence(std::vector<std::uint8_t>& out, std::span<const ciel::Index> indices, std::size_t vertices);
 
-} // namespace ciel::wire
+} // namespace server::wire

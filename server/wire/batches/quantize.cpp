@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::wire {
+namespace server::wire {
 
 double grid_step(double wanted, double largest) {
     const double finest = std::ldexp(std::max(largest, double{std::numeric_limits<float>::min()}), -23);
     return std::exp2(std::floor(std::log2(std::max(wanted, finest))));
 }
 
-std::array<std::int8_t, 2> octahedral(const Vec3f& normal) {
+std::array<std::int8_t, 2> octahedral(const ciel::Vec3f& normal) {
     const float length = std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]);
     if (!(length > 0)) return {0, 0};
     float x = normal[0] / length, y = normal[1] / length;
@@ -23,7 +23,7 @@ std::array<std::int8_t, 2> octahedral(const Vec3f& normal) {
     return {place(x), place(y)};
 }
 
-Vec3f from_octahedral(const std::array<std::int8_t, 2>& place) {
+ciel::Vec3f from_octahedral(const std::array<std::int8_t, 2>& place) {
     float x = static_cast<float>(place[0]) / 127, y = static_cast<float>(place[1]) / 127;
     const float z = 1 - std::abs(x) - std::abs(y);
     if (z < 0) {
@@ -55,4 +55,4 @@ QuantizedValues quantized(std::span<const double> values, double origin, double 
     return out;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

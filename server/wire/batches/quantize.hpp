@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Returns the largest power of two that is at most `wanted`, but at least the spacing of floats at `largest`. Multiples
 // of this step up to `largest` are exact floats, so that quantized positions are decoded without rounding.
@@ -26,8 +26,8 @@ namespace ciel::wire {
 // Maps a unit vector to the octahedron |x| + |y| + |z| = 1, which is folded to a square of 255 x 255 points.
 // from_octahedral() is the inverse. The mean error is 0.34 degrees, the largest error 0.95 degrees. (Cigolle et al., "A
 // Survey of Efficient Representations for Independent Unit Vectors", 2014)
-[[nodiscard]] std::array<std::int8_t, 2> octahedral(const Vec3f& normal);
-[[nodiscard]] Vec3f from_octahedral(const std::array<std::int8_t, 2>& place);
+[[nodiscard]] std::array<std::int8_t, 2> octahedral(const ciel::Vec3f& normal);
+[[nodiscard]] ciel::Vec3f from_octahedral(const std::array<std::int8_t, 2>& place);
 
 // Marks a NaN in QuantizedValues::places.
 inline constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
@@ -40,4 +40,4 @@ struct QuantizedValues {
 // The error is at most half a step. Values are clamped to 2^30 steps from `origin`. NaN becomes no_value.
 [[nodiscard]] QuantizedValues quantized(std::span<const double> values, double origin, double step);
 
-} // namespace ciel::wire
+} // namespace server::wire

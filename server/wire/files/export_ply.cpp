@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 // PLY property names must not contain white space.
@@ -16,7 +16,7 @@ std::string property_name(std::string name) {
 
 void write_ply_header(const ExportSurface& surface, const ExportedPolygons& polygons, std::ostream& out) {
     out << "ply\nformat binary_little_endian 1.0\ncomment CIEL\n";
-    if (surface.file_origin != Vec3d{}) out << "comment origin " << origin_text(surface.file_origin) << '\n';
+    if (surface.file_origin != ciel::Vec3d{}) out << "comment origin " << origin_text(surface.file_origin) << '\n';
     out << "element vertex " << polygons.vertices.size() << '\n';
     for (const char axis : {'x', 'y', 'z'}) out << "property double " << axis << '\n';
     if (!surface.surface.normals.empty())
@@ -32,18 +32,18 @@ void write_ply_header(const ExportSurface& surface, const ExportedPolygons& poly
 ExportedCounts write_ply(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons polygons = exported_polygons(surface.surface, surface.triangles);
     write_ply_header(surface, polygons, out);
-    for (const Index vertex : polygons.vertices) {
+    for (const ciel::Index vertex : polygons.vertices) {
         write_raw(out, surface.place(vertex));
         if (!surface.surface.normals.empty()) write_raw(out, surface.surface.normals[vertex]);
         for (const NamedValues& values : surface.values) write_value(out, values, vertex);
     }
     for (std::size_t i = 0; i + 1 < polygons.offset.size(); ++i) {
-        const Index begin = polygons.offset[i];
-        const Index end = polygons.offset[i + 1];
+        const ciel::Index begin = polygons.offset[i];
+        const ciel::Index end = polygons.offset[i + 1];
         write_raw(out, static_cast<std::int32_t>(end - begin));
-        for (Index c = begin; c < end; ++c) write_raw(out, static_cast<std::int32_t>(polygons.corner[c]));
+        for (ciel::Index c = begin; c < end; ++c) write_raw(out, static_cast<std::int32_t>(polygons.corner[c]));
     }
     return polygons.counts();
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

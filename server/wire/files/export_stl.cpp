@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
-Vec3f facet_normal(const std::array<Vec3f, 3>& corners) {
-    Vec3d a{}, b{}, n{};
+ciel::Vec3f facet_normal(const std::array<ciel::Vec3f, 3>& corners) {
+    ciel::Vec3d a{}, b{}, n{};
     for (std::size_t k = 0; k < 3; ++k) {
         a[k] = double{corners[1][k]} - corners[0][k];
         b[k] = double{corners[2][k]} - corners[0][k];
@@ -27,17 +27,17 @@ ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
     const ExportedPolygons triangles = exported_polygons(surface.surface, true);
     std::array<char, 80> title{};
     std::string text = "CIEL surface"; // must not begin with "solid", because "solid" marks ASCII files
-    if (surface.file_origin != Vec3d{}) text += ", origin " + origin_text(surface.file_origin);
+    if (surface.file_origin != ciel::Vec3d{}) text += ", origin " + origin_text(surface.file_origin);
     std::copy_n(text.begin(), std::min(text.size(), title.size()), title.begin());
     out.write(title.data(), title.size());
     write_raw(out, static_cast<std::uint32_t>(triangles.offset.size() - 1));
     for (std::size_t c = 0; c + 3 <= triangles.corner.size(); c += 3) {
-        std::array<Vec3f, 3> local{};
-        std::array<Vec3f, 3> world{};
+        std::array<ciel::Vec3f, 3> local{};
+        std::array<ciel::Vec3f, 3> world{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const Index vertex = triangles.vertices[triangles.corner[c + i]];
+            const ciel::Index vertex = triangles.vertices[triangles.corner[c + i]];
             local[i] = surface.surface.positions[vertex];
-            const Vec3d place = surface.place(vertex);
+            const ciel::Vec3d place = surface.place(vertex);
             for (std::size_t k = 0; k < 3; ++k) world[i][k] = static_cast<float>(place[k]);
         }
         write_raw(out, facet_normal(local));
@@ -47,4 +47,4 @@ ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out) {
     return triangles.counts();
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -5,9 +5,9 @@
 
 #include <ostream>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Writes an STL file with positions as floats and without values. The caller checks the stream for failure.
 ExportedCounts write_stl(const ExportSurface& surface, std::ostream& out);
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 std::string xml_escaped(const std::string& text) {
@@ -65,13 +65,13 @@ void declare_point_data(const ExportSurface& surface, const ExportedPolygons& po
     out << (normals.empty() ? "<PointData>\n" : "<PointData Normals=\"Normals\">\n");
     if (!normals.empty()) {
         arrays.declare(out, "Float32", "Normals", 3, 12 * points, [&](std::ostream& to) {
-            for (const Index vertex : polygons.vertices) write_raw(to, normals[vertex]);
+            for (const ciel::Index vertex : polygons.vertices) write_raw(to, normals[vertex]);
         });
     }
     for (const NamedValues& values : surface.values) {
         const char* type = values.doubles ? "Float64" : "Float32";
         arrays.declare(out, type, values.name, 1, values.value_bytes() * points, [&](std::ostream& to) {
-            for (const Index vertex : polygons.vertices) write_value(to, values, vertex);
+            for (const ciel::Index vertex : polygons.vertices) write_value(to, values, vertex);
         });
     }
     out << "</PointData>\n";
@@ -81,11 +81,11 @@ void declare_geometry(const ExportSurface& surface, const ExportedPolygons& poly
                       std::ostream& out) {
     out << "<Points>\n";
     arrays.declare(out, "Float64", "Points", 3, 24 * polygons.vertices.size(), [&](std::ostream& to) {
-        for (const Index vertex : polygons.vertices) write_raw(to, surface.place(vertex));
+        for (const ciel::Index vertex : polygons.vertices) write_raw(to, surface.place(vertex));
     });
     out << "</Points>\n<Polys>\n";
     arrays.declare(out, "Int64", "connectivity", 1, 8 * polygons.corner.size(), [&](std::ostream& to) {
-        for (const Index corner : polygons.corner) write_raw(to, static_cast<std::int64_t>(corner));
+        for (const ciel::Index corner : polygons.corner) write_raw(to, static_cast<std::int64_t>(corner));
     });
     arrays.declare(out, "Int64", "offsets", 1, 8 * (polygons.offset.size() - 1), [&](std::ostream& to) {
         for (std::size_t i = 1; i < polygons.offset.size(); ++i)
@@ -101,7 +101,7 @@ ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out) {
     AppendedArrays arrays;
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n<PolyData>\n";
-    if (surface.file_origin != Vec3d{})
+    if (surface.file_origin != ciel::Vec3d{})
         out << "<FieldData>\n<DataArray type=\"Float64\" Name=\"origin\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
                "format=\"ascii\">"
             << origin_text(surface.file_origin) << "</DataArray>\n</FieldData>\n";
@@ -116,4 +116,4 @@ ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out) {
     return polygons.counts();
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

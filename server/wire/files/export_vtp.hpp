@@ -5,9 +5,9 @@
 
 #include <ostream>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Writes a VTP file with positions as doubles. The caller checks the stream for failure.
 ExportedCounts write_vtp(const ExportSurface& surface, std::ostream& out);
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -4,7 +4,7 @@
 #include <bit>
 #include <unordered_map>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 template <typename T>
@@ -19,21 +19,21 @@ const NamedValues* find(const std::vector<NamedValues>& values, const std::strin
 
 // A mesh vertex with exactly the iso-value has a surface vertex on each of its edges. Merging these vertices keeps the
 // surface closed when polygons without area are left out. Vertices with different values are not merged.
-std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vector<NamedValues>& values) {
-    std::vector<Index> kept(surface.positions.size());
-    std::unordered_map<Index, Index> at_mesh_vertex;
-    const auto have_equal_values = [&](Index a, Index b) {
+std::vector<ciel::Index> one_vertex_per_place(const ciel::Surface& surface, const std::vector<NamedValues>& values) {
+    std::vector<ciel::Index> kept(surface.positions.size());
+    std::unordered_map<ciel::Index, ciel::Index> at_mesh_vertex;
+    const auto have_equal_values = [&](ciel::Index a, ciel::Index b) {
         return std::ranges::all_of(values, [&](const NamedValues& named) {
             return std::bit_cast<std::uint64_t>(named.values[a]) == std::bit_cast<std::uint64_t>(named.values[b]);
         });
     };
-    for (Index v = 0; v < kept.size(); ++v) {
+    for (ciel::Index v = 0; v < kept.size(); ++v) {
         kept[v] = v;
         if (v >= surface.points.size()) continue;
-        const EdgePoint& point = surface.points[v];
+        const ciel::EdgePoint& point = surface.points[v];
         const auto t = static_cast<float>(point.t); // rounded to float like the positions
         if (t != 0 && t != 1) continue;
-        const Index first = at_mesh_vertex.try_emplace(t == 0 ? point.a : point.b, v).first->second;
+        const ciel::Index first = at_mesh_vertex.try_emplace(t == 0 ? point.a : point.b, v).first->second;
         if (have_equal_values(first, v)) kept[v] = first;
     }
     return kept;
@@ -41,9 +41,10 @@ std::vector<Index> one_vertex_per_place(const Surface& surface, const std::vecto
 
 } // namespace
 
-void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places) {
-    const auto first_vertex = static_cast<Index>(surface_.positions.size());
-    const auto first_corner = static_cast<Index>(surface_.polygon_vertex.size());
+void JoinedSurface::add(const ciel::Surface& surface, const std::vector<NamedValues>& values,
+                        std::span<const ciel::Vec3d> places) {
+    const auto first_vertex = static_cast<ciel::Index>(surface_.positions.size());
+    const auto first_corner = static_cast<ciel::Index>(surface_.polygon_vertex.size());
     const bool keeps_normals = is_first_ || !surface_.normals.empty() || surface_.positions.empty();
     if (keeps_normals && surface.normals.size() == surface.positions.size())
         append(surface_.normals, surface.normals);
@@ -59,11 +60,12 @@ void JoinedSurface::add(const Surface& surface, const std::vector<NamedValues>& 
     places_.insert(places_.end(), places.begin(), places.end());
     append(surface_.points, surface.points);
     append(surface_.polygon_cell, surface.polygon_cell);
-    const std::vector<Index> kept = one_vertex_per_place(surface, values);
-    for (const Index vertex : surface.polygon_vertex) surface_.polygon_vertex.push_back(first_vertex + kept[vertex]);
+    const std::vector<ciel::Index> kept = one_vertex_per_place(surface, values);
+    for (const ciel::Index vertex : surface.polygon_vertex)
+        surface_.polygon_vertex.push_back(first_vertex + kept[vertex]);
     for (std::size_t i = 1; i < surface.polygon_offset.size(); ++i)
         surface_.polygon_offset.push_back(first_corner + surface.polygon_offset[i]);
     is_first_ = false;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

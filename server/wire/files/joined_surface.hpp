@@ -3,7 +3,7 @@
 
 #include "wire/files/exported_surface.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Owns the joined arrays. Vertices of one added surface that lie on the same mesh vertex are merged if their values are
 // equal. Normals are kept only if all added surfaces have normals. Values of a name are kept only if all added surfaces
@@ -11,19 +11,21 @@ namespace ciel::wire {
 class JoinedSurface {
 public:
     // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: as in ExportSurface.
-    void add(const Surface& surface, const std::vector<NamedValues>& values, std::span<const Vec3d> places = {});
-    [[nodiscard]] const Surface& surface() const { return surface_; }
+    void add(const ciel::Surface& surface, const std::vector<NamedValues>& values,
+             std::span<const ciel::Vec3d> places = {});
+    [[nodiscard]] const ciel::Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }
     // The positions are as precise as the mesh. Returns an empty span if a surface was added without places.
-    [[nodiscard]] std::span<const Vec3d> places() const {
-        return places_.size() == surface_.positions.size() ? std::span<const Vec3d>(places_) : std::span<const Vec3d>();
+    [[nodiscard]] std::span<const ciel::Vec3d> places() const {
+        return places_.size() == surface_.positions.size() ? std::span<const ciel::Vec3d>(places_)
+                                                           : std::span<const ciel::Vec3d>();
     }
 
 private:
-    Surface surface_;
+    ciel::Surface surface_;
     std::vector<NamedValues> values_;
-    std::vector<Vec3d> places_;
+    std::vector<ciel::Vec3d> places_;
     bool is_first_ = true;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -5,7 +5,7 @@
 #include "wire/files/export_stl.hpp"
 #include "wire/files/export_vtp.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 bool has_floats(SurfaceFormat format) { return format == SurfaceFormat::stl; }
 
@@ -13,7 +13,7 @@ SurfaceFormat surface_format(const std::string& extension) {
     if (extension == ".ply") return SurfaceFormat::ply;
     if (extension == ".stl") return SurfaceFormat::stl;
     if (extension == ".vtp") return SurfaceFormat::vtp;
-    throw Error("'" + extension + "' is not a surface format; use .ply, .stl or .vtp");
+    throw ciel::Error("'" + extension + "' is not a surface format; use .ply, .stl or .vtp");
 }
 
 ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface, std::ostream& out) {
@@ -46,4 +46,4 @@ std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface) {
     return 0;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-namespace ciel::wire {
+namespace server::wire {
 
 enum class SurfaceFormat { ply, stl, vtp };
 // Returns whether the format stores positions as floats, as STL does.
@@ -21,4 +21,4 @@ ExportedCounts write_surface(SurfaceFormat format, const ExportSurface& surface,
 // Returns the size of the file in bytes, without its header. Lets callers refuse an export before it is written.
 [[nodiscard]] std::uint64_t body_bytes(SurfaceFormat format, const ExportSurface& surface);
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // A Band needs a constructor (width, height, first row, more...), the constant most_rows, and encode(rgb), which takes
 // the pixels of the whole picture.
@@ -24,7 +24,7 @@ public:
         if (bands_.empty())
             for (int top = 0; top < height; top += Band::most_rows) bands_.emplace_back(width, height, top, more...);
         try {
-            parallel_for(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            ciel::parallel_for(bands_.size(), 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) bands_[i].encode(rgb);
             });
         } catch (...) {
@@ -39,4 +39,4 @@ private:
     std::vector<Band> bands_;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 constexpr int unit = 16;        // pixels per side of an MCU (minimum coded unit), with libjpeg's default sampling
@@ -55,7 +55,7 @@ struct JpegBand::Libjpeg {
         std::array<char, JMSG_LENGTH_MAX> sentence{};
         errors.format_message(reinterpret_cast<j_common_ptr>(&compress), sentence.data());
         jpeg_abort_compress(&compress);
-        throw Error(std::string("libjpeg could not write a picture: ") + sentence.data());
+        throw ciel::Error(std::string("libjpeg could not write a picture: ") + sentence.data());
     }
 
     // Writes a restart marker after every `units` MCUs. The result is valid until the next call.
@@ -160,4 +160,4 @@ std::size_t JpegBand::append(std::size_t number, std::vector<std::uint8_t>& out)
     return number;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 class JpegBand {
 public:
@@ -48,4 +48,4 @@ private:
     std::unique_ptr<Libjpeg> libjpeg_;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

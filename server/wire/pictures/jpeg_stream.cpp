@@ -1,6 +1,6 @@
 #include "wire/pictures/jpeg_stream.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 constexpr int longest_side = 65500; // pixels; JPEG_MAX_DIMENSION of libjpeg
 constexpr std::uint8_t end_of_image = 0xD9;
@@ -16,4 +16,4 @@ void JpegStream::encode(int width, int height, std::span<const std::uint8_t> rgb
     out.back() = end_of_image; // replaces the restart marker of the last piece
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -5,7 +5,7 @@
 #include "wire/pictures/jpeg_band.hpp"
 #include "wire/pictures/picture_stream.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Pieces of about 64 x 16 pixels end at restart markers (T.81, B.2.4.4), and are encoded in parallel. Unchanged pieces
 // keep their bytes. The decoded pixels equal the pixels of a single libjpeg call.
@@ -19,4 +19,4 @@ private:
     Bands<JpegBand> bands_;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -6,7 +6,7 @@
 #include <new>
 #include <string>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 struct Sink {
@@ -52,8 +52,8 @@ void write_with_libpng(int width, int height, std::vector<std::uint8_t>& out,
     png_destroy_write_struct(&png, &info);
     if (sink.out_of_memory) throw std::bad_alloc();
     if (!written)
-        throw Error("libpng could not write a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels: " + sink.error);
+        throw ciel::Error("libpng could not write a picture of " + std::to_string(width) + " x " +
+                          std::to_string(height) + " pixels: " + sink.error);
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

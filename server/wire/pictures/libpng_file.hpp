@@ -5,11 +5,11 @@
 #include <png.h>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Calls write(png, info, what) after IHDR (8-bit RGB). No object with a destructor may exist in `write` during a libpng
 // call. Throws Error with the message of libpng, or std::bad_alloc.
 void write_with_libpng(int width, int height, std::vector<std::uint8_t>& out,
                        void (*write)(png_structp png, png_infop info, const void* what), const void* what);
 
-} // namespace ciel::wire
+} // namespace server::wire

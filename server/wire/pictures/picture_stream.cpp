@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ciel::wire {
+namespace server::wire {
 
 std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_quality) {
     if (codec == MovingCodec::jpeg) return std::make_unique<JpegStream>(jpeg_quality);
@@ -17,10 +17,10 @@ std::unique_ptr<PictureStream> make_picture_stream(MovingCodec codec, int jpeg_q
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb) {
     const auto size = std::to_string(width) + " x " + std::to_string(height);
     if (width <= 0 || height <= 0 || std::max(width, height) > longest_side)
-        throw Error("a picture of " + size + " pixels cannot be written as " + format);
+        throw ciel::Error("a picture of " + size + " pixels cannot be written as " + format);
     if (rgb.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-        throw Error("a picture of " + size + " pixels has " + std::to_string(rgb.size()) +
-                    " bytes; it must have 3 bytes for each pixel");
+        throw ciel::Error("a picture of " + size + " pixels has " + std::to_string(rgb.size()) +
+                          " bytes; it must have 3 bytes for each pixel");
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 enum class MovingCodec { png, jpeg };
 
@@ -28,4 +28,4 @@ public:
 // Throws Error, which names the format, unless the sizes match and both sides are from 1 to `longest_side`.
 void check_picture(const char* format, int longest_side, int width, int height, std::span<const std::uint8_t> rgb);
 
-} // namespace ciel::wire
+} // namespace server::wire

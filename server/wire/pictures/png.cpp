@@ -3,7 +3,7 @@
 #include "wire/pictures/libpng_file.hpp"
 #include "wire/pictures/picture_stream.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 constexpr int level = 6;
@@ -30,4 +30,4 @@ void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::v
     write_with_libpng(width, height, out, write_rows, &rows);
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

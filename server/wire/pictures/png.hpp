@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // `rgb`: rows from the top, 3 bytes per pixel. Throws Error if the sizes do not match.
 void encode_png(int width, int height, std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& out);
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <zlib.h>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 constexpr std::uint8_t filter_sub = 1; // ISO/IEC 15948, 9.2: each byte minus the same byte of the pixel to the left
@@ -24,7 +24,7 @@ void deflate_into(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>
     constexpr int raw_window_bits = -12, memory_level = 8;
     z_stream stream{};
     if (deflateInit2(&stream, 1, Z_DEFLATED, raw_window_bits, memory_level, Z_RLE) != Z_OK)
-        throw Error("zlib has no memory for a picture");
+        throw ciel::Error("zlib has no memory for a picture");
     out.resize(deflateBound(&stream, bytes.size()) + 16); // 16 bytes more for Z_SYNC_FLUSH
     stream.next_in = const_cast<Bytef*>(bytes.data());    // zlib only reads it
     stream.avail_in = static_cast<uInt>(bytes.size());
@@ -33,7 +33,7 @@ void deflate_into(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>
     const bool done = deflate(&stream, Z_SYNC_FLUSH) == Z_OK && stream.avail_in == 0 && stream.avail_out > 0;
     out.resize(out.size() - stream.avail_out);
     deflateEnd(&stream);
-    if (!done) throw Error("zlib could not deflate a picture");
+    if (!done) throw ciel::Error("zlib could not deflate a picture");
 }
 
 } // namespace
@@ -53,4 +53,4 @@ void PngBand::encode(std::span<const std::uint8_t> rgb) {
     deflate_into(filtered, deflated_);
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 class PngBand {
 public:
@@ -31,4 +31,4 @@ private:
     std::uint32_t checksum_ = 0;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

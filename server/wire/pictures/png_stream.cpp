@@ -5,7 +5,7 @@
 #include <array>
 #include <zlib.h>
 
-namespace ciel::wire {
+namespace server::wire {
 namespace {
 
 constexpr png_byte idat[] = {'I', 'D', 'A', 'T', 0}, iend[] = {'I', 'E', 'N', 'D', 0};
@@ -37,4 +37,4 @@ void PngStream::encode(int width, int height, std::span<const std::uint8_t> rgb,
     write_with_libpng(width, height, out, write_bands, &bands);
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

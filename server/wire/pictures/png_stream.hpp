@@ -5,7 +5,7 @@
 #include "wire/pictures/picture_stream.hpp"
 #include "wire/pictures/png_band.hpp"
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Bands are encoded in parallel; unchanged bands keep their bytes. Each band is an IDAT chunk, because deflate blocks
 // may end at any byte (RFC 1951, 3.2.4), and Adler-32 sums can be combined (RFC 1950, 8.2).
@@ -17,4 +17,4 @@ private:
     Bands<PngBand> bands_;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

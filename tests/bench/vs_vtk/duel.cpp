@@ -4,6 +4,7 @@
 #include <cstdio>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 namespace {
 

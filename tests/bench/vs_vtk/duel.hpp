@@ -7,6 +7,7 @@
 #include <vtkUnstructuredGrid.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 struct Contender {
     std::string name;

@@ -3,6 +3,7 @@
 #include <vtkGradientFilter.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 void gradients(const bench::Case& data, vtkUnstructuredGrid* grid) {
     std::vector<Contender> vtk;

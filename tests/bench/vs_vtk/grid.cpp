@@ -12,6 +12,7 @@
 #include <vtkPoints.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 namespace {
 

@@ -24,7 +24,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an excep
                    "(100; 10)")
         ->check(CLI::Range(2, 1000)); // at least two, because VTK caches the surface of a single value
     CLI11_PARSE(app, argc, argv);
-    const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
+    const server::bench::Case data = server::bench::open_case(dataset, array);
     std::printf("%s, %s, %u cells, %u threads, VTK %s (%s)\n", dataset.c_str(), data.array.c_str(),
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), ciel::vs_vtk::smp_backend());
     vtkObject::GlobalWarningDisplayOff(); // VTK's gradients print thousands of warnings about collapsed cells

@@ -7,6 +7,7 @@
 #include <vtkVersionMacros.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 void memory(const bench::Case& data, vtkUnstructuredGrid* grid) {
     const auto half_edges = static_cast<double>(data.topology->counts().half_edges);

@@ -11,6 +11,7 @@
 #include <vtkPolyData.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 namespace {
 

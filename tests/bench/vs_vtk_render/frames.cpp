@@ -22,6 +22,7 @@
 #include <vtkSpanSpace.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 namespace {
 

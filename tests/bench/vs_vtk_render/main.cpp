@@ -41,11 +41,11 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): an excep
         std::fprintf(stderr, "VTK draws through an X server only; run this as xvfb-run -a vs_vtk_render ...\n");
         return 1;
     }
-    const ciel::bench::Case data = ciel::bench::open_case(dataset, array);
-    ciel::limits::Memory memory(
+    const server::bench::Case data = server::bench::open_case(dataset, array);
+    server::limits::Memory memory(
         UINT64_MAX, [] { return std::uint64_t{0}; }, [] {});
-    ciel::engine::FrameWorkers drawing(1, ciel::render::Backend::automatic, memory);
-    const std::string gl = drawing.run([](ciel::engine::Worker& worker) { return worker.renderer().gl_renderer(); });
+    server::engine::FrameWorkers drawing(1, server::render::Backend::automatic, memory);
+    const std::string gl = drawing.run([](server::engine::Worker& worker) { return worker.renderer().gl_renderer(); });
     std::printf("%s, %s, %u cells, %u threads, VTK %s, CIEL's GL %s\n", dataset.c_str(), data.array.c_str(),
                 data.mesh.cell_count(), ciel::thread_count(), vtkVersion::GetVTKVersion(), gl.c_str());
     vtkObject::GlobalWarningDisplayOff();

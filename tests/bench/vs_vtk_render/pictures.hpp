@@ -6,6 +6,7 @@
 #include "vs_vtk/duel.hpp"
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 // Limits on CIEL's time as a share of VTK's best: required and desired.
 struct Asked {

@@ -19,6 +19,7 @@
 #include <vtkVolumeProperty.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <vtkCamera.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 VtkWindow::VtkWindow(int width, int height)
     : width_(width), height_(height), window_(vtkSmartPointer<vtkRenderWindow>::New()),

@@ -10,6 +10,7 @@
 #include <vtkUnsignedCharArray.h>
 
 namespace ciel::vs_vtk {
+using namespace server;
 
 // Use it on one thread only. Needs an X server, because Debian's VTK supports only GLX.
 class VtkWindow {

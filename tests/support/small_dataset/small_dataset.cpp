@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 Vec3d offset(std::span<const float> positions, Index vertex) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 struct Grid {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 Frame view_from(Vec3d position, bool parallel = false) {
@@ -85,4 +86,4 @@ TEST(BoxEdges, ProjectFarFromTheOriginToTheSamePixels) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

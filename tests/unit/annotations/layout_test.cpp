@@ -10,7 +10,8 @@
 #include <random>
 #include <set>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 class LayoutTest : public testing::Test {
@@ -310,4 +311,4 @@ TEST_F(LayoutTest, ContrastsWithTheBackground) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

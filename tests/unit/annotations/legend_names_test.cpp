@@ -4,7 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::annotations {
+namespace server::annotations {
+using namespace ciel;
 namespace {
 
 std::string name_of_slice(const Vec3d& origin, const Vec3d& normal, bool contours = false) {
@@ -47,4 +48,4 @@ TEST(LegendTitle, HasTheUnitsAndThePowerOfTen) {
 }
 
 } // namespace
-} // namespace ciel::annotations
+} // namespace server::annotations

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr double least_contrast = 4.5; // WCAG success criterion 1.4.3, normal text
@@ -162,4 +163,4 @@ TEST(Legibility, PlatesAreNotSeenWherePicturesAreEmpty) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

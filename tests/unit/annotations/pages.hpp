@@ -3,7 +3,7 @@
 
 #include "unit/render/scenes.hpp"
 
-namespace ciel::render {
+namespace server::render {
 
 inline color::ColorScale scale_of(const std::string& map, const std::array<double, 2>& range) {
     color::ColorScale scale;
@@ -35,4 +35,4 @@ inline Frame annotated_frame(int width, int height) {
     return frame;
 }
 
-} // namespace ciel::render
+} // namespace server::render

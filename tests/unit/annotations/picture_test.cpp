@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 class AnnotationPicture : public testing::TestWithParam<Backend> {
@@ -175,4 +176,4 @@ TEST_P(AnnotationPicture, PickStillFindsTheSurfaceBehindText) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using Color = std::array<std::uint8_t, 3>;
@@ -69,4 +70,4 @@ TEST(ColorMap, UnknownNameIsRefusedWithTheKnownOnes) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace ciel::color {
+namespace server::color {
 namespace {
 
 using testing::ElementsAre;
@@ -66,4 +66,4 @@ TEST(ScaleRules, AreFiniteForAnyRange) {
 }
 
 } // namespace
-} // namespace ciel::color
+} // namespace server::color

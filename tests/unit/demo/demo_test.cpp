@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace ciel::demo {
+namespace server::demo {
+using namespace ciel;
 namespace {
 
 class DemoTest : public testing::Test {
@@ -182,4 +183,4 @@ TEST_F(DemoTest, ACoarseOneHasTheSameNamesTimesAndKindsOfCellsInAlmostTheSameBox
 }
 
 } // namespace
-} // namespace ciel::demo
+} // namespace server::demo

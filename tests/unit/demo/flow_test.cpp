@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace ciel::demo {
+namespace server::demo {
 namespace {
 
 constexpr double step = 1e-5;
@@ -68,4 +68,4 @@ TEST(DyeTest, IsFullAtTheWallNoneUpstreamAndRolledUpInTheWake) {
 }
 
 } // namespace
-} // namespace ciel::demo
+} // namespace server::demo

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <latch>
 
-namespace ciel::engine {
+namespace server::engine {
+using namespace ciel;
 namespace {
 
 using namespace std::chrono_literals;
@@ -106,4 +107,4 @@ TEST(frame_workers, drain_finishes_what_runs_and_refuses_the_rest) {
 }
 
 } // namespace
-} // namespace ciel::engine
+} // namespace server::engine

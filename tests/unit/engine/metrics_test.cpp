@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace ciel::engine {
+namespace server::engine {
 namespace {
 
 using testing::HasSubstr;
@@ -117,4 +117,4 @@ TEST(metrics, the_process_has_its_own_figures) {
 }
 
 } // namespace
-} // namespace ciel::engine
+} // namespace server::engine

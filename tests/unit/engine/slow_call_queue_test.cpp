@@ -6,7 +6,8 @@
 #include <latch>
 #include <optional>
 
-namespace ciel::engine {
+namespace server::engine {
+using namespace ciel;
 namespace {
 
 using testing::HasSubstr;
@@ -131,4 +132,4 @@ TEST(slow_calls, drain_gives_up_what_waits_and_finishes_what_runs) {
 }
 
 } // namespace
-} // namespace ciel::engine
+} // namespace server::engine

@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::fonts {
+namespace server::fonts {
+using namespace ciel;
 namespace {
 
 TEST(Utf8, IsDecodedAndWhatIsNoneBecomesReplacements) {
@@ -108,4 +109,4 @@ TEST(Font, ThatIsNotThereIsNamedWithItsPackage) {
 }
 
 } // namespace
-} // namespace ciel::fonts
+} // namespace server::fonts

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 struct Line {
@@ -193,4 +193,4 @@ TEST(CongestionWindow, AcknowledgesAllBeforeAndIgnoresWhatWasNotSent) {
 }
 
 } // namespace
-} // namespace ciel::frames
+} // namespace server::frames

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 using wire::MovingCodec;
@@ -87,4 +87,4 @@ TEST(PictureDetail, ComesBackOnAFasterLine) {
 }
 
 } // namespace
-} // namespace ciel::frames
+} // namespace server::frames

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 // Square with the given side, `depth` in front of a camera at the origin that looks along x. The bounds have side 100.
@@ -119,4 +119,4 @@ TEST(pixel_grid, is_a_quarter_of_a_pixel_at_an_origin_near_the_eye) {
 }
 
 } // namespace
-} // namespace ciel::frames
+} // namespace server::frames

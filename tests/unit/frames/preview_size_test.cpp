@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 constexpr geometry::ViewSize usual{1280, 720}, large{2560, 1440}, small{320, 240};
@@ -43,4 +43,4 @@ TEST(PreviewSize, OfASmallViewIsItsOwn) {
 }
 
 } // namespace
-} // namespace ciel::frames
+} // namespace server::frames

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::frames {
+namespace server::frames {
 namespace {
 
 constexpr std::size_t side = 32;
@@ -35,4 +35,4 @@ TEST(test_picture, with_wrong_pixels_is_not) {
 }
 
 } // namespace
-} // namespace ciel::frames
+} // namespace server::frames

@@ -5,7 +5,8 @@
 
 #include <utility>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 
 // WebSocket client without a library. Its masking key is zero, so the payload is sent unchanged.
 class HandMade : public Socket {
@@ -41,4 +42,4 @@ public:
 };
 inline constexpr char text = 1, close_frame = 8, ping = 9, pong = 10;
 
-} // namespace ciel::gateway
+} // namespace server::gateway

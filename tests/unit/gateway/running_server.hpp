@@ -14,7 +14,8 @@
 #include <thread>
 #include <unistd.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 
 // Serves from construction to destruction. Only one may exist: the destructor ends it by sending SIGTERM to the
 // process.
@@ -130,4 +131,4 @@ private:
     int socket_;
 };
 
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 TEST(Host, LoopbackTakesLocalNamesOnly) {
@@ -200,4 +201,4 @@ TEST(Subprotocol, IsOneOfThoseOffered) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 class Places : public testing::Test {
@@ -158,4 +158,4 @@ TEST(LogLimiter, RemembersABoundedNumberOfTopics) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <optional>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 using testing::HasSubstr;
@@ -137,4 +138,4 @@ TEST_F(Drain, AClientThatDoesNotCloseIsCut) {
 TEST_F(Drain, TakesASecondWhereNothingElseWasSaid) { EXPECT_EQ(limits::Limits().drain_seconds, 1U); }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,7 +4,7 @@
 #include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 class HangUp : public testing::Test {
@@ -48,4 +48,4 @@ TEST_F(HangUp, APeerThatResetTheConnectionHasHungUp) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 using testing::HasSubstr;
@@ -238,4 +238,4 @@ TEST_F(Http, BytesMayComeOneByOne) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <optional>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 using testing::HasSubstr;
@@ -298,4 +298,4 @@ TEST(DrainSeconds, EndTheProcessThoughARequestIsUnderWay) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

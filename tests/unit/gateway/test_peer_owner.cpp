@@ -6,7 +6,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 const std::string heading =
@@ -117,4 +117,4 @@ TEST_F(OwnSocketsTest, OfBeforeTheQuestionAreTooOld) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <mutex>
 
-namespace ciel::gateway {
+namespace server::gateway {
 namespace {
 
 using testing::StartsWith;
@@ -93,4 +93,4 @@ TEST(Probes, AreAnsweredWhileEveryWorkerIsBusy) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

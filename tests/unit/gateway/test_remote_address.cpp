@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 asio::ip::address address(const char* text) { return asio::ip::make_address(text); }
@@ -48,4 +49,4 @@ TEST(TrustedProxies, AreAddressesAndRanges) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

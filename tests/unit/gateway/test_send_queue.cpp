@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 FrameBytes message(wire::FrameKind kind, std::uint32_t view, std::uint32_t frame, std::uint16_t flags,
@@ -237,4 +238,4 @@ TEST(SendQueue, HasRoomForOneFrameOfAnySizeOrForAsManyAsKeepTheirHalf) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

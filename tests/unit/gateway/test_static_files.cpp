@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +169,4 @@ TEST_F(Static, AFolderThatIsNoneIsAnError) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::gateway {
+namespace server::gateway {
+using namespace ciel;
 namespace {
 
 TEST(Target, PathsAreDecodedOnceAndNeverResolved) {
@@ -77,4 +78,4 @@ TEST(Prefix, WorksKeptAndStripped) {
 }
 
 } // namespace
-} // namespace ciel::gateway
+} // namespace server::gateway

@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -122,4 +123,4 @@ TEST_F(SceneAnnotations, AreOnPicturesAndNotOnFrames) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -15,7 +15,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -163,4 +164,4 @@ TEST_F(bad_cells, are_counted_in_words) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 const BoundingBox domain{{-5, -4, 0}, {15, 4, 8}};
@@ -65,4 +65,4 @@ TEST(bodies, are_not_the_walls_of_a_pipe) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

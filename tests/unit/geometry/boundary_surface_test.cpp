@@ -15,7 +15,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 // A dataset with groups of faces on the boundary, inside the mesh, and in both places.
@@ -107,4 +108,4 @@ TEST_F(BoundarySurface, FacesOfAGroupHaveTheirVertices) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

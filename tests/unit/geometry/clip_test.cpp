@@ -15,7 +15,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -224,4 +225,4 @@ TEST_F(cells, points_are_those_of_the_boundary_or_all_and_thinning_is_said) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

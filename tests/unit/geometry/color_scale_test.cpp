@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-namespace ciel::geometry {
+namespace server::geometry {
 namespace {
 
 using nlohmann::json;
@@ -220,4 +220,4 @@ TEST(ColorScale, DataWithoutALogarithmAreSaidNotToBeShown) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 class default_scene_of : public testing::Test {
@@ -110,4 +111,4 @@ TEST_F(default_scene_of, noise_is_an_iso_surface_of_another_array_if_there_is_on
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

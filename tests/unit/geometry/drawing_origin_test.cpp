@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 constexpr Vec3d middle{50, 50, 50}, wall{50, 50, 0}, beside{50, 50.001, 0};
@@ -39,4 +40,4 @@ TEST(drawing_origin, of_a_camera_without_a_distance_is_its_target) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

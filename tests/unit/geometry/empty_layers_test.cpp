@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -151,4 +152,4 @@ TEST_F(EmptyLayers, AreThoseWhoseArrayWasNotWritten) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

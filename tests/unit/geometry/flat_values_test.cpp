@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -133,4 +134,4 @@ TEST_F(flat_values, say_why_contour_lines_have_none) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -11,7 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -189,4 +190,4 @@ TEST_F(layers, a_change_of_the_edges_alone_is_new_content) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -106,4 +107,4 @@ TEST_F(patch_values, are_refused_in_words_elsewhere) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

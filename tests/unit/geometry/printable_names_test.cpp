@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -67,4 +68,4 @@ TEST(PrintableNames, AreInWholeSentences) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -64,4 +65,4 @@ TEST_F(SceneRemarks, SayThatAnOutlineHasNoColorsOfAnArray) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

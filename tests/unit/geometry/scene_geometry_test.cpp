@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -280,4 +281,4 @@ INSTANTIATE_TEST_SUITE_P(algorithms, scene_geometry, testing::Values(Algorithm::
                          });
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

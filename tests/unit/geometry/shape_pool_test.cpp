@@ -6,7 +6,8 @@
 
 #include <thread>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 TEST(ShapePool, GivesBuffersAgain) {
@@ -78,4 +79,4 @@ TEST(Cut, MovesWithoutNewBuffers) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -145,4 +146,4 @@ TEST_F(SliceInASide, AClipThereNeedsNoCap) {
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::geometry {
+namespace server::geometry {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -210,4 +211,4 @@ TEST_F(volume_cut, range_and_unit_length_are_the_scenes_or_the_arrays_and_the_bo
 }
 
 } // namespace
-} // namespace ciel::geometry
+} // namespace server::geometry

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-namespace ciel::importer {
+namespace server::importer {
+using namespace ciel;
 namespace {
 
 using ::testing::HasSubstr;
@@ -84,4 +85,4 @@ INSTANTIATE_TEST_SUITE_P(table, MalformedIndex, ::testing::ValuesIn(malformed), 
 });
 
 } // namespace
-} // namespace ciel::importer
+} // namespace server::importer

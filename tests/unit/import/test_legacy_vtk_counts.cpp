@@ -4,7 +4,8 @@
 #include <gmock/gmock.h>
 #include <sstream>
 
-namespace ciel::importer {
+namespace server::importer {
+using namespace ciel;
 namespace {
 
 // Returns the message of the refusal, or an empty string. `size`: file size in bytes; 0 for the length of the content.
@@ -63,4 +64,4 @@ TEST(LegacyVtkCounts, binary_values_are_not_taken_for_words) {
 }
 
 } // namespace
-} // namespace ciel::importer
+} // namespace server::importer

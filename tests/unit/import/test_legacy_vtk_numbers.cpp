@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace ciel::importer {
+namespace server::importer {
 namespace {
 
 const std::string nan = stand_ins[0].text, inf = stand_ins[1].text, minus_inf = stand_ins[2].text;
@@ -51,4 +51,4 @@ TEST(LegacyVtkNumbers, AreFoundAmongValuesAlone) {
 }
 
 } // namespace
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace ciel::importer {
+namespace server::importer {
+using namespace ciel;
 namespace {
 
 std::string number(std::uint64_t value, int bytes = 4) {
@@ -84,4 +85,4 @@ TEST(NetcdfExtent, HeadersThatLieAreRefused) {
 }
 
 } // namespace
-} // namespace ciel::importer
+} // namespace server::importer

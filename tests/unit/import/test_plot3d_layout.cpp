@@ -6,7 +6,8 @@
 #include <cstring>
 #include <gmock/gmock.h>
 
-namespace ciel::importer {
+namespace server::importer {
+using namespace ciel;
 namespace {
 
 std::vector<std::byte> words(std::initializer_list<std::uint32_t> values, bool big_endian) {
@@ -91,4 +92,4 @@ TEST(OpenFoamUnits, are_those_of_the_dimensions_entry) {
 }
 
 } // namespace
-} // namespace ciel::importer
+} // namespace server::importer

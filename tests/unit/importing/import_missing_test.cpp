@@ -9,7 +9,8 @@
 #include <fstream>
 #include <gmock/gmock.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,4 +243,4 @@ TEST_F(ImportMissing, a_failing_change_leaves_the_old_import) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

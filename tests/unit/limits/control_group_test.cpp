@@ -6,7 +6,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace ciel::limits {
+namespace server::limits {
+using namespace ciel;
 namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
@@ -64,4 +65,4 @@ TEST_F(ControlGroup, VersionOneHasAHierarchyForMemory) {
 }
 
 } // namespace
-} // namespace ciel::limits
+} // namespace server::limits

@@ -7,7 +7,8 @@
 #include <gmock/gmock.h>
 #include <set>
 
-namespace ciel::limits {
+namespace server::limits {
+using namespace ciel;
 namespace {
 
 const LimitRow& row_of(std::string_view name) {
@@ -84,4 +85,4 @@ TEST(Limits, are_told_with_their_unit) {
 }
 
 } // namespace
-} // namespace ciel::limits
+} // namespace server::limits

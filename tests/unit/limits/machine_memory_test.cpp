@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -69,4 +69,4 @@ TEST(machine_memory, what_is_in_use_at_a_return_is_given_back_when_it_is_freed) 
 }
 
 } // namespace
-} // namespace ciel::limits
+} // namespace server::limits

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace ciel::limits {
+namespace server::limits {
 namespace {
 
 class memory : public testing::Test {
@@ -84,4 +84,4 @@ TEST_F(memory, the_total_holds_for_many_at_a_time) {
 }
 
 } // namespace
-} // namespace ciel::limits
+} // namespace server::limits

@@ -5,7 +5,7 @@
 #include <regex>
 #include <spdlog/spdlog.h>
 
-namespace ciel::logging {
+namespace server::logging {
 namespace {
 
 using nlohmann::json;
@@ -86,4 +86,4 @@ TEST(log, ids_of_requests_differ_and_those_of_sessions_are_cut) {
 }
 
 } // namespace
-} // namespace ciel::logging
+} // namespace server::logging

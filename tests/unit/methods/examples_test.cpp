@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 class Examples : public testing::Test {

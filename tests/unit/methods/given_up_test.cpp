@@ -5,6 +5,7 @@
 #include <thread>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 using namespace std::chrono_literals;

@@ -11,6 +11,7 @@
 #include <thread>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 using testing::HasSubstr;

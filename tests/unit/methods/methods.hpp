@@ -8,6 +8,7 @@
 #include <string>
 
 namespace ciel::test {
+using namespace server;
 
 class Methods : public Service {
 protected:

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 TEST_F(Methods, discover_is_the_contract_and_all_its_methods_exist) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 using protocol::major_version, protocol::minor_version;

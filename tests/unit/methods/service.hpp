@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 namespace ciel::test {
+using namespace server;
 
 using nlohmann::json;
 

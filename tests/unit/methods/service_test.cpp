@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 class Sharing : public Service {};

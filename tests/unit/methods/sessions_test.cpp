@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 TEST_F(Methods, a_session_is_opened_joined_recreated_and_closed) {

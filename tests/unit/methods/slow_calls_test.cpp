@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 using testing::HasSubstr;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace ciel::test {
+using namespace server;
 namespace {
 
 TEST_F(Methods, views_stream_pictures_that_are_refined) {

@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <map>
 
-namespace ciel::page {
+namespace server::page {
+using namespace ciel;
 namespace {
 
 using testing::ElementsAre;
@@ -349,4 +350,4 @@ TEST(PageMessage, TextsOfAnyLengthComeBack) {
 }
 
 } // namespace
-} // namespace ciel::page
+} // namespace server::page

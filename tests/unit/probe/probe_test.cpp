@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace ciel::probe {
+namespace server::probe {
+using namespace ciel;
 namespace {
 
 class probe_points : public testing::Test {
@@ -88,4 +89,4 @@ TEST(probe_vectors, of_cells_are_told_like_those_of_points) {
 }
 
 } // namespace
-} // namespace ciel::probe
+} // namespace server::probe

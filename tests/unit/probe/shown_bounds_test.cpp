@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::probe {
+namespace server::probe {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -145,4 +146,4 @@ TEST(BoundsInView, AreThoseOfThePointsThatThePictureShows) {
 }
 
 } // namespace
-} // namespace ciel::probe
+} // namespace server::probe

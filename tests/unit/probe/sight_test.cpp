@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::probe {
+namespace server::probe {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -98,4 +99,4 @@ TEST_F(Sight, the_crossing_at_a_position_is_the_nearest_within_the_error_of_the_
 }
 
 } // namespace
-} // namespace ciel::probe
+} // namespace server::probe

@@ -5,7 +5,8 @@
 #include <csignal>
 #include <gmock/gmock.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 const std::atomic<bool> never{false};
@@ -96,4 +97,4 @@ TEST(ChildProcess, an_exception_of_the_listener_ends_the_child) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

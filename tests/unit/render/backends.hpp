@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 
 inline std::string name_of_test(const testing::TestParamInfo<Backend>& backend) {
     std::string name = name_of(backend.param);
@@ -14,4 +15,4 @@ inline std::string name_of_test(const testing::TestParamInfo<Backend>& backend) 
     return name;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace ciel::render {
+namespace server::render {
 
 struct GlCounts {
     int objects = 0;       // object names generated, plus shaders and programs created
@@ -91,4 +91,4 @@ inline Gl counted_gl(const GlContext& context) {
 // Returns the counts since the last call and resets them.
 inline GlCounts take_counts() { return std::exchange(counted::counts, {}); }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 
 struct Shape {
     std::vector<Vec3f> positions, normals;
@@ -94,4 +95,4 @@ inline Frame front_view(int width = 320, int height = 240) {
     return frame;
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr double full = 255 * 0.6; // byte value of an unoccluded white surface at ambient 2, without other lights
@@ -371,4 +372,4 @@ TEST_P(OcclusionTest, WhatAClipPlaneTookAwayShadesNothing) {
 INSTANTIATE_TEST_SUITE_P(, OcclusionTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

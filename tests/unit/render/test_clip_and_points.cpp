@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 class ClipAndPoints : public testing::TestWithParam<Backend> {
@@ -147,4 +148,4 @@ TEST_P(ClipAndPoints, MorePlanesThanThereAreAreRefused) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr int width = 400, height = 40;
@@ -245,4 +246,4 @@ TEST_P(ColorScalePicture, EachLayerHasItsOwnScale) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 struct Unwanted {};
@@ -256,4 +257,4 @@ TEST_P(GivenUpTest, NothingIsMadeOrSentForTheQuestions) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

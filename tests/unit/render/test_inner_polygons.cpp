@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <random>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -160,4 +161,4 @@ TEST(InnerPolygonsOfAPicture, LookAsTheOthersDo) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

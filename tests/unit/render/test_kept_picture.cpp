@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 class KeptPictureTest : public testing::Test {
@@ -149,4 +150,4 @@ TEST_F(KeptPictureTest, OnlyWhatIsDrawnIsRead) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

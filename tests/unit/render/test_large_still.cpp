@@ -9,7 +9,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr int small = 1024, factor = 4, margin = 160;
@@ -121,4 +122,4 @@ TEST(LargeStillTest, OfALargeScreenHasSmoothTransparentOutlines) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 // Surface of the cube from -0.8 to 0.8 along each axis.
@@ -107,4 +108,4 @@ TEST_P(LayersInAir, SurfacesCrossWhereTheyDo) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <utility>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr double gray = 0.5;
@@ -127,4 +128,4 @@ TEST_P(LightingTest, PointsAreLitAsBallsOrNotAtAll) {
 INSTANTIATE_TEST_SUITE_P(, LightingTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 constexpr double pixel = 3.0 / 240; // size of a pixel of front_view(), in scene units
@@ -207,4 +208,4 @@ TEST_P(LinesOnSurfaces, ATransparentSurfaceOnAnOpaqueOneIsSeenAllOver) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

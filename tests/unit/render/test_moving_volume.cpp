@@ -4,7 +4,8 @@
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 struct Colors {
@@ -126,4 +127,4 @@ TEST(MovingVolume, HasNoFringeAtTheOutlineOfASurface) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,8 @@
 #include "support/meshes.hpp"
 #include "volume_compare.hpp"
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -360,4 +361,4 @@ TEST_F(OutlineInFog, IsSmoothBehindATransparentSheet) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using Color = std::array<double, 3>;
@@ -342,4 +343,4 @@ TEST_P(PeelingTest, ASheetInAVolume) {
 INSTANTIATE_TEST_SUITE_P(, PeelingTest, testing::ValuesIn(available_backends()), name_of_test);
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -46,4 +47,4 @@ TEST_P(PictureMemory, IsNoLessThanWhatTheSoftwareGlKeeps) {
 INSTANTIATE_TEST_SUITE_P(Spheres, PictureMemory, testing::Values(1, 2, 4, 6, 8, 12, 20));
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

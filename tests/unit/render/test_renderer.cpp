@@ -14,7 +14,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 struct Pixel {
@@ -407,4 +408,4 @@ TEST(DefaultCamera, ShowsTheWholeBoxWithASmallMargin) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 std::size_t bytes_of(const Primitives& mesh) {
@@ -302,4 +303,4 @@ TEST_P(SteadyStateTest, WritingIsSentWhenItChanges) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using Color = std::array<float, 4>;
@@ -337,4 +338,4 @@ TEST_P(TransparentLines, AreFoundByAPointer) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

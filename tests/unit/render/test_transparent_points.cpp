@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using Color = std::array<double, 3>;
@@ -314,4 +315,4 @@ TEST_P(Points, AreCutByPlanesAndFoundByAPointer) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

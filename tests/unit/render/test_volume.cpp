@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -324,4 +325,4 @@ TEST(TransferTableTest, InterpolatesOpacityAndStepsAtDoublePositions) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

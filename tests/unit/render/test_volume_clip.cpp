@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -188,4 +189,4 @@ TEST(ClippedVolume, LeavesLinesInSightThatAreInFrontOfWhatIsKept) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-namespace ciel::render {
+namespace server::render {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -103,4 +103,4 @@ TEST(VolumeOrder, RunsToTheEyeWhateverTheRows) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

@@ -6,7 +6,8 @@
 
 #include <gmock/gmock.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -122,4 +123,4 @@ TEST(ClippedSheets, HideLinesBehindTheFirstPartThatIsKept) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

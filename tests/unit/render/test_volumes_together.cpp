@@ -6,7 +6,8 @@
 
 #include <gmock/gmock.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 namespace {
 
 using test::Box;
@@ -287,4 +288,4 @@ TEST(VolumesTogether, NeedOneDirection) {
 }
 
 } // namespace
-} // namespace ciel::render
+} // namespace server::render

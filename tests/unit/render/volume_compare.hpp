@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 
 inline constexpr int side = 160;
 
@@ -118,4 +119,4 @@ inline Vec3d nearest_axis(const Vec3d& v) {
     return normal;
 }
 
-} // namespace ciel::render
+} // namespace server::render

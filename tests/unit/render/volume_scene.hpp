@@ -12,7 +12,8 @@
 #include <limits>
 #include <memory>
 
-namespace ciel::render {
+namespace server::render {
+using namespace ciel;
 
 using Ray = std::array<Vec3d, 2>; // a point and a unit direction
 
@@ -100,4 +101,4 @@ inline std::array<double, 2> inside_box(const Ray& ray, const Vec3d& low, const 
     return {from, to};
 }
 
-} // namespace ciel::render
+} // namespace server::render

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace ciel::scene {
+namespace server::scene {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -59,4 +60,4 @@ TEST(merge_patch, diff_names_only_what_differs) {
 }
 
 } // namespace
-} // namespace ciel::scene
+} // namespace server::scene

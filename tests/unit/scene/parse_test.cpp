@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -439,4 +440,4 @@ TEST(scene, more_layers_and_values_than_the_contract_allows) {
 }
 
 } // namespace
-} // namespace ciel::scene
+} // namespace server::scene

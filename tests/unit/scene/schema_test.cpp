@@ -9,7 +9,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-namespace ciel::scene {
+namespace server::scene {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -146,4 +147,4 @@ TEST(schema, lengths_count_code_points) {
 }
 
 } // namespace
-} // namespace ciel::scene
+} // namespace server::scene

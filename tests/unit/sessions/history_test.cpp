@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::sessions {
+namespace server::sessions {
 namespace {
 
 // Uses a history as a session does, with numbers as documents.
@@ -131,4 +131,4 @@ TEST(history, a_document_larger_than_all_its_bytes_is_not_kept) {
 }
 
 } // namespace
-} // namespace ciel::sessions
+} // namespace server::sessions

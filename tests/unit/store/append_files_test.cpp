@@ -8,7 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +133,4 @@ TEST(AppendFiles, WhoDoesNotGetTheLockRemovesNothing) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -12,7 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +226,4 @@ TEST_F(AppendTest, AMovingMeshOfAnotherOriginIsOffset) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

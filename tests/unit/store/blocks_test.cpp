@@ -14,7 +14,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -255,4 +256,4 @@ TEST(Ranges, OfAChunkThatWasReplacedAreNotUsed) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -12,7 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +99,4 @@ TEST_F(ManySteps, AFieldOfAnEarlierStepCanStillBeCut) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

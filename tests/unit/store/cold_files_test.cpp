@@ -12,7 +12,8 @@
 #include <unistd.h>
 #include <vector>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +148,4 @@ TEST_F(ColdFilesTest, ValuesOfSomeCellsReadTheirStretches) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

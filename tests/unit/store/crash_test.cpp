@@ -12,7 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,4 +263,4 @@ TEST(Crash, AReaderSeesEachStepWhileTheyMoveToTheTable) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

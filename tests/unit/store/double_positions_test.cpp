@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 using testing::ElementsAreArray;
@@ -132,4 +133,4 @@ TEST_F(DoublePositions, OfAnotherDatasetAreAppended) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 using testing::ElementsAre;
@@ -128,4 +129,4 @@ TEST_F(DoublesTest, OtherTypesAreRefused) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 using testing::ElementsAre;
@@ -151,4 +152,4 @@ TEST_F(StoredHistogramTest, IsAnsweredWithAnyNumberOfBins) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -17,7 +17,8 @@
 #include <numbers>
 #include <thread>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -409,4 +410,4 @@ TEST_F(CatalogTest, WatchTellsOfStepsAndOfAReplacement) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

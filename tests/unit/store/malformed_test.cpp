@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -412,4 +413,4 @@ TEST(Damaged, ALazyArrayIsAnErrorUntilItsChunkStands) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

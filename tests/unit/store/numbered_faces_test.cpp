@@ -9,7 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +89,4 @@ TEST_F(NumberedFacesTest, AreRefusedByNameOfFileWhenTheyAreDamaged) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

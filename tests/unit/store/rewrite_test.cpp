@@ -14,7 +14,8 @@
 #include <numeric>
 #include <set>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +177,4 @@ TEST_F(RewriteTest, SaysWhichArraysWereNeverExtracted) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -10,7 +10,8 @@
 #include <limits>
 #include <numeric>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 using test::box;
@@ -345,4 +346,4 @@ TEST(ScalarNames, VectorsHaveComponentsAndMagnitude) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

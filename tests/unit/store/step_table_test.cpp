@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -354,4 +355,4 @@ TEST_F(TabledSteps, ThatNameWhatDoesNotExistAreRefused) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

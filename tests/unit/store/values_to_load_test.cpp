@@ -12,7 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +259,4 @@ INSTANTIATE_TEST_SUITE_P(Access, ValuesToLoadTest, testing::Values(FileAccess::m
                          [](const auto& row) { return row.param == FileAccess::mapped ? "mapped" : "read"; });
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

@@ -7,7 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::store {
+namespace server::store {
+using namespace ciel;
 namespace {
 
 TEST(Zarr, PythonReadsAndAppends) {
@@ -49,4 +50,4 @@ TEST(Zarr, ABareNaNOfZarrPython3IsRead) {
 }
 
 } // namespace
-} // namespace ciel::store
+} // namespace server::store

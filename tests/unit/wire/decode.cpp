@@ -7,7 +7,7 @@
 #include <jpeglib.h>
 #include <png.h>
 
-namespace ciel::wire {
+namespace server::wire {
 
 std::vector<std::uint8_t> joined(std::span<const std::vector<std::uint8_t>> messages) {
     std::vector<std::uint8_t> whole;
@@ -59,4 +59,4 @@ std::vector<std::uint8_t> decoded_jpeg(const std::vector<std::uint8_t>& file, in
     return rgb;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 // Returns the joined payload of messages in pieces (protocol/frame.md). A missing or misplaced piece fails the test.
 [[nodiscard]] std::vector<std::uint8_t> joined(std::span<const std::vector<std::uint8_t>> messages);
@@ -14,4 +14,4 @@ namespace ciel::wire {
 [[nodiscard]] std::vector<std::uint8_t> decoded_png(const std::vector<std::uint8_t>& file, int width, int height);
 [[nodiscard]] std::vector<std::uint8_t> decoded_jpeg(const std::vector<std::uint8_t>& file, int width, int height);
 
-} // namespace ciel::wire
+} // namespace server::wire

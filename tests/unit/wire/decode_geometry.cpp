@@ -7,7 +7,8 @@
 #include <meshoptimizer.h>
 #include <stdexcept>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 using nlohmann::json;
@@ -112,4 +113,4 @@ DecodedBatch GeometryClient::decode(std::span<const std::uint8_t> payload) {
     return out;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 
 struct DecodedBatch {
     nlohmann::json description;
@@ -30,4 +31,4 @@ private:
     std::map<std::string, std::vector<double>> values_;
 };
 
-} // namespace ciel::wire
+} // namespace server::wire

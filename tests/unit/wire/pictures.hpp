@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::wire {
+namespace server::wire {
 
 struct Picture {
     std::string name;
@@ -36,4 +36,4 @@ inline std::vector<Picture> pictures() {
     return all;
 }
 
-} // namespace ciel::wire
+} // namespace server::wire

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -140,4 +141,4 @@ TEST(FrameHeader, RefusesMalformedMessages) {
 }
 
 } // namespace
-} // namespace ciel::wire
+} // namespace server::wire

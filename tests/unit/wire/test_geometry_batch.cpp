@@ -13,7 +13,8 @@
 #include <numbers>
 #include <numeric>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 struct Sheet { // a square sheet of n x n quadrilaterals
@@ -372,4 +373,4 @@ TEST(GeometryBatch, LinesPointsAndClipPlanesAreDescribed) {
 }
 
 } // namespace
-} // namespace ciel::wire
+} // namespace server::wire

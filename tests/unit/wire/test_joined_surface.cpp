@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 // Two triangles. Points 2 and 3 are both on mesh vertex 7, so the second triangle becomes a sliver when they are
@@ -66,4 +67,4 @@ TEST(SurfaceFiles, TheBodyIsKnownBeforeTheFileIsMade) {
 }
 
 } // namespace
-} // namespace ciel::wire
+} // namespace server::wire

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <jpeglib.h>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 std::vector<std::uint8_t> jpeg_in_one_go(const Picture& picture) {
@@ -135,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(All, PictureStreams, testing::Values(MovingCodec::png, 
                          [](const auto& codec) { return codec.param == MovingCodec::png ? "Png" : "Jpeg"; });
 
 } // namespace
-} // namespace ciel::wire
+} // namespace server::wire

@@ -8,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ciel::wire {
+namespace server::wire {
+using namespace ciel;
 namespace {
 
 TEST(Png, ComesBackPixelForPixel) {
@@ -48,4 +49,4 @@ TEST(Png, WrongSizesAreRefused) {
 }
 
 } // namespace
-} // namespace ciel::wire
+} // namespace server::wire

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <regex>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -135,4 +135,4 @@ FoamField parse_foam_field(std::string_view bytes, const std::string& file, std:
     return FieldParser(bytes, file, most).run();
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

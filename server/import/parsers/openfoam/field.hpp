@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FoamValues {
     bool is_uniform = false;
@@ -39,4 +39,4 @@ struct FoamField {
 // `most`: number of cells; a longer list is refused. FoamCondition::value is nullopt if the file lists no values.
 [[nodiscard]] FoamField parse_foam_field(std::string_view bytes, const std::string& file, std::size_t most);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <map>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const { throw Error(file_ + ": " + what); }
+    [[noreturn]] void fail(const std::string& what) const { throw ciel::Error(file_ + ": " + what); }
 
     void add(std::string_view text, int depth) {
         if (depth > deepest) fail("its #include directives are nested too deep");
@@ -118,4 +118,4 @@ std::string expand_foam_macros(std::string text, const std::string& file, const 
     return Expander(file, load).run(text);
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

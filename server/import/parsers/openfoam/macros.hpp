@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns nullopt if there is no such file.
 using LoadIncluded = std::function<std::optional<std::string>(std::string_view name)>;
@@ -16,4 +16,4 @@ using LoadIncluded = std::function<std::optional<std::string>(std::string_view n
 // nested more than 16 deep, and directives that only OpenFOAM can evaluate (#calc, #codeStream).
 [[nodiscard]] std::string expand_foam_macros(std::string text, const std::string& file, const LoadIncluded& load);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::vector<FoamZone> parse_foam_zones(std::string_view bytes, const std::string
     });
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // Returns x, y, z of each point.
 [[nodiscard]] std::vector<double> parse_foam_points(std::string_view bytes, const std::string& file);
@@ -39,4 +39,4 @@ struct FoamZone {
 };
 [[nodiscard]] std::vector<FoamZone> parse_foam_zones(std::string_view bytes, const std::string& file);
 
-} // namespace ciel::importer
+} // namespace server::importer

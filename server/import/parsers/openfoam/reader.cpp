@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -40,7 +40,7 @@ FoamReader::FoamReader(std::string_view bytes, std::string name) : bytes_(bytes)
 }
 
 void FoamReader::fail(const std::string& what) const {
-    throw Error(file_ + ": " + what + " at byte " + std::to_string(at_));
+    throw ciel::Error(file_ + ": " + what + " at byte " + std::to_string(at_));
 }
 
 void FoamReader::read_header() {
@@ -284,4 +284,4 @@ void FoamReader::skip_entry() {
     }
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FoamFormat {
     bool is_binary = false;
@@ -68,4 +68,4 @@ private:
 // Returns 3 for "vector", 6 for "symmTensor", and 0 for types that do not consist of scalars.
 [[nodiscard]] int foam_components(std::string_view type);
 
-} // namespace ciel::importer
+} // namespace server::importer

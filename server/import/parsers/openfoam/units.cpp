@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::string openfoam_units(std::string_view head) {
     return (above.empty() ? "1" : above) + '/' + (below.find(' ') == std::string::npos ? below : '(' + below + ')');
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -13,7 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -67,7 +67,7 @@ public:
     void add_known(InputGrids& input_grids, const RunningCounts& first) const override {
         for (InputGrid& surface : input_grids.surfaces)
             if (const auto known = facts_.find(surface.data); known != facts_.end()) surface.facts = known->second;
-        Index first_point = first.points, first_cell = first.cells; // ids continue from region to region
+        ciel::Index first_point = first.points, first_cell = first.cells; // ids continue from region to region
         for (const std::string& region : foam_.regions) {
             const FoamMesh& mesh = meshes_.at(region).mesh;
             for (const auto& [a, b] : mesh.same_points)
@@ -76,10 +76,10 @@ public:
             input_grids.single_faces += mesh.single_faces;
             for (const auto& [name, cells] : mesh.cell_zones) {
                 NamedCells& zone = input_grids.named_cells.emplace_back(NamedCells{zone_name(region, name), {}});
-                for (const Index cell : cells) zone.cells.push_back(first_cell + cell);
+                for (const ciel::Index cell : cells) zone.cells.push_back(first_cell + cell);
             }
-            first_point += static_cast<Index>(mesh.points->GetNumberOfPoints());
-            first_cell += static_cast<Index>(mesh.grid->GetNumberOfCells());
+            first_point += static_cast<ciel::Index>(mesh.points->GetNumberOfPoints());
+            first_cell += static_cast<ciel::Index>(mesh.grid->GetNumberOfCells());
         }
     }
 
@@ -181,4 +181,4 @@ std::unique_ptr<Source> open_openfoam(const Inputs& inputs, const SourceOptions&
     return std::make_unique<OpenFoamSource>(inputs.front());
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -11,7 +11,7 @@
 #include <set>
 #include <zlib.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -111,7 +111,7 @@ std::string read_gzip(const fs::path& path, std::size_t most) {
     constexpr std::size_t chunk = 1U << 20;
     GzipFile file(path);
     if (!file.is_open())
-        throw Error(path.string() + ": cannot be opened; check that it exists and that you may read it");
+        throw ciel::Error(path.string() + ": cannot be opened; check that it exists and that you may read it");
     std::string bytes;
     while (bytes.size() < most) {
         const std::size_t begin = bytes.size();
@@ -119,8 +119,8 @@ std::string read_gzip(const fs::path& path, std::size_t most) {
         bytes.resize(begin + wanted);
         const int got = file.read(bytes.data() + begin, static_cast<unsigned>(wanted));
         if (got < 0 || (got == 0 && !file.ended_well()))
-            throw Error(path.string() +
-                        ": is damaged: its compressed data ends too early or is wrong; copy the file again");
+            throw ciel::Error(path.string() +
+                              ": is damaged: its compressed data ends too early or is wrong; copy the file again");
         bytes.resize(begin + static_cast<std::size_t>(got));
         if (got == 0) break;
     }
@@ -146,8 +146,8 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
     const std::vector<int> processors = processors_in(directory);
     const std::string collated = collated_directory(directory);
     if (!has_mesh(directory) && processors.empty())
-        throw Error(input.string() + ": is decomposed into collated files (" + collated +
-                    "), which cannot be read; run reconstructPar on the case");
+        throw ciel::Error(input.string() + ": is decomposed into collated files (" + collated +
+                          "), which cannot be read; run reconstructPar on the case");
     double latest_of_processors = -std::numeric_limits<double>::infinity();
     for (const int number : processors)
         latest_of_processors =
@@ -212,11 +212,11 @@ std::string read_foam_file(const fs::path& file, std::size_t most) {
     require_regular(file);
     if (file.extension() == ".gz") return read_gzip(file, most);
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw Error(file.string() + ": cannot be opened; check that it exists and that you may read it");
+    if (!stream) throw ciel::Error(file.string() + ": cannot be opened; check that it exists and that you may read it");
     std::string bytes(std::min<std::uintmax_t>(fs::file_size(file), most), '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
     return bytes;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ciel::importer {
+namespace server::importer {
 
 // A directory with a mesh: the case, or one processor's directory of a decomposed case.
 struct FoamRoot {
@@ -50,4 +50,4 @@ void require_regular_files_of(const FoamCase& foam);
 // Decompresses a .gz file. Throws Error that names the file if it cannot be read, or is a pipe, a socket or a device.
 [[nodiscard]] std::string read_foam_file(const std::filesystem::path& file, std::size_t most = ~std::size_t{0});
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -13,7 +13,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -29,7 +29,7 @@ FieldHead read_head(const fs::path& file) {
     try {
         const std::string head = read_foam_file(file, head_bytes);
         return {FoamReader(head, file.string()).format().class_name, openfoam_units(head)};
-    } catch (const Error&) {
+    } catch (const ciel::Error&) {
         return {};
     }
 }
@@ -56,8 +56,8 @@ FoamField read_field(const fs::path& file, std::size_t cells) {
     const std::size_t needed = field.cells.is_uniform ? 1 : cells;
     if (const std::size_t found = field.cells.numbers.size() / static_cast<std::size_t>(field.components);
         found != needed)
-        throw Error(file.string() + ": has values for " + std::to_string(found) + " of " + std::to_string(cells) +
-                    " cells");
+        throw ciel::Error(file.string() + ": has values for " + std::to_string(found) + " of " + std::to_string(cells) +
+                          " cells");
     return field;
 }
 
@@ -145,8 +145,8 @@ private:
         if (condition != nullptr && condition->value) {
             const FoamValues& own = *condition->value;
             if (!own.is_uniform && own.numbers.size() != faces * width_)
-                throw Error(files_[i].string() + ": has " + std::to_string(own.numbers.size() / width_) +
-                            " values on patch " + patch.name + ", which has " + std::to_string(faces) + " faces");
+                throw ciel::Error(files_[i].string() + ": has " + std::to_string(own.numbers.size() / width_) +
+                                  " values on patch " + patch.name + ", which has " + std::to_string(faces) + " faces");
             copy(own, faces, &values[begin]);
         } else if (condition != nullptr && condition->type == "noSlip") {
             std::fill(values.begin() + static_cast<std::ptrdiff_t>(begin), values.end(), 0.0);
@@ -213,7 +213,7 @@ public:
             return std::nullopt;
         try {
             return ArrayMaker(mesh_, fields_, files_, expected).run(name);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             lose(name, error.what());
             return std::nullopt;
         }
@@ -223,14 +223,14 @@ private:
     void read_piece(const std::string& name, std::size_t i, int& expected) {
         files_[i] = plain_or_compressed(directories_[i] / name);
         try {
-            if (files_[i].empty()) throw Error((directories_[i] / name).string() + ": is missing");
+            if (files_[i].empty()) throw ciel::Error((directories_[i] / name).string() + ": is missing");
             FoamField field = read_field(files_[i], mesh_.pieces[i].cell_count);
             if (expected == 0) expected = field.components;
             if (field.components != expected)
-                throw Error(files_[i].string() + ": has " + std::to_string(field.components) +
-                            " components, but other times or processors have " + std::to_string(expected));
+                throw ciel::Error(files_[i].string() + ": has " + std::to_string(field.components) +
+                                  " components, but other times or processors have " + std::to_string(expected));
             fields_[i] = std::move(field);
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             lose(name, error.what());
         }
     }
@@ -286,4 +286,4 @@ std::map<std::string, FoamArrays> read_foam_fields(const FoamCase& foam, const s
     return arrays;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

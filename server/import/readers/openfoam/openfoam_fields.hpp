@@ -5,7 +5,7 @@
 
 #include <vtkDataArray.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FoamFieldInfo {
     std::string units;
@@ -29,4 +29,4 @@ struct FoamArrays { // the arrays of one field
                                                                  const FoamFieldInfos& infos,
                                                                  std::vector<std::string>& lost);
 
-} // namespace ciel::importer
+} // namespace server::importer

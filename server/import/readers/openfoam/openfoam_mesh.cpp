@@ -13,7 +13,7 @@
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
@@ -31,9 +31,10 @@ public:
     FoamMesh run() {
         for (std::size_t root = 0; root < foam_.roots.size(); ++root) read(root);
         if (files_.empty())
-            throw Error(first_reason_.empty()
-                            ? "region " + region_ + " has no file polyMesh/points in constant or in a time directory"
-                            : first_reason_);
+            throw ciel::Error(first_reason_.empty()
+                                  ? "region " + region_ +
+                                        " has no file polyMesh/points in constant or in a time directory"
+                                  : first_reason_);
         number_through();
         join_processors();
         make_points();
@@ -56,7 +57,7 @@ private:
             root_.push_back(root);
             const std::vector<std::string>& lost = files_.back().lost;
             mesh_.lost.insert(mesh_.lost.end(), lost.begin(), lost.end());
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             if (first_reason_.empty()) first_reason_ = error.what();
             mesh_.lost.push_back("The part of " + (from.name.empty() ? "the case" : from.name) +
                                  " could not be read and was left out: " + error.what());
@@ -71,9 +72,9 @@ private:
             points += piece.points.size() / 3;
             cells += piece.cell_count;
         }
-        constexpr std::size_t most = none - std::size_t{1};
+        constexpr std::size_t most = ciel::none - std::size_t{1};
         if (points > most || cells > most)
-            throw Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
+            throw ciel::Error("the mesh has more than 4,294,967,294 points or cells, the most that a dataset can hold");
         point_count_ = points;
         cell_count_ = cells;
     }
@@ -124,7 +125,7 @@ private:
         return std::span(faces.points).subspan(faces.offset[face], faces.offset[face + 1] - faces.offset[face]);
     }
 
-    [[nodiscard]] Vec3d position(std::size_t piece, std::int64_t point) const {
+    [[nodiscard]] ciel::Vec3d position(std::size_t piece, std::int64_t point) const {
         const double* at = &files_[piece].points[3 * static_cast<std::size_t>(point)];
         return {at[0], at[1], at[2]};
     }
@@ -137,12 +138,14 @@ private:
         for (std::size_t i = 0; i < n; ++i)
             if (!(distance(position(a, points_a[i]), position(b, points_b[(n - i) % n])) <= tolerance)) return false;
         for (std::size_t i = 0; i < n; ++i)
-            mesh_.same_points.emplace_back(static_cast<Index>(first_point_[a] + points_a[i]),
-                                           static_cast<Index>(first_point_[b] + points_b[(n - i) % n]));
+            mesh_.same_points.emplace_back(static_cast<ciel::Index>(first_point_[a] + points_a[i]),
+                                           static_cast<ciel::Index>(first_point_[b] + points_b[(n - i) % n]));
         return true;
     }
 
-    static double distance(const Vec3d& p, const Vec3d& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+    static double distance(const ciel::Vec3d& p, const ciel::Vec3d& q) {
+        return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
 
     [[nodiscard]] double diameter(std::size_t piece, std::span<const std::int64_t> points) const {
         double largest = 0;
@@ -268,7 +271,7 @@ private:
     void add_zones(std::size_t piece) {
         for (const FoamZone& zone : files_[piece].cell_zones)
             for (const std::int64_t cell : zone.labels)
-                mesh_.cell_zones[zone.name].push_back(static_cast<Index>(first_cell_[piece] + cell));
+                mesh_.cell_zones[zone.name].push_back(static_cast<ciel::Index>(first_cell_[piece] + cell));
         for (const FoamZone& zone : files_[piece].face_zones) {
             FoamSurface& whole = surface(mesh_.face_zones, zone.name);
             for (const std::int64_t face : zone.labels) add_polygon(piece, static_cast<std::size_t>(face), whole.faces);
@@ -313,4 +316,4 @@ std::vector<fs::path> foam_mesh_files(const FoamCase& foam, const std::string& r
     return files;
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -11,7 +11,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FoamPiece {        // the cells and boundary faces of one root
     std::size_t root = 0; // index into FoamCase::roots
@@ -32,7 +32,7 @@ struct FoamMesh {
     vtkSmartPointer<vtkUnstructuredGrid> grid; // polyhedra on `points`; its global ids are cellProcAddressing, if known
     std::vector<FoamSurface> patches;          // all patches except processor patches
     std::vector<FoamSurface> face_zones;
-    std::map<std::string, std::vector<Index>> cell_zones;
+    std::map<std::string, std::vector<ciel::Index>> cell_zones;
     std::vector<FoamPiece> pieces;
     PointPairs same_points; // points to join along processor patches
     std::uint64_t joined_faces = 0, single_faces = 0;
@@ -46,4 +46,4 @@ struct FoamMesh {
 [[nodiscard]] std::vector<std::filesystem::path> foam_mesh_files(const FoamCase& foam, const std::string& region,
                                                                  double time);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ciel::importer {
+namespace server::importer {
 
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t most_labels = none - std::size_t{1};
+constexpr std::size_t most_labels = ciel::none - std::size_t{1};
 
 class PieceReader {
 public:
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const { throw Error(name_ + ": " + what); }
+    [[noreturn]] void fail(const std::string& what) const { throw ciel::Error(name_ + ": " + what); }
     static bool is_below(std::int64_t label, std::size_t count) {
         return label >= 0 && static_cast<std::uint64_t>(label) < count;
     }
@@ -48,7 +48,7 @@ private:
     std::string read(const std::string& name) {
         const fs::path file = root_.mesh_file(region_, name, time_);
         name_ = (root_.directory / "constant" / region_ / "polyMesh" / name).string();
-        if (file.empty()) throw Error(name_ + ": is missing");
+        if (file.empty()) throw ciel::Error(name_ + ": is missing");
         name_ = file.string();
         return read_foam_file(file);
     }
@@ -96,7 +96,7 @@ private:
         if (root_.mesh_file(region_, "cellProcAddressing", time_).empty()) return;
         try {
             read_addressing();
-        } catch (const Error& error) {
+        } catch (const ciel::Error& error) {
             piece_.cell_addressing.clear();
             piece_.lost.push_back("The solver's ids of the cells of " + root_.name +
                                   " could not be read: " + error.what());
@@ -123,4 +123,4 @@ FoamPieceFiles read_foam_piece(const FoamRoot& root, const std::string& region, 
     return PieceReader(root, region, time).run();
 }
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -5,7 +5,7 @@
 #include "import/parsers/openfoam/poly_mesh.hpp"
 #include "import/readers/openfoam/openfoam_case.hpp"
 
-namespace ciel::importer {
+namespace server::importer {
 
 struct FoamPieceFiles {
     std::vector<double> points;                 // x, y, z of each point
@@ -23,4 +23,4 @@ struct FoamPieceFiles {
 // Throws Error naming the file if a required file is missing or damaged.
 [[nodiscard]] FoamPieceFiles read_foam_piece(const FoamRoot& root, const std::string& region, double time);
 
-} // namespace ciel::importer
+} // namespace server::importer

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace ciel;
+using namespace server;
 
 // A prism far from the origin: two hexagons, six squares, and polygons without area, which the files must not contain.
 Surface prism() {
