@@ -13,6 +13,7 @@ constexpr double very_late = 0.2;  // seconds; no browser delays a frame this mu
 constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
+constexpr unsigned late_while_doubling = 3; // less, because the queue grows with each round trip
 // seconds. A frame that takes longer is slow because of its size; the window does not grow for it.
 constexpr double longest_route = 1;
 constexpr seconds soonest_lasts{10}; // then soonest_ is measured again, because the route may have become longer
@@ -78,10 +79,11 @@ void CongestionWindow::learn(const Frame& frame, Time now) {
     const double carried = bytes / Seconds(now - frame.since).count();
     carried_.add(carried, is_old);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
-    if (late_frames_ >= late_in_a_row || late > very_late)
+    if (late_frames_ >= (doubles_ ? late_while_doubling : late_in_a_row) || late > very_late)
         shrink(frame, carried, late, now);
     else if (late_frames_ == 0 && held_back_ && took < longest_route)
         grow(frame.bytes);
+    carried_by_last_ = carried;
 }
 
 void CongestionWindow::Highest::add(double rate, bool begins) {
@@ -92,14 +94,18 @@ void CongestionWindow::Highest::add(double rate, bool begins) {
 void CongestionWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
-    const auto bytes = static_cast<double>(frame.bytes);
-    if (std::exchange(doubles_, false) && late <= queued) { // the line may not have been full
-        window_ = static_cast<double>(bytes_on_the_way()) + bytes;
-        return;
-    }
-    // A busy browser acknowledges late even with few bytes in flight, so the window allows the highest rate so far.
-    window_ = std::max(delivered_.value() * (soonest_->value + tolerance), bytes);
-    if (carried >= full * carried_.value() && (!rate_ || carried >= rate_->value)) rate_ = {carried, now};
+    const bool is_full = carried >= full * carried_.value() && (!rate_ || carried >= rate_->value);
+    const auto bytes = static_cast<double>(frame.bytes), flight = static_cast<double>(bytes_on_the_way());
+    const double reach = soonest_->value + tolerance;
+    if (!std::exchange(doubles_, false) || late > queued)
+        // A busy browser acknowledges late even with few bytes in flight, so the window allows the highest rate so far.
+        window_ = std::max(delivered_.value() * reach, bytes);
+    else if (is_full) // takes away the queue that doubling has made
+        window_ = std::max(std::min(std::max(delivered_.value(), carried_.value()) * reach, flight), bytes);
+    else
+        window_ = flight + bytes;
+    // The lesser of two, because frames that one acknowledgement covers seem to be carried faster than they are.
+    if (is_full) rate_ = {std::min(carried, carried_by_last_), now};
 }
 
 void CongestionWindow::grow(std::size_t bytes) {

@@ -70,6 +70,7 @@ private:
     std::optional<Known> rate_;
     Highest delivered_; // bytes in flight per round trip; an upper estimate, so that the window is never too small
     Highest carried_;   // rate of the line
+    double carried_by_last_ = 0; // rate by the frame acknowledged before
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};

@@ -17,21 +17,20 @@ struct Line {
     double busy = 0;       // upper limit of random additional seconds for each frame
     double animation = 0;  // seconds between the animation frames in which the browser shows what has arrived
     double swing = 0;      // period in seconds in which the frame size goes from full to a quarter and back
+    bool adapts = false;   // whether frames have twice the size until the window has measured the rate
     bool acknowledges = true;
 };
 
 struct Outcome {
-    std::size_t frames = 0;          // frames sent after the first three seconds, in which the window adapts
+    std::size_t frames = 0;          // frames sent after the first seconds, in which the window adapts
     std::size_t most_on_the_way = 0; // largest number of frames in flight
-    // Largest number of bytes queued before a new frame, after the first three seconds.
-    std::size_t most_queued = 0;
-    double rate = 0; // bytes per second that the window has measured
+    std::size_t most_queued = 0;     // largest number of bytes queued before a new frame, after the first seconds
+    double rate = 0;                 // bytes per second that the window has measured
 };
 
-constexpr double settled = 3;
-
 // Simulates a server that needs `making` seconds per frame of `bytes`, with a scene that changes all the time.
-Outcome run(const Line& line, double making, std::size_t bytes, double seconds = 9) {
+// `settled`: number of seconds in which the window adapts.
+Outcome run(const Line& line, double making, std::size_t bytes, double seconds = 9, double settled = 3) {
     CongestionWindow window(2);
     Outcome result;
     const auto at = [](double time) {
@@ -62,7 +61,8 @@ Outcome run(const Line& line, double making, std::size_t bytes, double seconds =
             ++result.frames;
         }
         const double part = line.swing > 0 ? std::abs(2 * std::fmod(now / line.swing, 1) - 1) : 1;
-        const auto size = static_cast<std::size_t>((0.25 + 0.75 * part) * static_cast<double>(bytes));
+        const double times = line.adapts && window.rate() == 0 ? 2 : 0.25 + 0.75 * part;
+        const auto size = static_cast<std::size_t>(times * static_cast<double>(bytes));
         window.sent(++frame, size, false, at(now));
         result.most_on_the_way = std::max(result.most_on_the_way, window.frames_on_the_way());
         free = std::max(free, now) + static_cast<double>(size) / line.rate;
@@ -98,6 +98,17 @@ TEST(CongestionWindow, AFullLineDoesNotQueueAndIsMeasured) {
             EXPECT_GE(static_cast<double>(full.frames * bytes), 0.75 * 9 * line.rate) << round_trip << ' ' << bytes;
             EXPECT_LE(full.most_queued, 0.05 * line.rate + static_cast<double>(bytes)) << round_trip << ' ' << bytes;
             EXPECT_NEAR(full.rate / line.rate, 1, 0.25) << round_trip << ' ' << bytes;
+        }
+}
+
+TEST(CongestionWindow, FramesThatAdaptLeaveNoQueue) {
+    for (const double round_trip : {0.02, 0.05, 0.2})
+        for (const double busy : {0.0, 0.02}) {
+            Line line{round_trip, 10 * mbit, 0.01, 0, busy};
+            line.adapts = true;
+            const Outcome small = run(line, 0.033, 30'000, 9, 1.5);
+            EXPECT_LE(static_cast<double>(small.most_queued), 0.05 * line.rate) << round_trip << ' ' << busy;
+            EXPECT_GE(static_cast<double>(small.frames), 0.9 * 9 / 0.033) << round_trip << ' ' << busy;
         }
 }
 

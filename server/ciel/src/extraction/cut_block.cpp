@@ -189,38 +189,51 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Throws Error if the record changed during the cut. `edges`: number of edge ids that polygons may store.
-void check_cut(const Block& block, Index edges, const ActiveBlock& cut) {
+// Throws Error if the record changed and a polygon is in a cell that the block does not have. Only a section that lists
+// its cells takes their numbers from the record.
+void check_cells(const Block& block, const ActiveBlock& cut) {
+    const auto lists_cells = [](const auto& section) { return !section.cell.empty(); };
+    if (!std::ranges::any_of(block.standard, lists_cells) && !block.with(lists_cells)) return;
     const Index cells = block.cell_count;
-    // Branch-free, so that the check takes only a small part of the time of the cut.
     Index outside = 0;
     for (const Index cell : cut.polygon_cell) outside |= cell >= cells ? 1U : 0U;
-    for (const Index edge : cut.polygon_edge) outside |= edge >= edges ? 1U : 0U;
-    if (outside != 0) refuse_changed("a cell or an edge does not exist");
+    if (outside != 0) refuse_changed("a cell does not exist");
+}
+
+// Throws Error if the record changed and an edge is active that the block does not have. Every edge of a polygon is
+// active.
+void check_edges(const Block& block, CutScratch& scratch) {
+    const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
+    const Index rest = block.edge_count % 64;
+    std::uint64_t outside = rest == 0 ? 0 : scratch.active[words - 1] >> rest;
+    for (std::size_t w = words; w < scratch.active.size(); ++w) outside |= scratch.active[w];
+    if (outside != 0) refuse_changed("an edge does not exist");
+    scratch.active_words = words;
 }
 
 void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
-    const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
-    grow(scratch.active, std::max(words, local_ids / 64));
-    std::fill_n(scratch.active.begin(), words, std::uint64_t{0});
+    std::fill_n(scratch.active.begin(), scratch.active_words, std::uint64_t{0});
+    grow(scratch.active, std::max((block.edge_count + std::size_t{63}) / 64, local_ids / 64));
+    scratch.active_words = scratch.active.size(); // until check_edges, because the cut may throw
 }
 
-// Clears the bits after the block's last edge. Only a changed record can set these bits.
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
-    check_cut(block, block.edge_count, cut);
-    const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
-    cut.active.assign(scratch.active.begin(), scratch.active.begin() + static_cast<std::ptrdiff_t>(words));
-    if (block.edge_count % 64 != 0) cut.active.back() &= (std::uint64_t{1} << block.edge_count % 64) - 1;
+    check_cells(block, cut);
+    check_edges(block, scratch);
+    const auto words = static_cast<std::ptrdiff_t>(scratch.active_words);
+    cut.active.assign(scratch.active.begin(), scratch.active.begin() + words);
     cut.rank.resize(cut.active.size());
     cut.ends.resize(rank_active(cut.active.data(), cut.active.size(), cut.rank.data()));
     std::array<Index, 2>* to = cut.ends.data();
-    for (std::size_t w = 0; w < cut.active.size(); ++w)
-        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1)
-            *to++ = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
     const Index vertices = block.vertex_count;
     Index outside = 0;
-    for (const auto& [low, high] : cut.ends) outside |= std::max(low, high) >= vertices ? 1U : 0U;
+    for (std::size_t w = 0; w < cut.active.size(); ++w)
+        for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1) {
+            *to = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
+            outside |= (*to)[1] >= vertices ? 1U : 0U; // the greater of the two
+            ++to;
+        }
     if (outside != 0) refuse_changed("an edge has an end that does not exist");
     const auto count = static_cast<Index>(cut.ends.size());
     cut.ghosts = count == 0 || block.ghost_edge.size() == block.edge_count
@@ -308,14 +321,14 @@ void cut_cells(const Block& block, const BlockValues& in, std::span<const Index>
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_sections<MetEdges>(block, in, scratch, cut);
-    check_cut(block, scratch.met_count, cut);
+    check_cells(block, cut);
 }
 
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                      ActiveBlock& cut) {
     begin_cut_alone(block, in, scratch, cut);
     cut_listed<MetEdges>(block, in, cells, scratch, cut);
-    check_cut(block, scratch.met_count, cut);
+    check_cells(block, cut);
 }
 
 } // namespace ciel::detail

@@ -22,6 +22,7 @@ struct CutScratch {
     Index cells = 0;                        // number of active cells in `cell`
     std::vector<std::array<Index, 2>> ends; // by active local edge: its two vertices; for MetEdges, by point
     std::vector<std::uint64_t> active;      // for SharedEdges: one bit for each local edge, set if active
+    std::size_t active_words = 0;           // number of words of `active` that may not be 0
     // For MetEdges, by local edge: met_before + number of the edge's point; less than met_before if it has no point.
     std::vector<Index> met;
     Index met_before = 1, met_count = 0, met_most = 0;

@@ -5,7 +5,7 @@
 // the previous active edge instead. A table from entry edge to exit edge (`follow`) is enough, unless the cell touches
 // itself along an edge (`walk_all`).
 // A record may change at any time (block.hpp). Therefore `spend` limits the steps through faces, `follow` uses each
-// entry edge once, and `finish` checks the edges of each polygon.
+// entry edge once, and the edges of a polygon are either entry edges, which are active, or checked by `check_active`.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 
@@ -72,14 +72,15 @@ private:
     void walk(Index cell, Index start);
     [[nodiscard]] Index exit_of(Loop loop, Index entry, bool forward);
     void finish_walk(Index cell, std::size_t begin);
+    void check_active(std::size_t begin) const;
     void finish(Index cell, std::size_t begin);
 
     [[nodiscard]] bool is_high(Index corner) const { return high_[vertex_[corner]] != 0; }
     [[nodiscard]] bool is_active(Loop loop, Index corner) const {
         return is_high(corner) != is_high(loop.next(corner));
     }
-    void activate(Index corner, Index next) {
-        const Index edge = edge_[corner], a = vertex_[corner], b = vertex_[next];
+    void activate(Index edge, Index corner, Index next) {
+        const Index a = vertex_[corner], b = vertex_[next];
         if (in_.gaps && (std::isnan(in_.values[a]) || std::isnan(in_.values[b]))) return;
         (void)edges_.activate(edge, a, b);
     }
@@ -151,11 +152,12 @@ std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_cr
 // cell is the entry edge of some face. Returns false if the edge already is an entry edge in this cell.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
-    activate(entry, after);
-    CutScratch::Way& way = scratch_.way[edge_[entry]];
+    const Index edge = read_once(edge_[entry]);
+    activate(edge, entry, after);
+    CutScratch::Way& way = scratch_.way[edge];
     if (way.stamp == scratch_.cell_stamp) return false;
     way = {scratch_.cell_stamp, edge_[exit]};
-    scratch_.entry.push_back(edge_[entry]);
+    scratch_.entry.push_back(edge);
     return true;
 }
 
@@ -169,8 +171,9 @@ bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& fa
     const Index after = entry + 1 == end ? begin : entry + 1;
     if (edge_[entry] != edge_[exit]) return link(entry, after, exit);
     // The face has collapsed to a line. The edge is activated here, because perhaps no other face has the edge.
-    activate(entry, after);
-    scratch_.returning.push_back(edge_[entry]);
+    const Index edge = read_once(edge_[entry]);
+    activate(edge, entry, after);
+    scratch_.returning.push_back(edge);
     return true;
 }
 
@@ -246,6 +249,7 @@ void PolyhedronCutter<Edges, Local>::follow(Index cell) {
             edge = scratch_.way[edge].exit;
         } while (scratch_.way[edge].stamp == scratch_.cell_stamp);
         if (edge != start) refuse_changed("a polygon is not closed");
+        if (in_.gaps) check_active(begin); // an entry edge to a vertex without a value is not active
         finish(cell, begin);
     }
 }
@@ -322,11 +326,20 @@ void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) 
         cut_.wasted = true;
         return;
     }
+    check_active(begin);
     finish(cell, begin);
 }
 
+// Throws Error if a changed record has led to an edge that is not active.
+template <class Edges, class Local>
+void PolyhedronCutter<Edges, Local>::check_active(std::size_t begin) const {
+    bool active = true;
+    for (std::size_t i = begin; i < cut_.polygon_edge.size(); ++i) active &= edges_.has(cut_.polygon_edge[i]);
+    if (!active) refuse_changed("a polygon has an edge that is not active");
+}
+
 // Reverses the polygon: seen from outside the cell, the walk has the high side on its left, but the right-hand normal
-// must point to the high side. Throws Error if a changed record has led to an edge that is not active.
+// must point to the high side.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
@@ -336,12 +349,7 @@ void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
         return;
     }
     std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(begin), loop.end());
-    bool active = true;
-    for (std::size_t i = begin; i < loop.size(); ++i) {
-        active &= edges_.has(loop[i]);
-        loop[i] = edges_.kept(loop[i]);
-    }
-    if (!active) refuse_changed("a polygon has an edge that is not active");
+    for (std::size_t i = begin; i < loop.size(); ++i) loop[i] = edges_.kept(loop[i]);
     cut_.polygon_cell.push_back(section_.local_cell(cell));
     cut_.polygon_end.push_back(static_cast<Index>(loop.size()));
 }

@@ -13,7 +13,7 @@ namespace ciel::detail {
 namespace {
 
 constexpr std::size_t most_blocks_per_task = 4;
-constexpr Index ahead = 8; // number of points between a prefetch and its use
+constexpr std::size_t ahead = 8; // number of points between a prefetch and its use
 
 [[noreturn]] void refuse_ghost(Index owner) {
     fail("block " + std::to_string(owner) +
@@ -108,14 +108,19 @@ void Writer::write_points(Index b, const Block& block) {
     load_vertices(mesh_.loader, b, block);
     const ValuesView values = field_.of_block(b);
     const std::span ends = std::span(cut.ends).subspan(cut.ghosts);
+    const std::span points = std::span(out_.points).subspan(cut.first_point, ends.size());
     const auto write = [&, shift = mesh_.surface_shift()](const auto& all, const auto& positions) {
-        for (Index i = 0; i < cut.owned(); ++i) {
-            if (i + ahead < ends.size())
-                for (const Index end : ends[i + ahead])
-                    __builtin_prefetch(&positions[3 * std::size_t{block.vertex(end)}]);
-            const EdgePoint point = edge_point(block, all, ends[i], nu_);
-            out_.points[cut.first_point + i] = point;
-            out_.positions[cut.first_point + i] = position_of(point, positions, shift);
+        const auto find_vertices = [&](std::size_t i) {
+            points[i].a = block.vertex(ends[i][0]);
+            points[i].b = block.vertex(ends[i][1]);
+            __builtin_prefetch(&positions[3 * std::size_t{points[i].a}]);
+            __builtin_prefetch(&positions[3 * std::size_t{points[i].b}]);
+        };
+        for (std::size_t i = 0; i < std::min(ahead, points.size()); ++i) find_vertices(i);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i + ahead < points.size()) find_vertices(i + ahead);
+            points[i].t = share_at(nu_, all[ends[i][0]], all[ends[i][1]]);
+            out_.positions[cut.first_point + i] = position_of(points[i], positions, shift);
         }
     };
     values.with([&](const auto& all) { mesh_.positions.with([&](const auto& positions) { write(all, positions); }); });
