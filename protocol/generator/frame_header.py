@@ -92,26 +92,26 @@ inline void write_frame_header(const FrameHeader& header, std::span<std::uint8_t
 [[nodiscard]] inline FrameHeader read_frame_header(std::span<const std::uint8_t> bytes) {{
     const auto text = [](std::uint64_t number) {{ return std::to_string(number); }};
     if (bytes.size() < frame_header_bytes)
-        throw Error("a binary frame has " + text(bytes.size()) + " bytes; its header alone has {header.bytes}");
+        throw ciel::Error("a binary frame has " + text(bytes.size()) + " bytes; its header alone has {header.bytes}");
     const std::uint8_t* at = bytes.data();
     if (!std::equal(frame_magic.begin(), frame_magic.end(), at))
-        throw Error("a binary frame does not begin with '{header.magic}'");
+        throw ciel::Error("a binary frame does not begin with '{header.magic}'");
     if (at[4] != frame_version)
-        throw Error("a binary frame is of version " + text(at[4]) +
+        throw ciel::Error("a binary frame is of version " + text(at[4]) +
                     "; this program reads version {header.version}. {RELOAD}");
     if ({is_kind})
-        throw Error("a binary frame is of kind " + text(at[5]) + "; the known kinds are {header.kind_list}");
+        throw ciel::Error("a binary frame is of kind " + text(at[5]) + "; the known kinds are {header.kind_list}");
     FrameHeader header;
     header.kind = static_cast<FrameKind>(at[5]);
     header.flags = get<std::uint16_t>(at + 6);
     if ((header.flags & ~{header.known_flags}) != 0)
-        throw Error("a binary frame has unknown flags " + text(header.flags));
+        throw ciel::Error("a binary frame has unknown flags " + text(header.flags));
 {gets}    const std::uint64_t payload = bytes.size() - frame_header_bytes;
     if (payload != header.payload_bytes)
-        throw Error("a binary frame announces " + text(header.payload_bytes) + " bytes after its header and has " +
+        throw ciel::Error("a binary frame announces " + text(header.payload_bytes) + " bytes after its header and has " +
                     text(payload));
     if (std::uint64_t{{header.piece_offset}} + header.payload_bytes > header.whole_bytes)
-        throw Error("a binary frame has " + text(header.payload_bytes) + " bytes at offset " + text(header.piece_offset) +
+        throw ciel::Error("a binary frame has " + text(header.payload_bytes) + " bytes at offset " + text(header.piece_offset) +
                     ", but the whole frame has only " + text(header.whole_bytes));
     return header;
 }}

@@ -7,7 +7,6 @@
 #include <map>
 
 namespace server::page {
-using namespace ciel;
 namespace {
 
 using testing::ElementsAre;

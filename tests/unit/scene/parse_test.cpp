@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 namespace server::scene {
-using namespace ciel;
 namespace {
 
 using nlohmann::json;
