@@ -8,7 +8,7 @@ namespace {
 
 constexpr double largest_of_range = 4e37; // greatest end of a range; 1 / (twice this number) is not subnormal
 constexpr double smallest_of_log = 1e-37; // least end of a log range; graphics cards may treat smaller floats as 0
-constexpr double log_share = 1e-6;        // lower end of a log range, as a share of its upper end, if data reach zero
+constexpr double log_ratio = 1e6;         // of the ends of a log range whose data reach zero
 
 double within_floats(double end) { return std::clamp(end, -largest_of_range, largest_of_range); }
 
@@ -17,7 +17,7 @@ double within_floats(double end) { return std::clamp(end, -largest_of_range, lar
 std::array<double, 2> range_above_zero(std::array<double, 2> range) {
     auto [low, high] = range;
     if (!(high > 0)) return {1, 10}; // any valid range, because the scale shows no value (is_shown_by)
-    if (!(low > 0)) low = high * log_share;
+    if (!(low > 0)) low = high / log_ratio;
     return {std::max(low, smallest_of_log), std::max(high, smallest_of_log)};
 }
 

@@ -13,7 +13,9 @@ constexpr double very_late = 0.2;  // seconds; no browser delays a frame this mu
 constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
-constexpr unsigned late_while_doubling = 3; // less, because the queue grows with each round trip
+// While the window doubles, so many late frames are enough if each of them is later than the one before.
+constexpr unsigned late_while_doubling = 3;
+constexpr double noise = 0.005; // seconds by which a frame in a growing queue may be earlier than the one before
 // seconds. A frame that takes longer is slow because of its size; the window does not grow for it.
 constexpr double longest_route = 1;
 constexpr seconds soonest_lasts{10}; // then soonest_ is measured again, because the route may have become longer
@@ -79,7 +81,10 @@ void CongestionWindow::learn(const Frame& frame, Time now) {
     const double carried = bytes / Seconds(now - frame.since).count();
     carried_.add(carried, is_old);
     late_frames_ = late > tolerance ? late_frames_ + 1 : 0;
-    if (late_frames_ >= (doubles_ ? late_while_doubling : late_in_a_row) || late > very_late)
+    later_frames_ = late > last_late_ - noise ? later_frames_ + 1 : 0;
+    last_late_ = late;
+    const bool queue_grows = doubles_ && later_frames_ > late_while_doubling;
+    if (late_frames_ >= (queue_grows ? late_while_doubling : late_in_a_row) || late > very_late)
         shrink(frame, carried, late, now);
     else if (late_frames_ == 0 && held_back_ && took < longest_route)
         grow(frame.bytes);
@@ -94,7 +99,9 @@ void CongestionWindow::Highest::add(double rate, bool begins) {
 void CongestionWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
-    const bool is_full = carried >= full * carried_.value() && (!rate_ || carried >= rate_->value);
+    // The lesser of two while the window doubles: few rates are known yet, and frames that arrive together seem fast.
+    const double sure = doubles_ && late_frames_ > 1 ? std::min(carried, carried_by_last_) : carried;
+    const bool is_full = sure >= full * carried_.value() && (!rate_ || sure >= rate_->value);
     const auto bytes = static_cast<double>(frame.bytes), flight = static_cast<double>(bytes_on_the_way());
     const double reach = soonest_->value + tolerance;
     if (!std::exchange(doubles_, false) || late > queued)
@@ -104,8 +111,7 @@ void CongestionWindow::shrink(const Frame& frame, double carried, double late, T
         window_ = std::max(std::min(std::max(delivered_.value(), carried_.value()) * reach, flight), bytes);
     else
         window_ = flight + bytes;
-    // The lesser of two, because frames that one acknowledgement covers seem to be carried faster than they are.
-    if (is_full) rate_ = {std::min(carried, carried_by_last_), now};
+    if (is_full) rate_ = {sure, now};
 }
 
 void CongestionWindow::grow(std::size_t bytes) {

@@ -107,6 +107,10 @@ class Server:
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
 
+    def peak_kilobytes(self) -> int:
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"VmHWM:\s+(\d+)", status).group(1))
+
     def private_kilobytes(self) -> int:
         """Resident memory without the pages of mapped files."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()

@@ -206,7 +206,8 @@ void check_edges(const Block& block, CutScratch& scratch) {
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
     const Index rest = block.edge_count % 64;
     std::uint64_t outside = rest == 0 ? 0 : scratch.active[words - 1] >> rest;
-    for (std::size_t w = words; w < scratch.active.size(); ++w) outside |= scratch.active[w];
+    // A record with 16-bit ids cannot set the words after these. Ids of 32 bits cannot change (block.hpp).
+    for (std::size_t w = words; w < local_ids / 64; ++w) outside |= scratch.active[w];
     if (outside != 0) refuse_changed("an edge does not exist");
     scratch.active_words = words;
 }
@@ -231,7 +232,7 @@ void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     for (std::size_t w = 0; w < cut.active.size(); ++w)
         for (std::uint64_t bits = cut.active[w]; bits != 0; bits &= bits - 1) {
             *to = scratch.ends[64 * w + static_cast<std::size_t>(std::countr_zero(bits))];
-            outside |= (*to)[1] >= vertices ? 1U : 0U; // the greater of the two
+            outside |= std::max((*to)[0], (*to)[1]) >= vertices ? 1U : 0U;
             ++to;
         }
     if (outside != 0) refuse_changed("an edge has an end that does not exist");
