@@ -13,7 +13,7 @@ constexpr double very_late = 0.2;  // seconds; no browser delays a frame this mu
 constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
-// While the window doubles, so many late frames are enough if each of them is later than the one before.
+// The same while the window doubles and the frames become later and later, which only a growing queue causes.
 constexpr unsigned late_while_doubling = 3;
 constexpr double noise = 0.005; // seconds by which a frame in a growing queue may be earlier than the one before
 // seconds. A frame that takes longer is slow because of its size; the window does not grow for it.

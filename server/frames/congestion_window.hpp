@@ -75,7 +75,7 @@ private:
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};
     unsigned late_frames_ = 0;  // late frames in a row
-    unsigned later_frames_ = 0; // frames in a row, each later than the one before
+    unsigned later_frames_ = 0; // frames in a row, none much earlier than the one before
     double last_late_ = 0;      // seconds
     bool held_back_ = false, doubles_ = true;
 };

@@ -30,7 +30,7 @@ struct SocketRow {
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Returns "LOCAL REMOTE" for each established socket that a process of `user` holds. Returns nothing for user 65534
-// (nobody): a user namespace shows all users of the machine outside it with this number.
+// (nobody), because in a user namespace every user from outside has this number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.
