@@ -65,7 +65,7 @@ Table preprocessing_table(const Case& data) {
                            coordinate(data.mesh, axis, sign)));
     std::shared_ptr<const ciel::GeometricVertices> where;
     Row& vertices = add("where slices may begin: boundary and reflex vertices", [&] {
-        where = std::make_shared<const ciel::GeometricVertices>(data.mesh, nullptr);
+        where = std::make_shared<const ciel::GeometricVertices>(data.mesh);
         (void)where->find(*data.topology);
     });
     vertices.note = std::to_string(where->find(*data.topology).vertices.size()) + " vertices";

@@ -193,10 +193,12 @@ public:
     }
 
 private:
+    // `positions`: the owner of the positions and of the loader.
     ciel::FaceMeshView of_dataset(ciel::FaceMeshView view, std::size_t mesh,
-                                  std::shared_ptr<const void> keep_alive) const {
+                                  std::shared_ptr<const void> positions) const {
+        using Owners = std::pair<std::shared_ptr<const MappedMesh>, std::shared_ptr<const void>>;
         view.surface_origin = middle_of(info_.meshes[mesh]);
-        view.keep_alive = std::move(keep_alive);
+        view.keep_alive = std::make_shared<const Owners>(meshes_[mesh], std::move(positions));
         return view;
     }
 

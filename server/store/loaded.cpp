@@ -322,19 +322,11 @@ std::size_t LoadedDataset::cells_with_bad_corners(const std::string& name, std::
 }
 
 std::shared_ptr<const ciel::CellLocator> LoadedDataset::locator(std::size_t step) {
-    struct Held {
-        std::shared_ptr<const Dataset> dataset;
-        std::shared_ptr<const ciel::Topology> topology;
-        ciel::CellLocator locator;
-    };
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);
     const auto of_mesh = topology(at.mesh);
-    auto held = std::make_shared<const Held>(
-        Held{of, of_mesh,
-             ciel::CellLocator(*of_mesh, of->mesh_arrays().points_to_load(at.mesh, at.coordinates),
-                               state_->boxes(*of, at, *of_mesh))});
-    return {held, &held->locator};
+    return std::make_shared<const ciel::CellLocator>(
+        *of_mesh, of->mesh_arrays().points_to_load(at.mesh, at.coordinates), state_->boxes(*of, at, *of_mesh));
 }
 
 std::shared_ptr<const ciel::BlockBoxes> LoadedDataset::boxes(std::size_t step) {
@@ -355,7 +347,7 @@ ScalarField LoadedDataset::plane(std::size_t step, ciel::Vec3d origin, ciel::Vec
     const std::size_t bytes = field_bytes(of_mesh->counts().vertices, value_bytes);
     return State::field(state_->planes, of, step, key.str(), of_mesh, bytes, [&] {
         const ciel::FaceMeshView points = of->mesh_arrays().points_to_load(at.mesh, at.coordinates);
-        ciel::Field made = ciel::Field::plane(*of_mesh, points, origin, normal, *boxes, points.keep_alive);
+        ciel::Field made = ciel::Field::plane(*of_mesh, points, origin, normal, *boxes);
         made.set_direction(state_->geometric(of, at), normal);
         return made;
     });

@@ -7,7 +7,7 @@
 
 namespace server::store {
 
-// The spans of a view are valid as long as the dataset exists. Thread-safe.
+// Each view owns its arrays (FaceMeshView::keep_alive). Thread-safe.
 class MeshArrays {
 public:
     virtual ~MeshArrays() = default;

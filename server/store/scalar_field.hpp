@@ -26,9 +26,9 @@ struct ScalarField {
     void set_surface_origin(const ciel::Vec3d& origin) { points_.surface_origin = origin; }
     [[nodiscard]] bool has_double_positions() const { return points_.positions.has_doubles(); }
 
-    // The field is set. This object or a copy must outlive the Query.
+    // The field is set.
     [[nodiscard]] ciel::Query query(ciel::Extraction extraction = {}) const;
-    // Sets the positions and the field of a Query on the same topology. This object or a copy must outlive the Query.
+    // Sets the positions and the field of a Query on the same topology.
     void set_in(ciel::Query& query) const;
     // Cuts all values in one pass and sets out[i] to the sink's result for values[i] (sweep in ciel/sweep_sinks.hpp).
     // Returns false when `stop` was requested.

@@ -7,6 +7,7 @@
 #include "fields/cell_ranges.hpp"
 #include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
 #include "support/views.hpp"
@@ -52,7 +53,7 @@ struct Data {
     }
     [[nodiscard]] std::array<Field, 2> fields() const {
         const auto fits = std::make_shared<CellFits>(topology);
-        std::array all{Field(topology, values[0], nullptr), Field(topology, values[1], nullptr)};
+        std::array all{Field(topology, values[0], kept_by_test), Field(topology, values[1], kept_by_test)};
         for (Field& field : all) field.set_cell_fits(fits);
         return all;
     }
@@ -88,13 +89,13 @@ class Hand {
 public:
     Hand(const Data& data, const How& how)
         : data_(data), normals_(how.normals), fields_(data.fields()),
-          query_(data.topology, data.assembled.mesh.view(), how.extraction) {
+          query_(data.topology, kept(data.assembled.mesh.view()), how.extraction) {
         if (normals_) query_.set_normals(*normals_);
     }
     void take(const Step& step) {
         if (step.what == Step::What::field) return query_.set_field(fields_[step.which]);
         if (step.what == Step::What::extract) return (void)query_.extract(step.nu, normals_.has_value(), surface);
-        query_.set_mesh(data_.moved.view());
+        query_.set_mesh(kept(data_.moved.view()));
         for (Field& field : fields_) field.vertices_moved();
     }
 
@@ -213,7 +214,7 @@ class SweepOutOfMemory : public testing::TestWithParam<std::tuple<NamedMesh, How
 protected:
     template <class Sink>
     void expect_right(const Sink& sink) {
-        const FaceMeshView mesh = data.assembled.mesh.view();
+        const FaceMeshView mesh = kept(data.assembled.mesh.view());
         const Extraction extraction = std::get<1>(GetParam()).extraction;
         const std::vector<double> nus{0.5, 0.2, 0.9, 0.3};
         using Outs = std::vector<typename Sink::Out>;
@@ -296,14 +297,14 @@ protected:
 
 // A field's minima along a direction, and the candidate vertices for them.
 TEST_P(OnDemandOutOfMemory, Extrema) {
-    const FaceMeshView mesh = data.assembled.mesh.view();
+    const FaceMeshView mesh = kept(data.assembled.mesh.view());
     const std::vector<float> distance = plane_distance(mesh, mesh.origin, {0.6, 0.8, 0});
-    const Field everywhere(data.topology, distance, nullptr);
+    const Field everywhere(data.topology, distance, kept_by_test);
     const std::span<const Index> expected = everywhere.sorted_minima();
-    const auto where_expected = GeometricVertices(mesh, nullptr).find(data.topology).vertices;
+    const auto where_expected = GeometricVertices(mesh).find(data.topology).vertices;
     fail_each([&](std::size_t nth) {
-        const auto where = std::make_shared<const GeometricVertices>(mesh, nullptr);
-        Field field(data.topology, distance, nullptr);
+        const auto where = std::make_shared<const GeometricVertices>(mesh);
+        Field field(data.topology, distance, kept_by_test);
         field.set_direction(where, {0.6, 0.8, 0});
         const bool failed = fails(nth, [&] { (void)field.sorted_minima(); });
         EXPECT_TRUE(std::ranges::equal(field.sorted_minima(), expected));

@@ -5,6 +5,7 @@
 #include "ciel/sweep_sinks.hpp"
 #include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -39,15 +40,15 @@ TEST_P(SteadyState, AllocatesNothing) {
     const auto& [named, how] = GetParam();
     const Polyhedra input = named.make();
     const Assembled assembled = assemble(view(input));
-    const FaceMeshView mesh = assembled.mesh.view();
+    const FaceMeshView mesh = kept(assembled.mesh.view());
     const Topology topology(mesh, {64});
     std::vector<float> values = random_field(topology.counts().vertices, 3);
     if (!values.empty()) values[values.size() / 2] = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> ones = values;
-    const Field first(topology, ones, nullptr);
+    const Field first(topology, ones, kept_by_test);
     for (float& value : values) value = 1 - value;
     const std::vector<float> others = values;
-    const Field second(topology, others, nullptr);
+    const Field second(topology, others, kept_by_test);
     Query query(topology, mesh, how.extraction);
     if (how.normals) query.set_normals(*how.normals);
     Surface surface;
@@ -90,14 +91,14 @@ protected:
 
     const Polyhedra input = std::get<0>(GetParam()).make();
     const Assembled assembled = assemble(view(input));
-    const FaceMeshView mesh = assembled.mesh.view();
+    const FaceMeshView mesh = kept(assembled.mesh.view());
     const Topology topology{mesh, {64}};
     const std::vector<float> values = random_field(topology.counts().vertices, 3);
     const std::vector<float> others = random_field(topology.counts().vertices, 4);
 
     template <class Sink>
     void expect_none(const Sink& sink) {
-        const Field first(topology, values, nullptr), second(topology, others, nullptr);
+        const Field first(topology, values, kept_by_test), second(topology, others, kept_by_test);
         const std::vector<double> nus{0.5, 0.2, 0.9, 0.3};
         SweepBuffers<Sink> scratch;
         std::vector<typename Sink::Out> out;

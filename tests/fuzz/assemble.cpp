@@ -3,6 +3,7 @@
 #include "ciel/extract.hpp"
 #include "fuzz/bytes.hpp"
 #include "oracle/twin/twin.hpp"
+#include "support/kept.hpp"
 #include "support/views.hpp"
 
 #include <algorithm>
@@ -128,8 +129,9 @@ void check_closed(const Surface& surface, const FaceMeshView& mesh, std::span<co
 void cut(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes) {
     std::vector<float> values(mesh.vertex_count());
     for (float& value : values) value = number(bytes.next());
-    const Field field(topology, values, nullptr);
-    Query signatures(topology, mesh, Algorithm::signatures), propagation(topology, mesh, Algorithm::propagation);
+    const Field field(topology, values, test::kept_by_test);
+    Query signatures(topology, test::kept(mesh), Algorithm::signatures),
+        propagation(topology, test::kept(mesh), Algorithm::propagation);
     signatures.set_field(field);
     propagation.set_field(field);
     for (int i = 0; i < 4; ++i) {

@@ -3,6 +3,7 @@
 #include "ciel/extract.hpp"
 #include "fuzz/extract_promises.hpp"
 #include "fuzz/extract_steps.hpp"
+#include "support/kept.hpp"
 #include "support/views.hpp"
 #include "support/volume_boundary.hpp"
 
@@ -19,7 +20,7 @@ constexpr std::array algorithms{Algorithm::signatures, Algorithm::propagation, A
 class Viewer {
 public:
     Viewer(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes)
-        : topology_(topology), mesh_(mesh), bytes_(bytes) {
+        : topology_(topology), mesh_(kept(mesh)), bytes_(bytes) {
         for (auto& values : values_) values = field_from(bytes, mesh.vertex_count());
         for (std::size_t i = 0; i < values_.size(); ++i) field_[i].emplace(topology, values_[i], nullptr);
         for (const Algorithm algorithm : algorithms) {
@@ -89,7 +90,7 @@ private:
             require(query_[i].extract(nu, with_normals, other), "nothing asked extract to stop");
             same_surface(surface, other, "the algorithms differ");
         }
-        const Field field(topology_, values_[current_], nullptr);
+        const Field field(topology_, values_[current_], kept_by_test);
         Query fresh(topology_, mesh_, {Algorithm::signatures, decider_});
         fresh.set_normals(normals_);
         fresh.set_field(field);

@@ -3,6 +3,7 @@
 #include "fuzz/bytes.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/mapped_records.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
@@ -47,9 +48,9 @@ void patch(CopiedRecords& copied, Bytes& bytes) {
 void use(const Topology& topology, const Sample& from) {
     try {
         (void)all_operators(topology);
-        (void)cut_in_all_ways(topology, from.assembled.mesh.view(), from.values);
+        (void)cut_in_all_ways(topology, kept(from.assembled.mesh.view()), from.values);
         (void)vertex_gradients(topology, from.assembled.mesh.view(), from.values);
-        probe_some(topology, from.assembled.mesh.view());
+        probe_some(topology, kept(from.assembled.mesh.view()));
         threshold_some(topology, from.assembled.mesh.view(), from.values);
     } catch (const Error& error) {
         require(says_what_to_do(error.what()), error.what());

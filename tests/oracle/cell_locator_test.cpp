@@ -3,6 +3,7 @@
 #include "ciel/assemble.hpp"
 #include "mesh/cell_faces.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -36,7 +37,7 @@ Vec3d middle_of(const FaceMeshView& mesh, Index face) {
 TEST_P(CellLocators, WeightsAreExactForALinearField) {
     const test::LinearField field{{1, -2, 0.5}, 3};
     const Assembled assembled = assemble(test::view(GetParam().make()));
-    const FaceMeshView mesh = assembled.mesh.view();
+    const FaceMeshView mesh = test::kept(assembled.mesh.view());
     const Topology topology(mesh, {7});
     const CellLocator locator = locator_of(topology, mesh);
     if (mesh.cell_count() == 0) {
@@ -64,7 +65,7 @@ TEST_P(CellLocators, WeightsAreExactForALinearField) {
 // The cell found at a point must not depend on the size of the blocks or on the face loops that they store.
 TEST_P(CellLocators, FindTheSameCellWithBlocksOfAnySize) {
     const Assembled assembled = assemble(test::view(GetParam().make()));
-    const FaceMeshView mesh = assembled.mesh.view();
+    const FaceMeshView mesh = test::kept(assembled.mesh.view());
     if (mesh.cell_count() == 0) return;
     const Topology one(mesh), many(mesh, {5});
     const CellLocator of_one = locator_of(one, mesh), of_many = locator_of(many, mesh);
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(All, CellLocators, testing::ValuesIn(test::all_meshes()
 
 TEST(CellLocator, KnowsCellsTheirNearestVertexAndTheOutside) {
     const Assembled assembled = assemble(test::view(test::tetrahedra({{4, 4, 4}})));
-    const FaceMeshView mesh = assembled.mesh.view();
+    const FaceMeshView mesh = test::kept(assembled.mesh.view());
     const Topology topology(mesh, {50});
     const CellLocator locator = locator_of(topology, mesh);
     const detail::CellFaces faces = detail::cell_faces(mesh);

@@ -5,6 +5,7 @@
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/mapped_records.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
@@ -82,7 +83,7 @@ public:
         attempt([this] { operators(); });
         attempt([this] { keep_kept(); });
         attempt([this] {
-            Field fresh(topology_, values_, nullptr);
+            Field fresh(topology_, values_, kept_by_test);
             use(fresh, nullptr);
         });
         if (kept_) use(*kept_, &queries_);
@@ -205,10 +206,10 @@ void EveryUse::sweeps(const Field& field) {
 }
 
 void EveryUse::vertices() {
-    const auto where = std::make_shared<GeometricVertices>(mesh_, nullptr);
+    const auto where = std::make_shared<GeometricVertices>(mesh_);
     for (const Index v : where->find(topology_).vertices) EXPECT_LT(v, values_.size());
     const std::vector<float> distances = plane_distance(mesh_, {0.4, 0.4, 0.4}, {0.48, 0.6, 0.64});
-    Field plane(topology_, distances, nullptr);
+    Field plane(topology_, distances, kept_by_test);
     plane.set_direction(where, {0.48, 0.6, 0.64});
     for (const Index v : plane.sorted_minima()) EXPECT_LT(v, values_.size());
 }

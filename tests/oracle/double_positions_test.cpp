@@ -5,6 +5,7 @@
 #include "ciel/sweep_sinks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct DoubleMesh {
         return cells;
     }
     [[nodiscard]] FaceMeshView mesh() const {
-        FaceMeshView mesh = assembled.mesh.view();
+        FaceMeshView mesh = kept(assembled.mesh.view());
         mesh.surface_origin = origin;
         return mesh;
     }
@@ -114,7 +115,7 @@ TEST_P(DoublePositions, ThatAreFloatsGiveTheSurfacesOfFloats) {
     const DoubleMesh doubles(input, {input.positions.begin(), input.positions.end()}, {});
     ASSERT_TRUE(doubles.mesh().positions.has_doubles());
     const std::vector<float> values = floats.stored(bumps_field(input, 3));
-    const Field field(floats.topology, values, nullptr), other_field(doubles.topology, values, nullptr);
+    const Field field(floats.topology, values, kept_by_test), other_field(doubles.topology, values, kept_by_test);
     EXPECT_EQ(vertex_gradients(floats.topology, floats.mesh(), values),
               vertex_gradients(doubles.topology, doubles.mesh(), values));
     for (const Algorithm algorithm : algorithms) {
@@ -144,7 +145,7 @@ TEST_P(DoublePositions, FarAwayGiveThePolygonsOfTheSameMeshNearby) {
     ASSERT_EQ(here.assembled.original_vertex, there.assembled.original_vertex);
     ASSERT_EQ(here.assembled.original_cell, there.assembled.original_cell);
     const std::vector<float> values = here.stored(bumps_field(input, 5));
-    const Field field(here.topology, values, nullptr), far_field(there.topology, values, nullptr);
+    const Field field(here.topology, values, kept_by_test), far_field(there.topology, values, kept_by_test);
     const auto walk = walk_through(values, 4, 12);
     expect_same_polygons({here, field}, {there, far_field}, walk, true, [&](const Surface& near, const Surface& far) {
         for (std::size_t i = 0; i < far.points.size(); ++i)
@@ -162,8 +163,7 @@ TEST_P(DoublePositions, FarAwayAreSlicedLikeTheSameMeshNearby) {
     const DoubleMesh here(input, points_of(input, {}), {}), there(input, points_of(input, survey), survey);
     const auto plane = [](const DoubleMesh& mesh, const Vec3d& normal) {
         const Vec3d at{mesh.origin[0] + 0.25, mesh.origin[1] + 0.5, mesh.origin[2] + 0.125};
-        return Field::plane(mesh.topology, mesh.mesh(), at, normal, block_boxes(mesh.topology, mesh.mesh().positions),
-                            nullptr);
+        return Field::plane(mesh.topology, mesh.mesh(), at, normal, block_boxes(mesh.topology, mesh.mesh().positions));
     };
     for (const Vec3d& normal : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, -1}}) {
         const Field field = plane(here, normal), far_field = plane(there, normal);
@@ -219,7 +219,7 @@ TEST_F(BoundaryLayer, KeepsItsHeights) {
     std::vector<float> layer(box.vertex_count());
     for (Id v = 0; v < layer.size(); ++v) layer[v] = static_cast<float>(layer_of(box, v));
     const std::vector<float> stored = mesh.stored(layer);
-    const Field field(mesh.topology, stored, nullptr);
+    const Field field(mesh.topology, stored, kept_by_test);
     Query query(mesh.topology, mesh.mesh(), {});
     query.set_field(field);
     for (int below = 0; below < 12; ++below) {
@@ -236,7 +236,7 @@ TEST_F(BoundaryLayer, KeepsItsHeights) {
 
 TEST_F(BoundaryLayer, IsSlicedCellByCell) {
     const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
-    const Field distance = Field::plane(mesh.topology, mesh.mesh(), {0, 0, 0}, {0, 0, 1}, boxes, nullptr);
+    const Field distance = Field::plane(mesh.topology, mesh.mesh(), {0, 0, 0}, {0, 0, 1}, boxes);
     Query query(mesh.topology, mesh.mesh(), {});
     query.set_field(distance);
     for (int below = 0; below < layers; ++below) {

@@ -3,6 +3,7 @@
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <cmath>
@@ -57,7 +58,7 @@ TEST_P(Doubles, ThatAreFloatsAreCutLikeFloats) {
     for (const NamedField& named : all_fields()) {
         const std::vector<float> values = mesh.stored(named.make(input));
         const std::vector<double> wide(values.begin(), values.end());
-        const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, wide, nullptr);
+        const Field field(mesh.topology, values, kept_by_test), doubles(mesh.topology, wide, kept_by_test);
         EXPECT_EQ(field.range(), doubles.range());
         SCOPED_TRACE(named.name);
         expect_same_cuts(
@@ -69,7 +70,7 @@ TEST_P(Doubles, OfALargeSumAreCutLikeTheirDifferences) {
     for (const NamedField& named : all_fields()) {
         const std::vector<float> values = floats(named);
         const std::vector<double> high = raised_all(values);
-        const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, high, nullptr);
+        const Field field(mesh.topology, values, kept_by_test), doubles(mesh.topology, high, kept_by_test);
         EXPECT_THAT(doubles.sorted_minima(), testing::ElementsAreArray(field.sorted_minima()));
         std::vector<double> walk = walk_through(values, 8, 502);
         std::ranges::transform(walk, walk.begin(), coarse);
@@ -96,7 +97,7 @@ TEST_P(Doubles, HaveTheIsoValueAtThePointsOfTheSurface) {
     for (const NamedField& named : all_fields()) {
         std::vector<double> values;
         for (const float value : mesh.stored(named.make(input))) values.push_back(101325 + 0.01 * double{value});
-        const Field field(mesh.topology, values, nullptr);
+        const Field field(mesh.topology, values, kept_by_test);
         Query query = mesh.query();
         query.set_field(field);
         const auto [low, high] = field.range();
@@ -117,7 +118,7 @@ TEST_P(Doubles, WithoutAValueLeaveTheirCellsUncut) {
         values[v] = std::numeric_limits<float>::infinity();
         high[v] = v % 2 == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
     }
-    const Field field(mesh.topology, values, nullptr), doubles(mesh.topology, high, nullptr);
+    const Field field(mesh.topology, values, kept_by_test), doubles(mesh.topology, high, kept_by_test);
     expect_same_cuts(field, doubles, {0.25, 0.5, 0.75, 0.5}, raised, false);
 }
 
@@ -129,7 +130,7 @@ TEST(DoublesOfLargeIds, StayDifferent) {
     const KernelMesh mesh(hexahedra({{4, 4, 4}}), {8});
     std::vector<double> ids(mesh.topology.counts().vertices);
     for (std::size_t v = 0; v < ids.size(); ++v) ids[v] = 16777216 + static_cast<double>(v % 2);
-    const Field field(mesh.topology, ids, nullptr);
+    const Field field(mesh.topology, ids, kept_by_test);
     EXPECT_EQ(field.range(), (std::array{16777216.0, 16777217.0}));
     EXPECT_EQ(field.value(1), 16777217);
     Query query = mesh.query();

@@ -188,8 +188,8 @@ TEST_P(FarBlocks, HaveTheSameSlices) {
         middle[axis] += near.mesh().origin[axis];
     }
     const Vec3d normal{0.3, -0.5, 0.8};
-    const Field of_near = Field::plane(near.topology, near.mesh(), middle, normal, boxes, nullptr);
-    const Field of_far = Field::plane(far, points, middle, normal, far_boxes, nullptr);
+    const Field of_near = Field::plane(near.topology, near.mesh(), middle, normal, boxes);
+    const Field of_far = Field::plane(far, points, middle, normal, far_boxes);
     EXPECT_EQ(of_near.range(), of_far.range());
     Query expected = near.query(), found(far, points);
     expected.set_field(of_near);

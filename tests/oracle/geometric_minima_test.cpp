@@ -24,7 +24,7 @@ class GeometricMinima : public testing::TestWithParam<NamedMesh> {
 protected:
     Polyhedra input = GetParam().make();
     KernelMesh mesh{input, {32}};
-    std::shared_ptr<const GeometricVertices> where = std::make_shared<const GeometricVertices>(mesh.mesh(), nullptr);
+    std::shared_ptr<const GeometricVertices> where = std::make_shared<const GeometricVertices>(mesh.mesh());
 
     Field distance(Vec3d origin, Vec3d normal) {
         return make_field(mesh.topology, plane_distance(mesh.mesh(), origin, normal));
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(All, GeometricMinima, testing::ValuesIn(all_meshes()),
 
 std::size_t vertices_of(const Polyhedra& input) {
     const KernelMesh mesh(input);
-    return GeometricVertices(mesh.mesh(), nullptr).find(mesh.topology).vertices.size();
+    return GeometricVertices(mesh.mesh()).find(mesh.topology).vertices.size();
 }
 
 TEST(GeometricVertices, OfConvexCellsAreThoseOfTheBoundary) {
@@ -86,7 +86,7 @@ TEST(GeometricVertices, OfConvexCellsAreThoseOfTheBoundary) {
 TEST(GeometricVertices, OfReflexCornersAreInsideToo) {
     const Polyhedra input = agglomerated(hexahedra({{6, 6, 6}, 0.2}), 5, 3);
     const KernelMesh mesh(input);
-    const auto& found = GeometricVertices(mesh.mesh(), nullptr);
+    const auto& found = GeometricVertices(mesh.mesh());
     std::vector<std::uint8_t> boundary(mesh.mesh().vertex_count(), 0);
     const FaceMeshView faces = mesh.mesh();
     for (Index face = 0; face < faces.face_count(); ++face)

@@ -3,6 +3,7 @@
 
 #include "ciel/extract.hpp"
 #include "oracle/twin/twin.hpp"
+#include "support/kept.hpp"
 #include "support/views.hpp"
 
 namespace ciel::test {
@@ -14,7 +15,7 @@ struct KernelMesh {
     Assembled assembled;
     Topology topology;
 
-    [[nodiscard]] FaceMeshView mesh() const { return assembled.mesh.view(); }
+    [[nodiscard]] FaceMeshView mesh() const { return kept(assembled.mesh.view()); }
     [[nodiscard]] Query query(Algorithm algorithm = Algorithm::signatures) const {
         return {topology, mesh(), algorithm};
     }

@@ -3,6 +3,7 @@
 #include "ciel/sweep_sinks.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ private:
 template <class Number>
 void compare_surfaces(const KernelMesh& mesh, const std::vector<float>& values, Algorithm algorithm) {
     const std::vector<Number> stored(values.begin(), values.end());
-    const Field known(mesh.topology, stored, nullptr);
+    const Field known(mesh.topology, stored, kept_by_test);
     const Field read(mesh.topology, std::make_shared<CountedValues<Number>>(stored),
                      block_ranges(mesh.topology, stored));
     EXPECT_EQ(read.range(), known.range());
@@ -110,7 +111,7 @@ void compare_surfaces(const KernelMesh& mesh, const std::vector<float>& values, 
 template <class Number>
 void compare_some_blocks(const KernelMesh& mesh, const std::vector<float>& values) {
     const std::vector<Number> stored(values.begin(), values.end());
-    const Field field(mesh.topology, stored, nullptr);
+    const Field field(mesh.topology, stored, kept_by_test);
     std::vector<Index> odd;
     for (Index b = 1; b < mesh.topology.block_count(); b += 2) odd.push_back(b);
     for (const double nu : walk_through(values, 3, 503)) {
@@ -129,7 +130,7 @@ void compare_some_blocks(const KernelMesh& mesh, const std::vector<float>& value
 template <class Number>
 void compare_sweeps(const KernelMesh& mesh, const std::vector<float>& values) {
     const std::vector<Number> stored(values.begin(), values.end());
-    const Field field(mesh.topology, stored, nullptr);
+    const Field field(mesh.topology, stored, kept_by_test);
     const HiddenPositions<Number> positions(mesh);
     const std::vector<double> places = walk_through(values, 4, 504);
     std::vector<SoupSink::Out> expected, found;
@@ -144,8 +145,8 @@ void compare_slices(const KernelMesh& mesh, Algorithm algorithm) {
     const FaceMeshView known_points = positions.known(mesh), hidden_points = positions.hidden(mesh);
     const BlockBoxes boxes = block_boxes(mesh.topology, known_points.positions);
     const Vec3d origin{0.4, 0.3, 0.5}, normal{0.48, 0.6, 0.64};
-    const Field known = Field::plane(mesh.topology, known_points, origin, normal, boxes, nullptr);
-    const Field hidden = Field::plane(mesh.topology, hidden_points, origin, normal, boxes, nullptr);
+    const Field known = Field::plane(mesh.topology, known_points, origin, normal, boxes);
+    const Field hidden = Field::plane(mesh.topology, hidden_points, origin, normal, boxes);
     EXPECT_EQ(hidden.range(), known.range());
     const std::vector<double> places{0, 0.1, 0.25};
     std::vector<SoupSink::Out> expected, found;
@@ -183,7 +184,7 @@ TEST_P(LoadedVertices, GiveTheSameSurfacesOfSomeBlocksAndInASweep) {
 
 TEST_P(LoadedVertices, GiveTheSameMinima) {
     const std::vector<float> values = mesh.stored(bumps_field(input, 505));
-    const Field known(mesh.topology, values, nullptr);
+    const Field known(mesh.topology, values, kept_by_test);
     const Field read(mesh.topology, std::make_shared<CountedValues<float>>(values),
                      block_ranges(mesh.topology, values));
     EXPECT_THAT(read.sorted_minima(), testing::ElementsAreArray(known.sorted_minima()));

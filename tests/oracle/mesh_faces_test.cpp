@@ -4,6 +4,7 @@
 #include "ciel/numbered_faces.hpp"
 #include "mesh/cell_faces.hpp"
 #include "support/boundary.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -62,7 +63,7 @@ TEST_F(MeshFaces, FacesAtALevelAreThoseOfOneSide) {
     for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
         heights.push_back(mesh.positions[std::size_t{3} * vertex + 2] + static_cast<float>(mesh.origin[2]));
     const Topology topology(mesh);
-    const Field field(topology, heights, nullptr);
+    const Field field(topology, heights, test::kept_by_test);
     EXPECT_EQ(boundary_faces_at(mesh, field, 3, 1e-6).size(), 9U);
     EXPECT_EQ(boundary_faces_at(mesh, field, 1, 1e-6).size(), 0U) << "a level between layers of cells";
     EXPECT_EQ(boundary_faces_at(mesh, field, 3.5, 0.5 + 1e-6).size(), 9U);
@@ -136,7 +137,7 @@ TEST(AllFaces, AreThoseThatTheBlocksWereMadeOf) {
             const Topology topology(mesh, {cells_per_block});
             const test::Boundary boundary(mesh);
             const FaceLists faces = all_faces(topology, boundary.faces());
-            const FaceMeshView made = with_faces(mesh, faces);
+            const FaceMeshView made = with_faces(test::kept(mesh), std::make_shared<const FaceLists>(faces));
             EXPECT_EQ(faces.owner, assembled.mesh.owner) << named.name;
             EXPECT_TRUE(same_cells(topology, Topology(made))) << named.name;
             const FaceLists again = numbered_faces(made, {}), wanted = numbered_faces(mesh, {});
@@ -157,7 +158,7 @@ TEST(NumberedFaces, AreTheBoundaryAndThenOthers) {
     std::vector<Index> ids = on;
     ids.insert(ids.end(), some.begin(), some.end());
     ASSERT_EQ(faces.owner.size(), ids.size());
-    const FaceMeshView made = with_faces(mesh, faces);
+    const FaceMeshView made = with_faces(test::kept(mesh), std::make_shared<const FaceLists>(faces));
     for (Index number = 0; number < ids.size(); ++number) {
         EXPECT_TRUE(std::ranges::equal(made.loop(number), mesh.loop(ids[number])));
         EXPECT_EQ(made.owner[number], mesh.owner[ids[number]]);

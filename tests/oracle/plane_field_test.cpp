@@ -1,6 +1,7 @@
 // A plane as a field that stores no values: cuts have the same bits as with a stored distance per vertex.
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,9 @@ TEST_P(PlaneField, CutsLikeTheDistanceOfEachVertex) {
     const KernelMesh mesh(GetParam().make(), {32});
     const FaceMeshView points = mesh.mesh();
     const Field field =
-        Field::plane(mesh.topology, points, origin, normal, block_boxes(mesh.topology, points.positions), nullptr);
+        Field::plane(mesh.topology, points, origin, normal, block_boxes(mesh.topology, points.positions));
     const std::vector<float> distance = plane_distance(points, origin, normal);
-    const Field expected(mesh.topology, distance, nullptr);
+    const Field expected(mesh.topology, distance, kept_by_test);
     EXPECT_EQ(field.range(), expected.range());
     for (Index v = 0; v < distance.size(); ++v) ASSERT_EQ(field.value(v), distance[v]);
     for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation, Algorithm::naive}) {
@@ -44,7 +45,7 @@ TEST(PlaneField, TouchesTheBlocksThatThePlaneCrosses) {
     const Topology topology = read_back(std::move(copied));
     const FaceMeshView points = mesh.mesh();
     const BlockBoxes boxes = block_boxes(mesh.topology, points.positions);
-    const Field field = Field::plane(topology, points, points.origin, {1, 0, 0}, boxes, nullptr);
+    const Field field = Field::plane(topology, points, points.origin, {1, 0, 0}, boxes);
     EXPECT_EQ(source.reads, 0);
     Query query(topology, points);
     query.set_field(field);
@@ -57,8 +58,8 @@ TEST(PlaneField, TouchesTheBlocksThatThePlaneCrosses) {
 TEST(PlaneField, OfAnotherMeshIsRefused) {
     const KernelMesh mesh(tetrahedra({{2, 2, 2}})), other(tetrahedra({{3, 2, 2}}), {8});
     const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
-    EXPECT_THROW((void)Field::plane(other.topology, mesh.mesh(), origin, normal, boxes, nullptr), Error);
-    EXPECT_THROW((void)Field::plane(other.topology, other.mesh(), origin, normal, boxes, nullptr), Error);
+    EXPECT_THROW((void)Field::plane(other.topology, mesh.mesh(), origin, normal, boxes), Error);
+    EXPECT_THROW((void)Field::plane(other.topology, other.mesh(), origin, normal, boxes), Error);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -168,7 +169,7 @@ TEST(SomeBlocksTogether, OneBlockNeedsNoOther) {
     const Polyhedra input = zoo({{6, 6, 6}, 0.1, 407});
     const KernelMesh mesh(input, {16});
     const std::vector<float> stored = mesh.stored(bumps_field(input, 408));
-    const Field whole(mesh.topology, stored, nullptr);
+    const Field whole(mesh.topology, stored, kept_by_test);
     Query query = mesh.query();
     query.set_field(whole);
     Surface all;
@@ -181,7 +182,7 @@ TEST(SomeBlocksTogether, OneBlockNeedsNoOther) {
                       [&](const auto& record) { return record.first != std::pair(chunk.block, RecordKind::cells); });
         const CopiedRecords* const kept = records.get();
         const Topology topology = read_back(std::move(records));
-        const Field field(topology, stored, ranges, nullptr);
+        const Field field(topology, stored, ranges, kept_by_test);
         Query alone(topology, mesh.mesh());
         alone.set_field(field);
         alone.set_blocks(std::array{chunk.block});

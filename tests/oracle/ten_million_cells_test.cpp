@@ -1,5 +1,6 @@
 // A mesh of ten million cells, for errors that need large ids or much memory.
 #include "ciel/extract.hpp"
+#include "support/kept.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST(TenMillionCells, AreBuiltSlicedAndContoured) {
     GTEST_SKIP() << "needs several times the memory under a sanitizer";
 #endif
     const CubeOfCells cube;
-    const FaceMeshView mesh = cube.mesh_.view();
+    const FaceMeshView mesh = kept(cube.mesh_.view());
     const Topology topology(mesh);
     const std::uint64_t cells = std::uint64_t{n} * n * n, faces = std::uint64_t{3} * n * n * corners;
     EXPECT_GT(cells, 10'000'000U);
@@ -84,7 +85,7 @@ TEST(TenMillionCells, AreBuiltSlicedAndContoured) {
         distance[v] = std::hypot(at[0] - 0.5F, at[1] - 0.5F, at[2] - 0.5F);
     }
     Query query(topology, mesh, {});
-    const Field slice(topology, height, nullptr), sphere(topology, distance, nullptr);
+    const Field slice(topology, height, kept_by_test), sphere(topology, distance, kept_by_test);
     Surface surface;
     query.set_field(slice);
     ASSERT_TRUE(query.extract(0.37, false, surface));

@@ -1,5 +1,6 @@
 // Triangulation of single polygons, convex or not, and invalid arguments of the functions beside extract().
 #include "oracle/kernel_mesh.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -165,7 +166,7 @@ TEST(TriangulateGiant, AScribbleEnds) {
 TEST(Refusals, ValuesOfAnotherLength) {
     const KernelMesh mesh(hexahedra({{1, 1, 1}}));
     const std::vector<float> short_by_one(7);
-    EXPECT_THROW(Field(mesh.topology, short_by_one, nullptr), Error);
+    EXPECT_THROW(Field(mesh.topology, short_by_one, kept_by_test), Error);
     const std::vector<EdgePoint> points{{0, 1, 0.5F}};
     std::vector<float> out(3);
     EXPECT_THROW(interpolate(points, std::vector<float>(16), 2, out), Error);

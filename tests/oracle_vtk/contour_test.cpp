@@ -1,6 +1,7 @@
 // Iso-surfaces of tetrahedra have the area and the points that VTK's two contour filters give.
 #include "ciel/extract.hpp"
 #include "support/fields.hpp"
+#include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -100,10 +101,10 @@ TEST_P(AgainstVtk, SameAreaAndSamePoints) {
     const Topology topology(assembled.mesh.view());
     std::vector<float> stored;
     for (Index v : assembled.original_vertex) stored.push_back(values[v]);
-    const Field field(topology, stored, nullptr);
+    const Field field(topology, stored, kept_by_test);
     const auto grid = as_grid(input, values);
     for (Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
-        Query query(topology, assembled.mesh.view(), algorithm);
+        Query query(topology, kept(assembled.mesh.view()), algorithm);
         query.set_field(field);
         Surface surface;
         ASSERT_TRUE(query.extract(GetParam(), false, surface));

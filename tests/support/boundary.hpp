@@ -1,21 +1,20 @@
-// The boundary faces of a mesh, with the arrays that their view refers to.
+// The boundary faces of a mesh.
 #pragma once
 
 #include "ciel/numbered_faces.hpp"
+#include "support/kept.hpp"
 
 namespace ciel::test {
 
 class Boundary {
 public:
-    // `mesh` must outlive the object.
-    explicit Boundary(const FaceMeshView& mesh) : lists_(numbered_faces(mesh, {})), faces_(with_faces(mesh, lists_)) {}
-    Boundary(const Boundary&) = delete;
-    Boundary& operator=(const Boundary&) = delete;
+    // The arrays of `mesh` must outlive the object.
+    explicit Boundary(const FaceMeshView& mesh)
+        : faces_(with_faces(kept(mesh), std::make_shared<const FaceLists>(numbered_faces(mesh, {})))) {}
 
     [[nodiscard]] const FaceMeshView& faces() const { return faces_; }
 
 private:
-    FaceLists lists_;
     FaceMeshView faces_;
 };
 

@@ -5,6 +5,7 @@
 #include "ciel/extract.hpp"
 #include "ciel/mesh_faces.hpp"
 #include "support/boundary.hpp"
+#include "support/kept.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,7 +81,7 @@ inline void probe_some(const Topology& topology, const FaceMeshView& mesh) {
 inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, std::span<const float> values) {
     const Boundary boundary(mesh);
     const BlockBoxes boxes = block_boxes(topology, mesh.positions);
-    const Field field(topology, values, nullptr);
+    const Field field(topology, values, kept_by_test);
     for (const InRange vertices : {InRange::all, InRange::any}) {
         const auto kept = cells_in_range(field, {0.3, 0.8}, vertices);
         (void)threshold_surface(topology, boundary.faces(), boxes, kept);
@@ -93,7 +94,7 @@ inline void threshold_some(const Topology& topology, const FaceMeshView& mesh, s
 // Returns the last surface.
 [[nodiscard]] inline Surface cut_in_all_ways(const Topology& topology, const FaceMeshView& mesh,
                                              std::span<const float> values) {
-    Field field(topology, values, nullptr);
+    Field field(topology, values, kept_by_test);
     field.set_cell_fits(std::make_shared<CellFits>(topology));
     std::vector<Index> second;
     for (Index b = 1; b < topology.block_count(); b += 2) second.push_back(b);

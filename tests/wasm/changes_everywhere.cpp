@@ -1,3 +1,4 @@
+#include "support/kept.hpp"
 #include "wasm/results.hpp"
 
 namespace ciel::test {
@@ -20,8 +21,9 @@ public:
 
     void run(const char* name, Algorithm algorithm) {
         name_ = name;
-        Field field(meshes_.topology, fields_.values, nullptr), other(meshes_.topology, fields_.others, nullptr);
-        Query query(meshes_.topology, meshes_.view(), algorithm);
+        Field field(meshes_.topology, fields_.values, kept_by_test),
+            other(meshes_.topology, fields_.others, kept_by_test);
+        Query query(meshes_.topology, kept(meshes_.view()), algorithm);
         query.set_field(field);
         query.set_decider(Decider::asymptotic);
         query.set_normals(Normals::polygons);
@@ -29,7 +31,7 @@ public:
         query.set_field(other);
         walk(query, fields_.other_walk, "another field");
         query.set_decider(Decider::isolate_high);
-        FaceMeshView moved = meshes_.view();
+        FaceMeshView moved = kept(meshes_.view());
         moved.positions = moved_;
         query.set_mesh(moved);
         other.vertices_moved();

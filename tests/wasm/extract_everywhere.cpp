@@ -1,4 +1,5 @@
 #include "wasm/extract_everywhere.hpp"
+#include "support/kept.hpp"
 
 #include "support/views.hpp"
 #include "wasm/results.hpp"
@@ -39,7 +40,7 @@ void record_surface(const std::string& where, const Surface& surface, std::span<
 }
 
 void record_field(const Meshes& meshes, const FieldPair& fields, Results& results) {
-    const Field field(meshes.topology, fields.values, nullptr);
+    const Field field(meshes.topology, fields.values, kept_by_test);
     const std::vector<Vec3f> gradients = vertex_gradients(meshes.topology, meshes.view(), fields.values);
     results.record(fields.where, "range", std::span<const double>(field.range()));
     results.record(fields.where, "minima", field.sorted_minima());
@@ -47,7 +48,7 @@ void record_field(const Meshes& meshes, const FieldPair& fields, Results& result
     const std::array ambiguous{count_ambiguous_faces(meshes.topology, meshes.view(), fields.values)};
     results.record(fields.where, "ambiguous faces", std::span<const std::uint64_t>(ambiguous));
     for (const auto& [name, algorithm] : algorithms) {
-        Query query(meshes.topology, meshes.view(), algorithm);
+        Query query(meshes.topology, kept(meshes.view()), algorithm);
         query.set_field(field);
         Surface surface;
         for (double nu : fields.walk) {

@@ -3,6 +3,7 @@
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "ciel/threshold_surface.hpp"
+#include "support/kept.hpp"
 #include "wasm/results.hpp"
 
 namespace ciel::test {
@@ -18,7 +19,7 @@ std::vector<HalfSpace> half_spaces(const FaceMeshView& mesh, const FieldPair& fi
 
 // The middle half of the field's range; an empty range for a field without values.
 std::array<double, 2> middle_range(const Meshes& meshes, std::span<const float> values) {
-    const auto [low, high] = Field(meshes.topology, values, nullptr).range();
+    const auto [low, high] = Field(meshes.topology, values, kept_by_test).range();
     const double quarter = (static_cast<double>(high) - low) / 4;
     return {low + quarter, high - quarter};
 }
@@ -35,8 +36,8 @@ void record_selections(const Meshes& meshes, const FieldPair& fields, Results& r
     results.record(fields.where + " / around all", threshold_surface(mesh, all));
     results.record(fields.where + " / around any", threshold_surface(mesh, any));
 
-    const Field field(meshes.topology, fields.values, nullptr);
-    Query query(meshes.topology, mesh);
+    const Field field(meshes.topology, fields.values, kept_by_test);
+    Query query(meshes.topology, kept(mesh));
     query.set_field(field);
     Surface surface;
     for (double nu : fields.walk) {

@@ -1,3 +1,4 @@
+#include "support/kept.hpp"
 #include "support/volume_boundary.hpp"
 #include "wasm/results.hpp"
 
@@ -13,7 +14,7 @@ void record_slab(const std::string& where, const color::SlabMesh& slab, Results&
 } // namespace
 
 void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& results) {
-    const Field field(meshes.topology, fields.values, nullptr);
+    const Field field(meshes.topology, fields.values, kept_by_test);
     const auto swept = [&]<class Sink>(const Sink& sink) {
         std::vector<typename Sink::Out> out;
         sweep(meshes.topology, meshes.view(), field, fields.walk, sink, out);

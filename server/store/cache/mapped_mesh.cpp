@@ -318,7 +318,7 @@ void MappedMesh::number_faces() const {
 ciel::FaceMeshView MappedMesh::numbered_faces(ciel::FaceMeshView points) const {
     if (has_numbers()) return with_stored_faces(std::move(points));
     number_faces();
-    return ciel::with_faces(std::move(points), numbered_.faces);
+    return ciel::with_faces(std::move(points), {shared_from_this(), &numbered_.faces});
 }
 
 ciel::FaceMeshView MappedMesh::first_faces(ciel::FaceMeshView faces) const {
@@ -343,10 +343,7 @@ ciel::FaceMeshView MappedMesh::all_faces(ciel::FaceMeshView points) const {
         check_intact();
         all_faces_ = faces;
     }
-    ciel::FaceMeshView mesh = ciel::with_faces(std::move(points), *faces);
-    mesh.keep_alive = std::make_shared<const std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>>(
-        mesh.keep_alive, faces);
-    return mesh;
+    return ciel::with_faces(std::move(points), std::move(faces));
 }
 
 // A wrong index in the array `suspected` can also mean that another array has changed.

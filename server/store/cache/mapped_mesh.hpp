@@ -15,7 +15,7 @@
 
 namespace server::store {
 
-class MappedMesh {
+class MappedMesh : public std::enable_shared_from_this<MappedMesh> {
 public:
     MappedMesh(const MappedMesh&) = delete;
     MappedMesh& operator=(const MappedMesh&) = delete;

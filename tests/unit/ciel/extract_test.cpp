@@ -1,3 +1,4 @@
+#include "support/kept.hpp"
 #include "unit/ciel/equal_surfaces.hpp"
 #include "unit/ciel/meshes.hpp"
 
@@ -101,13 +102,13 @@ double area_towards(const Surface& surface, std::size_t axis) {
 TEST(Extract, IsClosedAndTheSameForAnyAlgorithmHistoryBlockSizeAndThreads) {
     for (const NamedMesh& m : all_meshes()) {
         SCOPED_TRACE(m.name);
-        const FaceMeshView view = m.mesh.view();
+        const FaceMeshView view = kept(m.mesh.view());
         const Topology whole(view, {1000}), split(view, {3});
         Query reference(whole, view), signatures(split, view), propagation(split, view, Algorithm::propagation);
         for (unsigned round = 0; round < 6; ++round) {
             const int levels[] = {0, 5, 2, 1, 0, 3};
             const auto values = random_field(view.vertex_count(), round, levels[round]);
-            const Field on_whole(whole, values, nullptr), on_split(split, values, nullptr);
+            const Field on_whole(whole, values, kept_by_test), on_split(split, values, kept_by_test);
             reference.set_field(on_whole);
             signatures.set_field(on_split);
             propagation.set_field(on_split);
@@ -135,8 +136,8 @@ TEST(Extract, CutsASliceOfExactArea) {
         const FaceMesh stored = mesh.assembled().mesh;
         const Topology topology(stored.view());
         const auto values = plane_distance(stored.view(), {0.25, 0, 0}, {1, 0, 0});
-        const Field field(topology, values, nullptr);
-        Query query(topology, stored.view());
+        const Field field(topology, values, kept_by_test);
+        Query query(topology, kept(stored.view()));
         query.set_field(field);
         Surface surface;
         ASSERT_TRUE(query.extract(1.25, true, surface));
@@ -156,8 +157,8 @@ TEST(Extract, GivesACellTwoPolygonsAndCutsTheHighSideOff) {
         const float* p = &mesh.positions[3 * std::size_t{v}];
         values[v] = p[2] == 0 && p[0] == p[1] ? 1.0F : -p[2] - 0.1F * p[0] - 0.01F * p[1];
     }
-    const Field field(topology, values, nullptr);
-    Query query(topology, mesh.view());
+    const Field field(topology, values, kept_by_test);
+    Query query(topology, kept(mesh.view()));
     query.set_field(field);
     Surface surface;
     ASSERT_TRUE(query.extract(0.5, false, surface));
@@ -173,15 +174,15 @@ TEST(Extract, PassesOverCellsThatTouchAVertexWithoutAValue) {
             const FaceMesh mesh = hexahedra(5, 5, 1).assembled().mesh;
             const Topology topology(mesh.view(), {4});
             auto values = plane_distance(mesh.view(), {}, {0, 0, 1});
-            const Field whole(topology, values, nullptr);
+            const Field whole(topology, values, kept_by_test);
             auto holed = values;
             for (Index v = 0; v < holed.size(); ++v) {
                 const float* p = &mesh.positions[3 * std::size_t{v}];
                 if (p[0] == 2 && p[1] == 3) holed[v] = hole;
             }
-            const Field field(topology, holed, nullptr);
+            const Field field(topology, holed, kept_by_test);
             EXPECT_EQ(field.range(), (std::array<double, 2>{0, 1}));
-            Query query(topology, mesh.view(), algorithm);
+            Query query(topology, kept(mesh.view()), algorithm);
             Surface surface;
             query.set_field(whole);
             ASSERT_TRUE(query.extract(0.5, true, surface));
@@ -202,9 +203,9 @@ TEST(Extract, StopsWhenAskedAndGoesOnAfterwards) {
     const FaceMesh mesh = hexahedra(8, 8, 8).assembled().mesh;
     const Topology topology(mesh.view(), {16});
     const auto values = random_field(mesh.view().vertex_count(), 3, 0);
-    const Field field(topology, values, nullptr);
+    const Field field(topology, values, kept_by_test);
     for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
-        Query query(topology, mesh.view(), algorithm), fresh(topology, mesh.view());
+        Query query(topology, kept(mesh.view()), algorithm), fresh(topology, kept(mesh.view()));
         query.set_field(field);
         fresh.set_field(field);
         Surface surface, expected;
@@ -222,9 +223,9 @@ TEST(Extract, TakesNotANumberAndInfinityAsValues) {
     const FaceMesh mesh = hexahedra(3, 3, 3).assembled().mesh;
     const Topology topology(mesh.view());
     const auto values = plane_distance(mesh.view(), {}, {1, 1, 1});
-    const Field field(topology, values, nullptr);
+    const Field field(topology, values, kept_by_test);
     for (const Algorithm algorithm : {Algorithm::signatures, Algorithm::propagation}) {
-        Query query(topology, mesh.view(), algorithm);
+        Query query(topology, kept(mesh.view()), algorithm);
         query.set_field(field);
         Surface surface;
         for (const double nu : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, -1e300}) {
@@ -241,20 +242,20 @@ TEST(Extract, RefusesWhatDoesNotBelongTogether) {
     const FaceMesh mesh = hexahedra(2, 1, 1).assembled().mesh, other = hexahedra(3, 1, 1).assembled().mesh;
     const Topology topology(mesh.view()), another(mesh.view());
     const std::vector<float> values(12);
-    const Field field(another, values, nullptr);
-    EXPECT_THROW(Query(topology, other.view()), Error);
-    EXPECT_THROW(Query(topology, mesh.view()).set_field(field), Error);
+    const Field field(another, values, kept_by_test);
+    EXPECT_THROW(Query(topology, kept(other.view())), Error);
+    EXPECT_THROW(Query(topology, kept(mesh.view())).set_field(field), Error);
     Surface surface;
-    EXPECT_THROW(Query(topology, mesh.view()).extract(0, false, surface), Error);
-    EXPECT_THROW(Field(topology, std::span(values).first(11), nullptr), Error);
+    EXPECT_THROW(Query(topology, kept(mesh.view())).extract(0, false, surface), Error);
+    EXPECT_THROW(Field(topology, std::span(values).first(11), kept_by_test), Error);
 }
 
 TEST(Extract, SeriesGivesEachSurfaceInOrder) {
     const FaceMesh mesh = hexahedra(4, 4, 4).assembled().mesh;
     const Topology topology(mesh.view());
     const auto values = plane_distance(mesh.view(), {}, {0, 0, 1});
-    const Field field(topology, values, nullptr);
-    Query query(topology, mesh.view());
+    const Field field(topology, values, kept_by_test);
+    Query query(topology, kept(mesh.view()));
     query.set_field(field);
     std::vector<Surface> kept;
     const double nus[] = {3.5, 0.5, 2.5};
@@ -284,7 +285,7 @@ TEST(Field, HasTheMinimaOfTheOrderByValueAndId) {
         for (Index v = 0; v < minimum.size(); ++v)
             if (minimum[v]) expected.push_back(v);
         std::ranges::sort(expected, below);
-        const Field field(topology, values, nullptr);
+        const Field field(topology, values, kept_by_test);
         EXPECT_THAT(field.sorted_minima(), testing::ElementsAreArray(expected));
     }
 }
@@ -317,8 +318,8 @@ TEST(Gradient, NormalsFallBackOnPolygonsWhereThereIsNone) {
         flat[v] = (p[0] + p[1] + p[2] == 1 || p[0] + p[1] + p[2] == 3) ? 1.0F : -1.0F;
         faint[v] = p[2] * 1e-30F;
     }
-    const Field saddle(topology, flat, nullptr), slope(topology, faint, nullptr);
-    Query query(topology, mesh.view());
+    const Field saddle(topology, flat, kept_by_test), slope(topology, faint, kept_by_test);
+    Query query(topology, kept(mesh.view()));
     Surface surface;
     for (const auto& [field, nu, points] : {std::tuple{&saddle, 0.0, 12U}, std::tuple{&slope, 5e-31, 4U}}) {
         query.set_field(*field);

@@ -1,6 +1,7 @@
 // A shape that its last owner has released gives its buffers to the next surface.
 #include "ciel/assemble.hpp"
 #include "geometry/cut.hpp"
+#include "support/kept.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,8 +66,13 @@ TEST(Cut, MovesWithoutNewBuffers) {
     const auto topology = std::make_shared<const Topology>(assembled.mesh.view());
     const std::vector<float> values{0, 1, 2, 3};
     Cut cut;
-    cut.use_field(
-        "f", {topology, std::make_shared<const Field>(*topology, values, nullptr), assembled.mesh.view(), {}, 0}, {});
+    cut.use_field("f",
+                  {topology,
+                   std::make_shared<const Field>(*topology, values, test::kept_by_test),
+                   test::kept(assembled.mesh.view()),
+                   {},
+                   0},
+                  {});
     ASSERT_TRUE(cut.extract(0.5, true, {}));
     const Vec3f* const buffer = cut.shape->surface.positions.data();
     const Index* const indices = cut.shape->indices.data();

@@ -1,9 +1,11 @@
 // The cache of loaded data, and the catalog of dataset names.
 #include "support/store_box/box.hpp"
 
+#include "ciel/cell_locator.hpp"
 #include "ciel/extract.hpp"
 #include "store/cache/cache.hpp"
 #include "store/catalog.hpp"
+#include "store/mesh_arrays.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
 
@@ -135,6 +137,26 @@ TEST_F(LoadedTest, AFieldOutlivesItsDataset) {
     EXPECT_EQ(kept.topology->counts().vertices, 27U);
 }
 
+TEST_F(LoadedTest, WhatIsMadeFromADatasetOutlivesIt) {
+    std::optional<Query> query;
+    std::optional<FaceMeshView> faces;
+    std::shared_ptr<const CellLocator> locator;
+    {
+        const auto dataset = Dataset::open(directory);
+        LoadedDataset loaded(dataset, 0);
+        query = loaded.plane(1, {0, 0, 0.5}, {0, 0, 1}).query();
+        locator = loaded.locator(1);
+        faces = dataset->mesh_arrays().boundary(0, 0);
+    }
+    fs::remove_all(directory);
+    Surface surface;
+    query->extract(0, true, surface);
+    EXPECT_EQ(surface.points.size(), 9U);
+    EXPECT_NE(locator->cell_at({0.5, 0.5, 0.5}), none);
+    EXPECT_EQ(faces->face_count(), 24U);
+    EXPECT_EQ(faces->loop(0).size(), 4U);
+}
+
 TEST_F(LoadedTest, PlanesAreDistances) {
     LoadedDataset loaded(Dataset::open(directory), 1 << 20);
     const ScalarField plane = loaded.plane(0, {1, 0, 0}, {1, 0, 0});
@@ -175,7 +197,8 @@ TEST(LoadedFields, OfAMovingMeshHaveTheNormalsOfEachStep) {
     LoadedDataset loaded(Dataset::open(scratch / "m.ciel"), std::size_t{1} << 30);
     for (std::size_t step = 0; step < 4; ++step) {
         const ScalarField scalar = loaded.scalar("p", step);
-        const Field fresh(*scalar.topology, loaded.scalar_values("p", step), nullptr);
+        const Values values = loaded.scalar_values("p", step);
+        const Field fresh(*scalar.topology, values, values.keep_alive());
         Surface expected, found;
         for (const auto& [field, out] : {std::pair{&fresh, &expected}, std::pair{scalar.field.get(), &found}}) {
             Query query = scalar.query();

@@ -19,8 +19,7 @@ using VertexWeights = std::vector<std::pair<Index, double>>; // (vertex, weight)
 class CellLocator {
 public:
     // `points`: the mesh of the topology; its faces are not used. `boxes`: the result of block_boxes for the positions
-    // of `points`. The arrays of `points` must outlive the locator. Throws Error when the numbers of vertices or blocks
-    // differ.
+    // of `points`. Throws Error when the numbers of vertices or blocks differ, and when `points` has no owner.
     CellLocator(const Topology& topology, const FaceMeshView& points, std::shared_ptr<const BlockBoxes> boxes);
 
     // Returns the cell that contains `position` (in the mesh's coordinates), or `none`. A cell contains a point if the

@@ -25,9 +25,10 @@ public:
 // Calls keeper->refuse(). If `keeper` is null, throws Error with a message about a damaged mesh.
 [[noreturn]] void refuse_array(const ArrayKeeper* keeper);
 
-// View of an array of indices. Owns neither the array nor the keeper; both must outlive the view. Any thread may read.
-// Each access reads the memory once and checks the value. If the value is out of range, the access throws the keeper's
-// Error. Two accesses to the same entry may return different values; copy an entry that is used twice.
+// View of an array of indices, like std::span: owns neither the array nor the keeper. In a FaceMeshView, keep_alive
+// owns both. Any thread may read. Each access reads the memory once and checks the value. If the value is out of range,
+// the access throws the keeper's Error. Two accesses to the same entry may return different values; copy an entry that
+// is used twice.
 template <class T, bool may_be_none = false>
 class CheckedArray {
 public:

@@ -80,8 +80,8 @@ struct Extraction {
 };
 
 // Extracts surfaces of one field, and keeps the signatures or the active edges from call to call. Not thread-safe: one
-// call at a time. Several Queries may share a Topology and Fields. The arrays of the mesh must outlive the Query. The
-// constructor throws Error when the mesh and the topology have different numbers of vertices or cells.
+// call at a time. Several Queries may share a Topology and Fields. The constructor throws Error when the mesh has no
+// owner (FaceMeshView::keep_alive), and when the mesh and the topology have different numbers of vertices or cells.
 class Query {
 public:
     Query(const Topology& topology, const FaceMeshView& mesh, Extraction extraction = {});
@@ -97,8 +97,8 @@ public:
     void set_decider(Decider decider);
     void set_normals(Normals normals); // which normals `extract` makes; default: gradient
     // Sets new positions of the vertices. `mesh` must equal the mesh from which the topology was built, except for the
-    // positions. Call Field::vertices_moved too, because gradients depend on positions. Throws Error when the numbers
-    // of vertices or cells differ.
+    // positions. Call Field::vertices_moved too, because gradients depend on positions. Throws Error as the constructor
+    // does.
     void set_mesh(const FaceMeshView& mesh);
 
     // Limits the next extractions to some blocks, in any order; nullopt: all blocks (the default). The surface then has

@@ -14,8 +14,9 @@
 
 namespace ciel {
 
-// View of a FaceMesh. The arrays must outlive the view, except arrays that keep_alive owns. V: number of vertices, F:
-// number of faces, C: number of cells.
+// View of a FaceMesh. V: number of vertices, F: number of faces, C: number of cells. A view with an owner (keep_alive)
+// may be kept and copied. A view without an owner can only be passed to functions: an object that keeps the view throws
+// Error.
 // A face between two cells is stored once. The right-hand normal of its loop points out of `owner` into `neighbour`.
 // owner < neighbour; on the boundary, `neighbour` is `none`. A loop may repeat vertex ids (collapsed cells).
 // Cells are in the order of a space-filling curve. Faces are sorted by owner. Vertices are in the order of their first
@@ -33,7 +34,7 @@ struct FaceMeshView {
     Ids face_vertex;                          // vertex ids, loop by loop
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
-    std::shared_ptr<const void> keep_alive{}; // owns the positions and the loader; null if the caller owns them
+    std::shared_ptr<const void> keep_alive{}; // owns the arrays and the loader; null in a view for one call
     // Null if all positions are ready to be read. Otherwise extraction, slices, gradients, CellLocator, face_surface,
     // threshold_surface, vertices_of_cells, boundary_faces_at and size_of_faces load the positions that they use.
     // Before a call of any other function, the caller must call loader->load for all vertices.
@@ -45,6 +46,11 @@ struct FaceMeshView {
     // Returns the difference between two offsets of a position: from surface_origin, and from origin.
     [[nodiscard]] Vec3d surface_shift() const {
         return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
+    }
+    // Returns this view. Throws Error when the view has no owner.
+    [[nodiscard]] const FaceMeshView& owned() const {
+        if (!keep_alive) fail("the mesh view has no owner, so it cannot be kept; use shared_view");
+        return *this;
     }
     // Makes the positions of `vertices` ready to be read. Throws Error when a position cannot be read.
     void load(std::span<const Index> vertices) const {
@@ -59,7 +65,7 @@ struct FaceMeshView {
     }
 };
 
-// Returns a view of these arrays in which surface_origin is `origin`. The arrays must outlive the view.
+// Returns a view of these arrays, without an owner, in which surface_origin is `origin`.
 [[nodiscard]] inline FaceMeshView face_mesh_view(Vec3d origin, ValuesView positions,
                                                  std::span<const std::uint8_t> cell_types,
                                                  std::span<const std::uint64_t> face_offset,
@@ -98,10 +104,20 @@ struct FaceMesh {
         double_positions = std::move(all);
         positions.clear();
     }
-    [[nodiscard]] FaceMeshView view() const {
+    // Returns a view without an owner.
+    [[nodiscard]] FaceMeshView view() const& {
         const ValuesView used = double_positions.empty() ? ValuesView(positions) : ValuesView(double_positions);
         return face_mesh_view(origin, used, cell_types, face_offset, face_vertex, owner, neighbour);
     }
+    FaceMeshView view() && = delete; // use shared_view
 };
+
+// Returns a view that owns the arrays of `mesh`.
+[[nodiscard]] inline FaceMeshView shared_view(FaceMesh mesh) {
+    const auto kept = std::make_shared<const FaceMesh>(std::move(mesh));
+    FaceMeshView view = kept->view();
+    view.keep_alive = kept;
+    return view;
+}
 
 } // namespace ciel

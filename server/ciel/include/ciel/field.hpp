@@ -35,18 +35,18 @@ public:
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
     // Makes the signed distance from a plane on the vertices of a topology. Computes the distances in a block when the
     // block is first cut, so that a plane that crosses few blocks costs little. `points`: the positions of the
-    // vertices; the faces are not used. `boxes`: the result of block_boxes for these positions. `keep_alive` owns the
-    // positions. Throws Error when the topology, the points and the boxes differ
-    // in their numbers of vertices or blocks.
+    // vertices; the faces are not used. `boxes`: the result of block_boxes for these positions. Throws Error when
+    // `points` has no owner, and when the topology, the points and the boxes differ in their numbers of vertices or
+    // blocks.
     [[nodiscard]] static Field plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin,
-                                     const Vec3d& normal, const BlockBoxes& boxes,
-                                     std::shared_ptr<const void> keep_alive);
+                                     const Vec3d& normal, const BlockBoxes& boxes);
     // Makes a field from one value for each vertex, in the topology's vertex order. Does not copy the values.
     // `keep_alive` owns the values, which must not change while the field lives. Throws Error when `values` has another
-    // size.
+    // size, and when `keep_alive` is null.
     Field(const Topology& topology, ValuesView values, std::shared_ptr<const void> keep_alive);
     // Makes a field like the previous constructor, but reads no value and no block. `ranges`: the result of
-    // block_ranges for these values. Throws Error when `values` or `ranges` has another size.
+    // block_ranges for these values. Throws Error when `values` or `ranges` has another size, and when `keep_alive` is
+    // null.
     Field(const Topology& topology, ValuesView values, BlockRanges ranges, std::shared_ptr<const void> keep_alive);
     // Makes a field from values that `source` reads, for each block when the block is first cut. `ranges`: the result
     // of block_ranges for these values. The constructor reads nothing. Throws Error when `source` or `ranges` has

@@ -12,13 +12,11 @@
 namespace ciel {
 
 // Vertices of one mesh at fixed positions that may be extrema, for all directions. The first call of `find` computes
-// them. Thread-safe. `mesh` may have only its boundary faces. `keep_alive` owns the arrays of `mesh`.
+// them. Thread-safe. `mesh` may have only its boundary faces. Throws Error when `mesh` has no owner.
 class GeometricVertices {
 public:
-    GeometricVertices(const FaceMeshView& mesh, std::shared_ptr<const void> keep_alive)
-        : mesh_([mesh, keep_alive = std::move(keep_alive)] { return mesh; }) {}
-    // The first call of `find` calls the function `mesh` to get the mesh. The arrays of the mesh must live as long as
-    // the function object.
+    explicit GeometricVertices(const FaceMeshView& mesh) : mesh_([mesh = mesh.owned()] { return mesh; }) {}
+    // The first call of `find` calls the function `mesh` to get the mesh.
     explicit GeometricVertices(std::function<FaceMeshView()> mesh) : mesh_(std::move(mesh)) {}
 
     struct Found {

@@ -55,9 +55,9 @@ public:
     // Makes a mesh from the arrays of a vtkUnstructuredGrid. `points`: V x 3. Throws Error when an array has a wrong
     // size or number type, or when VTK has no such cell type. Unusable cells are left out; report() counts them.
     [[nodiscard]] static Mesh from_cells(const ArrayView& points, const VtkCells& cells);
-    // Makes a mesh from faces that are already matched, without a copy. `keep_alive` owns the arrays of `faces`. Ids
-    // are the ids of `faces`. Throws Error when the arrays break the contract of FaceMeshView.
-    [[nodiscard]] static Mesh from_stored(const FaceMeshView& faces, std::shared_ptr<const void> keep_alive);
+    // Makes a mesh from faces that are already matched, without a copy. Ids are the ids of `faces`. Throws Error when
+    // `faces` has no owner, and when the arrays break the contract of FaceMeshView.
+    [[nodiscard]] static Mesh from_stored(const FaceMeshView& faces);
 
     // Returns a mesh with the same cells and other positions. `points`: V x 3, in the caller's order. Shares the
     // topology. Throws Error when `points` has another shape.
@@ -66,8 +66,9 @@ public:
     [[nodiscard]] std::size_t point_count() const; // points in the caller's arrays
     [[nodiscard]] std::size_t cell_count() const;  // cells in the caller's arrays, including those left out
     [[nodiscard]] const MeshReport& report() const;
-    [[nodiscard]] const Topology& topology() const;   // lives as long as any copy of this mesh
-    [[nodiscard]] const FaceMeshView& stored() const; // lives as long as any copy of this mesh
+    // Return parts of this mesh. A copy of a part may be kept without the mesh.
+    [[nodiscard]] const Topology& topology() const;
+    [[nodiscard]] const FaceMeshView& stored() const;
     // Returns the CellFits that all fields on this mesh share.
     [[nodiscard]] const std::shared_ptr<CellFits>& cell_fits() const;
 

@@ -4,6 +4,7 @@
 
 #include "ciel/topology.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct FaceLists {
 // for all faces. Uses all threads of parallel_for. Throws Error when a record is damaged.
 [[nodiscard]] FaceLists all_faces(const Topology& topology, const FaceMeshView& boundary);
 
-// Returns a mesh with the positions and cells of `points` and other faces. `faces` must outlive the result.
-[[nodiscard]] FaceMeshView with_faces(FaceMeshView points, const FaceLists& faces);
+// Returns a mesh with the positions and cells of `points` and other faces. The result owns both. Throws Error when
+// `points` has no owner.
+[[nodiscard]] FaceMeshView with_faces(FaceMeshView points, std::shared_ptr<const FaceLists> faces);
 
 } // namespace ciel

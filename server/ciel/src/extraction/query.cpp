@@ -41,7 +41,7 @@ void Query::set_mesh(const FaceMeshView& mesh) {
     const TopologyCounts& counts = state_->topology.counts();
     if (mesh.vertex_count() != counts.vertices || mesh.cell_count() != counts.cells)
         fail("the mesh and the topology differ; pass the mesh from which the topology was built");
-    state_->mesh = mesh;
+    state_->mesh = mesh.owned();
 }
 
 void Query::set_normals(Normals normals) { state_->normals = normals; }

@@ -95,7 +95,7 @@ Index nearest_of(const FaceMeshView& points, std::span<const Index> vertices, co
 } // namespace
 
 CellLocator::CellLocator(const Topology& topology, const FaceMeshView& points, std::shared_ptr<const BlockBoxes> boxes)
-    : topology_(topology), points_(points), boxes_(std::move(boxes)) {
+    : topology_(topology), points_(points.owned()), boxes_(std::move(boxes)) {
     if (points_.vertex_count() != topology.counts().vertices || (*boxes_)[0].low.size() != topology.block_count())
         fail("the positions or the boxes do not fit the topology; pass the positions and boxes of the same mesh");
 }

@@ -20,6 +20,7 @@ Field::Field(const Topology& topology, ValuesView values, BlockRanges ranges, st
     : data_(std::make_shared<Data>()) {
     if (values.size() != topology.counts().vertices)
         fail("the values belong to another mesh; pass one value per vertex of the topology");
+    if (!keep_alive) fail("the values of the field have no owner; pass the object that owns the array");
     data_->values = values;
     data_->keep_alive = std::move(keep_alive);
     data_->begin(topology, std::move(ranges));
@@ -36,14 +37,14 @@ Field::Field(const Topology& topology, std::shared_ptr<const ValueSource> source
 }
 
 Field Field::plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin, const Vec3d& normal,
-                   const BlockBoxes& boxes, std::shared_ptr<const void> keep_alive) {
+                   const BlockBoxes& boxes) {
     if (points.vertex_count() != topology.counts().vertices)
         fail("the points belong to another mesh; pass one point per vertex of the topology");
     Field field;
     field.data_ = std::make_shared<Data>();
     Data& out = *field.data_;
     out.plane.emplace(points, origin, normal);
-    out.keep_alive = std::move(keep_alive);
+    out.keep_alive = points.owned().keep_alive;
     out.begin(topology, out.plane->ranges(boxes));
     out.range = out.plane->range(out.of_blocks, topology.blocks().numbers.vertex);
     return field;

@@ -9,12 +9,10 @@ namespace ciel {
 
 using namespace detail;
 
-// `faces` views arrays that `assembled`, `moved_points` or `keep_alive` owns.
 struct Mesh::State {
-    std::shared_ptr<const void> keep_alive;
+    std::shared_ptr<const void> faces_owner;    // owns the arrays of `faces`, except moved positions
     std::shared_ptr<const Assembled> assembled; // null for a mesh made by from_stored
     std::shared_ptr<const Topology> topology;
-    MeshPoints moved_points;
     std::vector<Index> original_cell;
     FaceMeshView faces;
     std::shared_ptr<CellFits> cell_fits; // for the positions of `faces`
@@ -53,6 +51,7 @@ Mesh Mesh::make(const ArrayView& points, std::size_t cells, const Put& put) {
     state->original_cell = assembled->original_cell;
     for (Index& cell : state->original_cell) cell = lists.source_cell[cell];
     state->faces = assembled->mesh.view();
+    state->faces_owner = state->faces.keep_alive = assembled;
     state->faces.surface_origin = middle_of(points);
     state->topology = std::make_shared<const Topology>(state->faces);
     state->cell_fits = std::make_shared<CellFits>(*state->topology);
@@ -81,10 +80,10 @@ Mesh Mesh::from_cells(const ArrayView& points, const VtkCells& cells) {
     return make(points, cells.types.rows(), [&](PolyhedraLists& lists) { put_vtk_cells(cells, lists); });
 }
 
-Mesh Mesh::from_stored(const FaceMeshView& faces, std::shared_ptr<const void> keep_alive) {
+Mesh Mesh::from_stored(const FaceMeshView& faces) {
     auto state = std::make_shared<State>();
-    state->keep_alive = std::move(keep_alive);
-    state->faces = faces;
+    state->faces = faces.owned();
+    state->faces_owner = faces.keep_alive;
     state->topology = std::make_shared<const Topology>(faces);
     state->cell_fits = std::make_shared<CellFits>(*state->topology);
     state->points = faces.vertex_count();
@@ -96,10 +95,16 @@ Mesh Mesh::moved(const ArrayView& points) const {
     if (points.columns() != 3 || points.rows() != state_->points)
         fail("moved points must be " + std::to_string(state_->points) +
              " rows of three numbers, one row per point of the mesh");
+    struct Owners {
+        std::shared_ptr<const void> of_faces;
+        MeshPoints points;
+    };
+    const auto owners =
+        std::make_shared<const Owners>(Owners{state_->faces_owner, mesh_points(points, original_vertex())});
     auto state = std::make_shared<State>(*state_);
-    state->moved_points = mesh_points(points, original_vertex());
+    state->faces.keep_alive = owners;
     state->faces.origin = {};
-    state->faces.positions = state->moved_points.view();
+    state->faces.positions = owners->points.view();
     state->cell_fits = std::make_shared<CellFits>(*state->topology);
     state->report.bytes_copied += state->faces.positions.size_bytes();
     return Mesh(std::move(state));

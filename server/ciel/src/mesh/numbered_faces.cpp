@@ -40,11 +40,13 @@ std::vector<Index> boundary_numbers(const FaceMeshView& mesh, std::span<const In
     return numbers;
 }
 
-FaceMeshView with_faces(FaceMeshView points, const FaceLists& faces) {
-    points.face_offset = {faces.face_offset, faces.face_vertex.size() + 1};
-    points.face_vertex = {faces.face_vertex, points.vertex_count()};
-    points.owner = {faces.owner, points.cell_count()};
-    points.neighbour = {faces.neighbour, points.cell_count()};
+FaceMeshView with_faces(FaceMeshView points, std::shared_ptr<const FaceLists> faces) {
+    using Owners = std::pair<std::shared_ptr<const void>, std::shared_ptr<const FaceLists>>;
+    points.face_offset = {faces->face_offset, faces->face_vertex.size() + 1};
+    points.face_vertex = {faces->face_vertex, points.vertex_count()};
+    points.owner = {faces->owner, points.cell_count()};
+    points.neighbour = {faces->neighbour, points.cell_count()};
+    points.keep_alive = std::make_shared<const Owners>(points.owned().keep_alive, std::move(faces));
     return points;
 }
 
