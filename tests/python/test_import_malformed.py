@@ -132,6 +132,7 @@ HUGE = 5_000_000_000
 # Name, function that makes the input, text of the error.
 MALFORMED = [
     ("missing", lambda f: f / "not there.vtu", "no such file"),
+    ("that cannot be examined", lambda f: f / ("n" * 300 + ".vtu"), "cannot be examined: File name too long"),
     ("empty", lambda f: text(f, "a.vtu", ""), "is empty"),
     ("a directory", directory, "is a directory"),
     ("a zip", zipped, "content of another format"),

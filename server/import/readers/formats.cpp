@@ -102,7 +102,7 @@ Head read_head(const std::string& input) {
     head.path = input;
     std::error_code error;
     head.directory = std::filesystem::is_directory(head.path, error);
-    if (!std::filesystem::exists(head.path, error)) throw ciel::Error(input + ": there is no such file or directory");
+    require_existing(head.path);
     head.extension = head.path.extension().string();
     std::transform(head.extension.begin(), head.extension.end(), head.extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

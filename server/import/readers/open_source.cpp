@@ -86,7 +86,10 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_source(const std::vector<std::string>& inputs, const SourceOptions& options) {
-    for (const std::string& input : inputs) require_regular(input);
+    for (const std::string& input : inputs) {
+        require_existing(input);
+        require_regular(input);
+    }
     const Format& format = find_format(inputs.at(0));
     if (format.several_inputs || inputs.size() == 1) return format.open(inputs, options);
     std::vector<std::unique_ptr<Source>> sources;

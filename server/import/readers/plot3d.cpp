@@ -169,7 +169,8 @@ bool is_plot3d(const Head& head) {
 std::unique_ptr<Source> open_plot3d(const Inputs& inputs, const SourceOptions& options) {
     Inputs ordered = inputs;
     for (const std::string& input : inputs)
-        if (!std::filesystem::is_regular_file(input)) throw ciel::Error(input + ": there is no such file");
+        if (std::filesystem::is_directory(input))
+            throw ciel::Error(input + ": is a directory; give the files of the grid and of the solution");
     // The user may give grids and solutions in any order.
     std::stable_partition(ordered.begin(), ordered.end(),
                           [](const std::string& file) { return !layouts_of(file, Plot3dKind::grid).empty(); });

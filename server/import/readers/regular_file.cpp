@@ -6,6 +6,15 @@ namespace server::importer {
 
 namespace fs = std::filesystem;
 
+void require_existing(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::exists(status)) return;
+    if (status.type() == fs::file_type::not_found)
+        throw ciel::Error(file.string() + ": there is no such file or directory");
+    throw ciel::Error(file.string() + ": cannot be examined: " + error.message());
+}
+
 void require_regular(const fs::path& file) {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);

@@ -106,7 +106,7 @@ void MappedFile::copy(std::span<const std::byte> part) const {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) refuse_errno(path_, "cannot be read");
         if (got == 0) {
-            note_change(*watched_);
+            note_loss(*watched_, Loss::shrunk);
             refuse_shrunken(path_);
         }
         filled += static_cast<std::size_t>(got);
@@ -159,8 +159,14 @@ bool MappedFile::was_touched() {
     return true;
 }
 
+bool MappedFile::has_shrunk() const {
+    struct stat status {};
+    return ::stat(path_.c_str(), &status) == 0 && status.st_dev == opened_.st_dev && status.st_ino == opened_.st_ino &&
+           static_cast<std::size_t>(status.st_size) < size_;
+}
+
 void MappedFile::refuse() const {
-    if (watched_ != nullptr) note_change(*watched_);
+    if (watched_ != nullptr) note_loss(*watched_, has_shrunk() ? Loss::shrunk : Loss::changed);
     check_intact(); // throws, unless the file is empty and not watched
     refuse_changed(path_);
 }

@@ -71,11 +71,12 @@ public:
     // Returns true if the file was written to or replaced since the last call, or since it was opened. The caller must
     // then check the content again: the file may have been replaced because it was damaged.
     [[nodiscard]] bool was_touched();
-    // Marks the mapping as lost, because its content has changed. Throws Error.
+    // Marks the mapping as lost, because the file has changed or shrunk. Throws Error that says which.
     [[noreturn]] void refuse() const;
 
 private:
     void copy(std::span<const std::byte> part) const;
+    [[nodiscard]] bool has_shrunk() const; // whether the file that was opened is now shorter than the mapping
 
     std::filesystem::path path_;
     void* data_ = nullptr;

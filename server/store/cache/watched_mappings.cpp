@@ -95,7 +95,7 @@ void unwatch_mapping(WatchedMapping* mapping) {
 
 Loss loss_of(const WatchedMapping& mapping) { return mapping.loss; }
 
-void note_change(WatchedMapping& mapping) { lose(mapping, Loss::changed); }
+void note_loss(WatchedMapping& mapping, Loss loss) { lose(mapping, loss); }
 
 std::size_t lost_mapping_count() { return lost_count; }
 

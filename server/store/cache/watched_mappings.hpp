@@ -18,7 +18,7 @@ enum class Loss { none, shrunk, changed };
 [[nodiscard]] WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<bool>& any_lost);
 void unwatch_mapping(WatchedMapping* mapping);
 [[nodiscard]] Loss loss_of(const WatchedMapping& mapping);
-void note_change(WatchedMapping& mapping); // marks the mapping as lost (Loss::changed)
+void note_loss(WatchedMapping& mapping, Loss loss); // marks the mapping as lost; the first loss is kept
 // Counts the mappings that are lost and still watched.
 [[nodiscard]] std::size_t lost_mapping_count();
 

@@ -106,6 +106,23 @@ TEST_P(ValuesToLoadTest, DamagedPositionsAreFoundByThoseWhoNeedThem) {
                 HasSubstr("does not match its checksum"));
 }
 
+// Cut in a memory page, and between two: the rest of a memory page reads as zeros, the next one cannot be read.
+TEST_P(ValuesToLoadTest, AFileCutShortIsSaidToHaveShrunk) {
+    const auto size = fs::file_size(p);
+    for (const auto left : {size - 8, size / 2}) {
+        const std::string content = test::read_file(p);
+        LoadedDataset loaded(open(), 1U << 30);
+        const ScalarField field = loaded.scalar("p", 0);
+        fs::resize_file(p, left);
+        for (int again = 0; again < 2; ++again)
+            EXPECT_THAT(error_of([&] { (void)polygons_at(field, 68000.5); }),
+                        AllOf(HasSubstr(p.string()), HasSubstr("has shrunk while it was open")))
+                << left;
+        EXPECT_FALSE(loaded.dataset()->is_intact());
+        test::overwrite_file(p, content);
+    }
+}
+
 // The open dataset still maps the damaged file, so only a dataset that is opened again can read the restored one.
 TEST_P(ValuesToLoadTest, ARestoredFileIsOpenedAnew) {
     const std::string content = test::read_file(p);
