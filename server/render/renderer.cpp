@@ -13,8 +13,8 @@
 namespace server::render {
 namespace {
 
-// A context that drew more pixels is destroyed before a picture of less than half as many, to free its memory. Still
-// pictures of a large screen have fewer pixels, so they do not wait for a new context.
+// A context that has drawn a larger picture than this is destroyed before a picture of less than half that size, to
+// free its memory. Still pictures of a large screen are smaller, so they do not wait for a new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
 // Bytes that must stay free during a draw, for the rest of the process and for shaders that are compiled.

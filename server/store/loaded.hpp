@@ -9,7 +9,7 @@ namespace server::store {
 
 // Records which cells have a NaN or infinite result of the solver in an array. Pictures do not show these cells.
 struct SoundCells {
-    std::vector<std::uint8_t> kept; // a flag per cell; 0: the cell has such a result
+    std::vector<std::uint8_t> kept; // a flag per cell; 0: the cell has a NaN or infinite result
     std::size_t left_out = 0;       // number of cells whose flag is 0
 };
 

@@ -22,9 +22,9 @@ public:
     Viewer(const Topology& topology, const FaceMeshView& mesh, Bytes& bytes)
         : topology_(topology), mesh_(kept(mesh)), bytes_(bytes) {
         for (auto& values : values_) values = field_from(bytes, mesh.vertex_count());
-        for (std::size_t i = 0; i < values_.size(); ++i) field_[i].emplace(topology, values_[i], nullptr);
+        for (std::size_t i = 0; i < values_.size(); ++i) field_[i].emplace(topology, values_[i], kept_by_test);
         for (const Algorithm algorithm : algorithms) {
-            query_.emplace_back(topology, mesh, algorithm);
+            query_.emplace_back(topology, mesh_, algorithm);
             query_.back().set_field(*field_[0]);
         }
     }

@@ -108,7 +108,7 @@ private:
     }
     void keep_kept() {
         if (!kept_) {
-            kept_.emplace(topology_, values_, nullptr);
+            kept_.emplace(topology_, values_, kept_by_test);
             kept_->set_cell_fits(std::make_shared<CellFits>(topology_));
         }
     }

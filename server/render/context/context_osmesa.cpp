@@ -73,7 +73,7 @@ std::unique_ptr<GlContext> make_osmesa_context() {
     OSMesaContext context = library.CreateContextAttribs(attributes.data(), nullptr);
     if (context == nullptr) throw ciel::Error("OSMesa cannot create an OpenGL 3.3 core context");
     auto made = std::make_unique<OsMesaContext>(library, context);
-    if (!make_current(*made)) throw ciel::Error("the context cannot be made current");
+    if (!make_current(*made)) throw ciel::Error("OSMesa cannot make its OpenGL context current");
     return made;
 }
 

@@ -118,7 +118,8 @@ std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, 
     if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) throw ciel::Error("the display has no desktop OpenGL");
     const EGLContext context = create_context(egl, display, choose_config(egl, display));
     auto made = std::make_unique<EglContext>(egl, display, context, std::move(description));
-    if (!make_current(*made)) throw ciel::Error("the context cannot be made current (" + egl.last_error() + ")");
+    if (!make_current(*made))
+        throw ciel::Error("EGL cannot make its OpenGL context current (" + egl.last_error() + ")");
     return made;
 }
 

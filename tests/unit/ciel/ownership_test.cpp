@@ -41,6 +41,12 @@ TEST(Ownership, AFieldRefusesValuesWithoutAnOwner) {
     EXPECT_THROW(Field(topology, values, nullptr), Error);
 }
 
+TEST(Ownership, AFunctionTakesArraysWithoutAnOwner) {
+    const FaceMesh mesh = hexahedra(2, 2, 2).assembled().mesh;
+    const std::vector<float> values(mesh.view().vertex_count(), 1);
+    EXPECT_THAT(vertex_gradients(mesh.view(), values), testing::Each(Vec3f{}));
+}
+
 // Under AddressSanitizer, a use after free is reported.
 TEST(Ownership, ASharedViewOutlivesItsMesh) {
     std::unique_ptr<Query> query;

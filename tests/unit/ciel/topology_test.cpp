@@ -105,7 +105,7 @@ TEST(Topology, OperatorsAreIdentitiesForAnyMeshAndBlockSize) {
 }
 
 TEST(Topology, CountsWhatIsThere) {
-    const auto counts = [](const Polyhedra& mesh) { return Topology(mesh.assembled().mesh.view()).counts(); };
+    const auto counts = [](const Polyhedra& mesh) { return Topology(shared_view(mesh.assembled().mesh)).counts(); };
     const TopologyCounts cube = counts(hexahedra(2, 2, 2));
     EXPECT_EQ(cube.vertices, 27U);
     EXPECT_EQ(cube.edges, 54U);

@@ -34,7 +34,7 @@ FaceMesh one_tetrahedron() {
     return mesh;
 }
 
-Topology cells_of_all_kinds() { return Topology(assemble(test::view(test::zoo({{8, 8, 8}}))).mesh.view(), {32}); }
+Topology cells_of_all_kinds() { return Topology(shared_view(assemble(test::view(test::zoo({{8, 8, 8}}))).mesh), {32}); }
 
 TEST(Blocks, HaveTheBytesThatTheReadmeShows) {
     const test::Folder scratch;

@@ -78,13 +78,14 @@ void add_mesh(py::module_& module) {
             "Makes a mesh of cells that are lists of faces. Faces are lists of points.\n\n"
             "points: (V, 3) float32 or float64. cell_offset: (C + 1,), first face of each cell. face_offset:\n"
             "(F + 1,), index in face_vertex of the first point of each face. face_vertex: (N,), points. A face\n"
-            "between two cells is listed once for each cell, in any winding.")
+            "between two cells is listed once for each cell, in any winding. Raises Error when an array has a wrong\n"
+            "size or number type.")
         .def_static(
             "from_faces", &from_faces, py::arg("points"), py::arg("face_offset"), py::arg("face_vertex"),
             py::arg("owner"), py::arg("neighbour"),
             "Makes a mesh of faces that are listed once, with the cells on both sides, as in OpenFOAM.\n\n"
             "points: (V, 3). face_offset: (F + 1,), face_vertex: (N,), owner: (F,), neighbour: (F,) or shorter. A\n"
-            "missing or negative entry of neighbour means a boundary face.")
+            "missing or negative entry of neighbour means a boundary face. Raises Error as from_polyhedra does.")
         .def(
             "moved",
             [](const Mesh& mesh, const py::array& points) {
@@ -92,7 +93,9 @@ void add_mesh(py::module_& module) {
                 const py::gil_scoped_release free;
                 return mesh.moved(at);
             },
-            py::arg("points"), "Returns a mesh with the same cells and other points, (V, 3). Shares the topology.")
+            py::arg("points"),
+            "Returns a mesh with the same cells and other points, (V, 3). Shares the topology. Raises Error when\n"
+            "points has another shape.")
         .def_property_readonly("point_count", &Mesh::point_count)
         .def_property_readonly("cell_count", &Mesh::cell_count)
         .def_property_readonly(

@@ -12,11 +12,12 @@
 namespace ciel {
 
 // Vertices of one mesh at fixed positions that may be extrema, for all directions. The first call of `find` computes
-// them. Thread-safe. `mesh` may have only its boundary faces. Throws Error when `mesh` has no owner.
+// them. Thread-safe. `mesh` may have only its boundary faces.
 class GeometricVertices {
 public:
+    // Throws Error when `mesh` has no owner.
     explicit GeometricVertices(const FaceMeshView& mesh) : mesh_([mesh = mesh.owned()] { return mesh; }) {}
-    // The first call of `find` calls the function `mesh` to get the mesh.
+    // The first call of `find` that returns destroys the function `mesh`, from which it got the mesh.
     explicit GeometricVertices(std::function<FaceMeshView()> mesh) : mesh_(std::move(mesh)) {}
 
     struct Found {
@@ -30,7 +31,7 @@ public:
     [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:
-    std::function<FaceMeshView()> mesh_;
+    mutable std::function<FaceMeshView()> mesh_; // empty when `found_` is made
     mutable Mutex mutex_;
     mutable bool made_ = false;
     mutable Found found_;

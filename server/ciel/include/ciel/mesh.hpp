@@ -55,8 +55,8 @@ public:
     // Makes a mesh from the arrays of a vtkUnstructuredGrid. `points`: V x 3. Throws Error when an array has a wrong
     // size or number type, or when VTK has no such cell type. Unusable cells are left out; report() counts them.
     [[nodiscard]] static Mesh from_cells(const ArrayView& points, const VtkCells& cells);
-    // Makes a mesh from faces that are already matched, without a copy. Ids are the ids of `faces`. Throws Error when
-    // `faces` has no owner, and when the arrays break the contract of FaceMeshView.
+    // Makes a mesh from faces that are already matched, without a copy. Loads all positions. Ids are the ids of
+    // `faces`. Throws Error when `faces` has no owner, and when the arrays break the contract of FaceMeshView.
     [[nodiscard]] static Mesh from_stored(const FaceMeshView& faces);
 
     // Returns a mesh with the same cells and other positions. `points`: V x 3, in the caller's order. Shares the

@@ -66,28 +66,28 @@ struct SweepBuffers {
 // and when an array of the sink has a wrong size.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
-           const Sink& sink, SweepBuffers<Sink>& parts, std::vector<typename Sink::Out>& out,
+           const Sink& sink, SweepBuffers<Sink>& buffers, std::vector<typename Sink::Out>& out,
            const StopToken& stop = {}, Extraction extraction = {}) {
     sink.check(topology.counts());
-    parts.block.resize(topology.block_count());
-    for (auto& made : parts.block) made.count = 0;
+    buffers.block.resize(topology.block_count());
+    for (auto& made : buffers.block) made.count = 0;
     const auto write = [&](std::size_t value, Index block, const BlockPolygons& cut) {
-        auto& made = parts.block[block];
+        auto& made = buffers.block[block];
         if (made.count == made.piece.size()) made.piece.emplace_back();
         auto& [place, piece] = made.piece[made.count++];
         place = value;
         sink.write(cut, piece);
     };
     // std::cref: a std::function that holds a reference allocates no memory.
-    if (!sweep(topology, mesh, field, values, std::cref(write), parts.scratch, stop, extraction)) return false;
-    parts.of_value.resize(values.size());
-    for (auto& pieces : parts.of_value) pieces.clear();
-    for (const auto& made : parts.block)
+    if (!sweep(topology, mesh, field, values, std::cref(write), buffers.scratch, stop, extraction)) return false;
+    buffers.of_value.resize(values.size());
+    for (auto& pieces : buffers.of_value) pieces.clear();
+    for (const auto& made : buffers.block)
         for (std::size_t k = 0; k < made.count; ++k)
-            parts.of_value[made.piece[k].first].push_back(&made.piece[k].second);
+            buffers.of_value[made.piece[k].first].push_back(&made.piece[k].second);
     out.resize(values.size());
     parallel_for(values.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) sink.join(parts.of_value[i], out[i]);
+        for (std::size_t i = begin; i < end; ++i) sink.join(buffers.of_value[i], out[i]);
     });
     return true;
 }
@@ -97,8 +97,8 @@ template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {},
            Extraction extraction = {}) {
-    SweepBuffers<Sink> parts;
-    return sweep(topology, mesh, field, values, sink, parts, out, stop, extraction);
+    SweepBuffers<Sink> buffers;
+    return sweep(topology, mesh, field, values, sink, buffers, out, stop, extraction);
 }
 
 } // namespace ciel

@@ -1,4 +1,4 @@
-// The data of all blocks of a mesh that are needed before their records are read, as bytes (not in the paper).
+// Block tables: the data of all blocks that is needed before any record is read, as bytes (not in the paper).
 #pragma once
 
 #include "blocks/block_records.hpp"

@@ -143,6 +143,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
     made_ = true;
+    mesh_ = nullptr;
     return found_;
 }
 

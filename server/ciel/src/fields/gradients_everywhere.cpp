@@ -102,7 +102,9 @@ std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, ValuesView values)
 }
 
 std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh, ValuesView values) {
-    const Field field(topology, values, nullptr);
+    // The field is used in this call only, so that its values need no owner.
+    const std::shared_ptr<const void> for_this_call(std::shared_ptr<const void>(), &topology);
+    const Field field(topology, values, for_this_call);
     return detail::gradients_everywhere(mesh, field.data());
 }
 

@@ -83,6 +83,8 @@ Mesh Mesh::from_cells(const ArrayView& points, const VtkCells& cells) {
 Mesh Mesh::from_stored(const FaceMeshView& faces) {
     auto state = std::make_shared<State>();
     state->faces = faces.owned();
+    if (faces.loader != nullptr) faces.loader->load(0, faces.vertex_count());
+    state->faces.loader = nullptr;
     state->faces_owner = faces.keep_alive;
     state->topology = std::make_shared<const Topology>(faces);
     state->cell_fits = std::make_shared<CellFits>(*state->topology);
