@@ -34,7 +34,7 @@ public:
     // The result borrows from this scene, until the next call.
     [[nodiscard]] Volume volume(const Vec3d& normal, std::size_t slices) {
         const auto distance = plane_distance(mesh_.view(), {}, normal);
-        const Field planes(topology_, distance, kept_by_test);
+        const Field planes(topology_, distance, test::kept_by_test);
         Volume volume;
         volume.normal = normal;
         volume.first = planes.range()[0];
