@@ -17,11 +17,11 @@ TransparentTriangles::TransparentTriangles(const Gl& gl)
                                            {attribute_color, 4, offsetof(Vertex, color)},
                                            {attribute_style, 2, offsetof(Vertex, style)}})) {}
 
-void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted) {
+void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const glm::vec4& depth_row, bool sorted) {
     std::vector<Held> wanted;
-    wanted.reserve(parts.size());
+    wanted.reserve(all.size());
     bool same = true;
-    for (const auto& [mesh, scale] : parts) {
+    for (const auto& [mesh, scale] : all) {
         same = same && mesh->revision != 0;
         wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->lit});
     }
@@ -30,7 +30,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     is_ordered_ = false; // stays false until the upload is complete
     if (!same) {
         held_.clear();
-        gather(parts);
+        gather(all);
         upload_vertices();
         held_ = std::move(wanted);
     }
@@ -45,28 +45,28 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& parts, cons
     is_ordered_ = true;
 }
 
-void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& parts) {
+void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& all) {
     std::size_t vertices = 0, triangles = 0;
-    for (const auto& [mesh, scale] : parts) {
+    for (const auto& [mesh, scale] : all) {
         vertices += mesh->positions.size();
         triangles += mesh->indices.size() / 3;
     }
     vertices_.clear();
     triangles_.clear();
-    vertices_.reserve(vertices); // once, because a reserve per part would copy all earlier parts
+    vertices_.reserve(vertices); // once, because a reserve per mesh would copy all earlier ones
     triangles_.reserve(triangles);
-    for (const ScaledPrimitives& part : parts) add(part);
+    for (const ScaledPrimitives& one : all) add(one);
 }
 
-void TransparentTriangles::add(const ScaledPrimitives& part) {
-    const Primitives& mesh = *part.primitives;
+void TransparentTriangles::add(const ScaledPrimitives& one) {
+    const Primitives& mesh = *one.primitives;
     const auto first = static_cast<ciel::Index>(vertices_.size());
-    Vertex vertex{{}, {}, 0, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
+    Vertex vertex{{}, {}, 0, mesh.color, {one.scale.row, mesh.lit ? 1.0F : 0.0F}};
     in_pieces(gl_, mesh.positions.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
             vertex.position = mesh.positions[i];
             if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-            if (!mesh.scalars.empty()) vertex.scalar = static_cast<float>(mesh.scalars[i] - part.scale.origin);
+            if (!mesh.scalars.empty()) vertex.scalar = static_cast<float>(mesh.scalars[i] - one.scale.origin);
             vertices_.push_back(vertex);
         }
     });

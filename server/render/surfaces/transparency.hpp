@@ -18,7 +18,7 @@ public:
 
     // Uploads only what has changed. depth_row: the row of the view matrix that gives -depth, so larger values are
     // nearer. `sorted`: from far to near. If cancelling (pacing.hpp) interrupts an upload, load() again before draw().
-    void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row, bool sorted);
+    void load(const std::vector<ScaledPrimitives>& all, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;
 
@@ -40,8 +40,8 @@ private:
         bool lit;
         bool operator==(const Held&) const = default;
     };
-    void gather(const std::vector<ScaledPrimitives>& parts);
-    void add(const ScaledPrimitives& part);
+    void gather(const std::vector<ScaledPrimitives>& all);
+    void add(const ScaledPrimitives& one);
     void upload_vertices();
     void sort();
     void upload_order();

@@ -15,11 +15,11 @@ TransparentPoints::TransparentPoints(const Gl& gl)
                                            {attribute_color, 4, offsetof(Vertex, color)},
                                            {attribute_style, 2, offsetof(Vertex, style)}})) {}
 
-void TransparentPoints::load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row) {
+void TransparentPoints::load(const std::vector<ScaledPrimitives>& all, const glm::vec4& depth_row) {
     std::vector<Held> wanted;
-    wanted.reserve(parts.size());
+    wanted.reserve(all.size());
     bool same = true;
-    for (const auto& [mesh, scale] : parts) {
+    for (const auto& [mesh, scale] : all) {
         same = same && mesh->revision != 0;
         wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->point_size, mesh->lit});
     }
@@ -28,7 +28,7 @@ void TransparentPoints::load(const std::vector<ScaledPrimitives>& parts, const g
     is_ordered_ = false; // stays false until the upload is complete
     if (!same) {
         held_.clear();
-        gather(parts);
+        gather(all);
         upload_vertices();
         held_ = std::move(wanted);
     }
@@ -38,25 +38,25 @@ void TransparentPoints::load(const std::vector<ScaledPrimitives>& parts, const g
     is_ordered_ = true;
 }
 
-void TransparentPoints::gather(const std::vector<ScaledPrimitives>& parts) {
+void TransparentPoints::gather(const std::vector<ScaledPrimitives>& all) {
     std::size_t points = 0;
-    for (const auto& [mesh, scale] : parts) {
+    for (const auto& [mesh, scale] : all) {
         check_primitives(*mesh);
         points += mesh->indices.size();
     }
     vertices_.clear();
-    vertices_.reserve(points); // once, because a reserve per part would copy all earlier parts
-    for (const ScaledPrimitives& part : parts) add(part);
+    vertices_.reserve(points); // once, because a reserve per mesh would copy all earlier ones
+    for (const ScaledPrimitives& one : all) add(one);
 }
 
-void TransparentPoints::add(const ScaledPrimitives& part) {
-    const Primitives& mesh = *part.primitives;
-    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {part.scale.row, mesh.lit ? 1.0F : 0.0F}};
+void TransparentPoints::add(const ScaledPrimitives& one) {
+    const Primitives& mesh = *one.primitives;
+    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {one.scale.row, mesh.lit ? 1.0F : 0.0F}};
     in_pieces(gl_, mesh.indices.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
             vertex.position = mesh.positions[mesh.indices[i]];
             if (!mesh.scalars.empty())
-                vertex.scalar = static_cast<float>(mesh.scalars[mesh.indices[i]] - part.scale.origin);
+                vertex.scalar = static_cast<float>(mesh.scalars[mesh.indices[i]] - one.scale.origin);
             vertices_.push_back(vertex);
         }
     });

@@ -19,7 +19,7 @@ public:
 
     // Uploads only what has changed. depth_row: the row of the view matrix that gives -depth. Throws the errors of
     // check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
-    void load(const std::vector<ScaledPrimitives>& parts, const glm::vec4& depth_row);
+    void load(const std::vector<ScaledPrimitives>& all, const glm::vec4& depth_row);
     [[nodiscard]] bool is_empty() const { return order_.empty(); }
     void draw() const;
 
@@ -42,8 +42,8 @@ private:
         bool lit;
         bool operator==(const Held&) const = default;
     };
-    void gather(const std::vector<ScaledPrimitives>& parts);
-    void add(const ScaledPrimitives& part);
+    void gather(const std::vector<ScaledPrimitives>& all);
+    void add(const ScaledPrimitives& one);
     void upload_vertices();
     void sort();
     void upload_order();

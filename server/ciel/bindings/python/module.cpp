@@ -1,6 +1,6 @@
 // Python bindings of the kernel: ciel_mesh._kernel. The kernel reads NumPy arrays without a copy, except in
 // contour_lines, which converts values to float64. The bindings release the GIL while the kernel works.
-#include "parts.hpp"
+#include "module.hpp"
 
 PYBIND11_MODULE(_kernel, module) {
     module.doc() = "Iso-surfaces and slices of polyhedral meshes (circular incident edge lists).";

@@ -1,5 +1,5 @@
 // The Python functions interpolate, clip, contour_lines, triangulate and gradients.
-#include "parts.hpp"
+#include "module.hpp"
 
 #include "ciel/contour_lines.hpp"
 

@@ -1,7 +1,7 @@
 // The options of contour.hpp as keywords of Python. Not in the paper.
 #pragma once
 
-#include "parts.hpp"
+#include "module.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "parts.hpp"
+#include "module.hpp"
 
 #include <memory>
 

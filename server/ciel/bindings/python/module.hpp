@@ -1,4 +1,4 @@
-// The parts of the Python module, and types that several parts use. Not in the paper.
+// What the sources of the Python module share. Not in the paper.
 #pragma once
 
 #include "arrays.hpp"
