@@ -12,7 +12,6 @@
 #include "wire/frame_header.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace server::engine {
 
@@ -58,7 +57,10 @@ struct Server::State {
                                               options.limits.dataset_memory_bytes, options.file_access),
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
-              [this] { release_unused(Clock::now()); }),
+              [this] {
+                  release_unused(Clock::now());
+                  for (const auto& dataset : catalog.loaded()) dataset->drop_unused_fields();
+              }),
           workers(options.render_workers, options.backend, memory, options.still_samples),
           picture_workers(1, options.backend, memory, options.still_samples),
           services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics, {}},
@@ -215,20 +217,17 @@ frames::TestPictureResult Server::last_test_picture() {
 
 std::string Server::metrics() const {
     Gauges gauges;
-    const auto offered = state_->catalog.loaded();
-    std::set<std::shared_ptr<store::LoadedDataset>> datasets(offered.begin(), offered.end());
     for (const auto& session : state_->sessions.all()) {
         ++gauges.sessions;
         gauges.views += session->viewer_count();
         gauges.session_bytes += session->geometry_bytes();
-        datasets.insert(session->newest()->checked.loaded()); // may be a dataset that the catalog has replaced
     }
     gauges.connections = state_->connections.size();
-    gauges.datasets = datasets.size();
+    gauges.datasets = state_->catalog.loaded().size();
     gauges.busy_workers = state_->workers.busy() + state_->picture_workers.busy();
     gauges.slow_calls = state_->slow_calls.running();
     gauges.slow_calls_waiting = state_->slow_calls.waiting();
-    for (const auto& dataset : datasets) gauges.dataset_bytes += dataset->memory_bytes();
+    gauges.dataset_bytes = state_->dataset_bytes();
     for (std::size_t i = 0; i < limits::held_names.size(); ++i)
         gauges.held_bytes[i] = state_->memory.bytes(static_cast<limits::Held>(i));
     gauges.memory_limit = state_->memory.most();

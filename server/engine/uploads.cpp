@@ -23,6 +23,7 @@ struct Uploads::Upload {
     double time = 0;
     std::vector<store::WantedArray> wanted;
     Clock::time_point heard; // guarded by Uploads::mutex_
+    bool is_stored = false;  // a commit is writing the step; guarded by Uploads::mutex_
     std::uint64_t bytes = 0;
     std::uint64_t commit_bytes = 0; // memory for storing the largest array
 
@@ -155,17 +156,23 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     return begun;
 }
 
-std::shared_ptr<Uploads::Upload> Uploads::find(const wire::UploadId& id) {
-    const auto now = Clock::now();
-    expire(now);
-    const std::lock_guard lock(mutex_);
+// The caller holds mutex_.
+std::shared_ptr<Uploads::Upload> Uploads::known(const wire::UploadId& id) const {
     const auto found = open_.find(id);
     if (found == open_.end())
         throw limits::NotFound("there is no upload " + to_text(id) + "; an upload without a piece for " +
                                std::to_string(limits_.upload_idle_seconds) +
                                " s is cancelled. Call append.begin again");
-    found->second->heard = now;
     return found->second;
+}
+
+std::shared_ptr<Uploads::Upload> Uploads::find(const wire::UploadId& id) {
+    const auto now = Clock::now();
+    expire(now);
+    const std::lock_guard lock(mutex_);
+    auto upload = known(id);
+    upload->heard = now;
+    return upload;
 }
 
 std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
@@ -191,10 +198,31 @@ std::uint64_t Uploads::add(const wire::UploadPiece& piece) {
     return array.received;
 }
 
+// Keeps an upload from being cancelled. The constructor throws NotFound if the upload was cancelled before.
+class Uploads::Storing {
+public:
+    Storing(Uploads& uploads, const wire::UploadId& id) : uploads_(uploads) {
+        const std::lock_guard lock(uploads_.mutex_);
+        upload_ = uploads_.known(id);
+        upload_->is_stored = true;
+    }
+    ~Storing() {
+        const std::lock_guard lock(uploads_.mutex_);
+        upload_->is_stored = false;
+    }
+    Storing(const Storing&) = delete;
+    Storing& operator=(const Storing&) = delete;
+
+private:
+    Uploads& uploads_;
+    std::shared_ptr<Upload> upload_;
+};
+
 CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& before_array) {
     const auto upload = find(id);
     const std::lock_guard one_at_a_time(committing_);
     const std::lock_guard lock(upload->mutex);
+    const Storing storing(*this, id);
     for (const Upload::Array& array : upload->arrays)
         if (array.received < array.bytes)
             throw ciel::Error("array '" + array.name + "' has " + std::to_string(array.received) + " of " +
@@ -224,8 +252,11 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
 }
 
 void Uploads::cancel(const wire::UploadId& id) {
-    (void)find(id);
+    expire(Clock::now());
     const std::lock_guard lock(mutex_);
+    if (known(id)->is_stored)
+        throw ciel::Error("the upload " + to_text(id) +
+                          " is being stored and can no longer be cancelled; append.commit answers when it is done");
     open_.erase(id);
 }
 

@@ -50,7 +50,7 @@ public:
     // Error; the upload is then unchanged. Calls `before_array` on this thread before each array is written.
     using BeforeArray = std::function<void(std::size_t written, std::size_t of)>;
     CommittedUpload commit(const wire::UploadId& id, const BeforeArray& before_array);
-    void cancel(const wire::UploadId& id); // throws NotFound
+    void cancel(const wire::UploadId& id); // throws NotFound, and Error while a commit stores the upload
 
     void expire(Clock::time_point now);
     [[nodiscard]] std::size_t count() const;
@@ -58,6 +58,8 @@ public:
 
 private:
     struct Upload;
+    class Storing;
+    [[nodiscard]] std::shared_ptr<Upload> known(const wire::UploadId& id) const;
     [[nodiscard]] std::shared_ptr<Upload> find(const wire::UploadId& id); // restarts the upload's idle time
 
     const limits::Limits& limits_;

@@ -260,7 +260,7 @@ private:
         co_await http::async_read(stream_, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
     }
 
-    asio::awaitable<Response> response_to(const Request& request, const Resolved& resolved) {
+    asio::awaitable<Response> response_to(Request& request, const Resolved& resolved) {
         Response response;
         const auto kind = resolved.route == nullptr ? Route::Kind::quick : resolved.route->kind;
         if (kind == Route::Kind::rpc)

@@ -35,8 +35,8 @@ void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, c
 
 } // namespace
 
-asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& request, bool has_token,
-                                   GatewayState& state, asio::thread_pool& workers) {
+asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, Request& request, bool has_token, GatewayState& state,
+                                   asio::thread_pool& workers) {
     const auto pending = std::make_shared<Pending>(stream.get_executor());
     const auto peer = state.service.connect({state.next_connection_id++, request.remote, request.user, request.id,
                                              has_token, pending->hung_up.get_token()});
@@ -48,6 +48,7 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, const Request& req
     };
     co_await on_worker(workers, [&] {
         peer->text(request.body, answer);
+        request.body = std::string(); // the call keeps what it parsed, and counts it
         return std::string();
     });
     if (!pending->answer) watch(stream, pending, peer, workers);

@@ -12,6 +12,7 @@
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <utility>
 
 namespace server::logging {
 namespace {
@@ -20,6 +21,7 @@ using nlohmann::json;
 
 constexpr std::size_t longest_text = 400; // bytes; a longer value is cut, because it may quote a client's text
 constexpr char separator = '\x1f';        // separates the event and its fields of the form NAME=JSON
+constexpr spdlog::source_loc with_fields{"log_event", 1, ""}; // marks messages that have fields; a text cannot forge it
 
 std::string json_of(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -34,7 +36,7 @@ public:
 
     void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
         std::string_view rest(message.payload.data(), message.payload.size());
-        const std::string_view event = take(rest);
+        const std::string_view event = message.source.empty() ? std::exchange(rest, {}) : take(rest);
         if (format_ == LogFormat::json)
             append(out, {"\"event\":", json_of(event)});
         else // printable() escapes control characters, which could start a new line
@@ -119,7 +121,7 @@ void log_event(LogLevel level, std::string_view event, std::initializer_list<Log
         payload += '=';
         payload += field.json;
     }
-    spdlog::log(level_of(level), spdlog::string_view_t(payload.data(), payload.size()));
+    spdlog::log(with_fields, level_of(level), spdlog::string_view_t(payload.data(), payload.size()));
 }
 
 std::string short_id(std::string_view session) {

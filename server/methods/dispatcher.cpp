@@ -77,9 +77,13 @@ public:
 
     void begin() {
         try {
-            asked_.change(scene::heap_bytes(requests_));
-        } catch (const limits::LimitReached& error) {
-            return answer_(text_of(refuse_text(context_, limit_error(error.what()))));
+            count(asked_, scene::heap_bytes(requests_));
+        } catch (const limits::LimitReached&) {
+            for (; next_ < requests_.size(); ++next_) {
+                context_.begin();
+                add(refuse(context_, requests_[next_]));
+            }
+            return finish();
         }
         go_on();
     }
@@ -133,16 +137,24 @@ private:
         }
     }
 
+    // Short requests and answers pass when the server's memory is full, so that clients can close what needs it.
+    static void count(limits::Memory::Charge& charge, std::size_t bytes) {
+        constexpr std::size_t always_accepted = 64 << 10;
+        bytes <= always_accepted ? charge.note(bytes) : charge.change(bytes);
+    }
+
     // Converts the answer to text at once, so that a batch holds no second copy of its answers.
     void add(std::optional<json> one) {
         if (!one) return context_.making.note(0);
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
         answered_.push_back({(*one)["id"], id});
+        const bool is_refusal =
+            one->contains("error"); // has been logged and counted, so that no second one replaces it
         try {
             const std::string text = text_of(*one, id);
             one.reset();
             context_.making.note(0); // append() counts the text
-            append(text);
+            append(text, is_refusal);
         } catch (...) { // the answer exceeds the limit of the batch or the server's memory
             context_.making.note(0);
             append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);
@@ -155,7 +167,8 @@ private:
             throw limits::LimitReached("the answers of this batch would have more than the " +
                                        std::to_string(limit >> 20) +
                                        " MB that a batch may have; send this request alone");
-        in_any_case ? held_.note(text_.size() + one.size()) : held_.change(text_.size() + one.size());
+        const std::size_t bytes = text_.size() + one.size();
+        in_any_case ? held_.note(bytes) : count(held_, bytes);
         if (is_batch_) text_ += text_.empty() ? '[' : ',';
         text_ += one;
     }

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 namespace server::store {
 namespace {
@@ -67,7 +68,12 @@ struct Catalog::State {
     std::size_t field_budget = 0, most_bytes = 0;
     std::optional<FileAccess> access;
     mutable std::mutex mutex;
-    std::map<std::string, Known> known; // by name
+    std::map<std::string, Known> known;                 // by name
+    std::vector<std::weak_ptr<LoadedDataset>> replaced; // removed or damaged datasets, which sessions may still use
+
+    void forget(std::shared_ptr<LoadedDataset>& loaded) {
+        if (loaded) replaced.push_back(std::exchange(loaded, nullptr));
+    }
 
     Known& learn(const fs::path& directory) {
         for (auto& [name, each] : known)
@@ -81,9 +87,12 @@ struct Catalog::State {
 
     // A directory keeps its name in `known` as long as it exists.
     void scan() {
-        std::erase_if(known, [](const auto& entry) {
-            return !entry.second.failed && !looks_like_dataset(entry.second.directory);
-        });
+        for (auto entry = known.begin(); entry != known.end();) {
+            Known& each = entry->second;
+            const bool stays = each.failed || looks_like_dataset(each.directory);
+            if (!stays) forget(each.loaded);
+            entry = stays ? std::next(entry) : known.erase(entry);
+        }
         for (const fs::path& root : roots) {
             if (looks_like_dataset(root)) {
                 (void)learn(root);
@@ -212,6 +221,9 @@ std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
     std::vector<std::shared_ptr<LoadedDataset>> all;
     for (const auto& [name, entry] : state_->known)
         if (entry.loaded) all.push_back(entry.loaded);
+    std::erase_if(state_->replaced, [](const auto& dataset) { return dataset.expired(); });
+    for (const auto& dataset : state_->replaced)
+        if (auto held = dataset.lock()) all.push_back(std::move(held));
     return all;
 }
 
@@ -267,7 +279,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         } catch (const std::exception&) { // the next open() opens the new dataset or throws the reason
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
-                found->second.loaded = nullptr;
+                forget(found->second.loaded);
                 found->second.lost = Known::Lost::told;
                 found->second.examined = {};
             }

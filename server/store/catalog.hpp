@@ -32,7 +32,8 @@ public:
     [[nodiscard]] std::shared_ptr<LoadedDataset> open(const std::string& name);
 
     using Clock = std::chrono::steady_clock;
-    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const; // all datasets in memory
+    // Returns all datasets in memory, also those that were removed or damaged and that callers still hold.
+    [[nodiscard]] std::vector<std::shared_ptr<LoadedDataset>> loaded() const;
     // Drops the datasets that only the catalog holds and that were not used since `unused_since`. While all datasets
     // together need more than most_bytes, also drops other datasets that only the catalog holds, the least recently
     // used first. The most recently used of them is kept. Returns the number of dropped datasets.

@@ -381,6 +381,11 @@ ciel::Surface LoadedDataset::vertices_of_cells(std::size_t step, std::span<const
     return ciel::vertices_of_cells(*topology(at.mesh), points, kept);
 }
 
+void LoadedDataset::drop_unused_fields() {
+    state_->fields.drop_unused();
+    state_->planes.drop_unused();
+}
+
 std::size_t LoadedDataset::memory_bytes() const {
     std::size_t bytes = state_->fields.bytes() + state_->planes.bytes() + state_->current()->memory_bytes();
     const std::lock_guard lock(state_->mutex);

@@ -69,6 +69,7 @@ public:
                                                   const ciel::Vec3d& origin);
 
     [[nodiscard]] std::size_t memory_bytes() const;
+    void drop_unused_fields(); // frees cached fields and values that no caller holds, except the last used ones
 
 private:
     struct State;

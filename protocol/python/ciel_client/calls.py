@@ -436,7 +436,7 @@ class Calls:
         *,
         upload: str,
     ) -> AppendCancelResult:
-        """Cancels an upload and deletes its bytes.
+        """Cancels an upload and deletes its bytes. Fails while append.commit stores the upload.
 
         upload: Id of the upload, as append.begin returned it.
         """

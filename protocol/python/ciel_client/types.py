@@ -387,7 +387,7 @@ class AppendCommitResult(TypedDict):
 
 
 class AppendCancelParams(TypedDict):
-    """append.cancel: Cancels an upload and deletes its bytes."""
+    """append.cancel: Cancels an upload and deletes its bytes. Fails while append.commit stores the upload."""
 
     upload: str  # Id of the upload, as append.begin returned it.
 

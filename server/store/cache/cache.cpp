@@ -1,5 +1,7 @@
 #include "store/cache/cache.hpp"
 
+#include <iterator>
+
 namespace server::store {
 
 std::shared_ptr<const void> Cache::get_erased(const std::string& key, const std::function<Made()>& make) {
@@ -31,11 +33,24 @@ void Cache::account(const std::string& key, const Slot& made) {
         found->second.bytes = made.made.bytes;
         bytes_ += made.made.bytes;
     }
-    while ((bytes_ > budget_ || ages_.size() > most_) && ages_.size() > 1) {
-        const auto oldest = entries_.find(ages_.back());
-        bytes_ -= oldest->second.bytes;
-        entries_.erase(oldest);
-        ages_.pop_back();
+    while ((bytes_ > budget_ || ages_.size() > most_) && ages_.size() > 1) drop(std::prev(ages_.end()));
+}
+
+void Cache::drop(std::list<std::string>::iterator key) {
+    const auto dropped = entries_.find(*key);
+    bytes_ -= dropped->second.bytes;
+    entries_.erase(dropped);
+    ages_.erase(key);
+}
+
+// The number of holders of a slot or a value cannot grow while mutex_ is held.
+void Cache::drop_unused() {
+    const std::lock_guard lock(mutex_);
+    for (auto key = ages_.begin(); key != ages_.end();) {
+        const auto next = std::next(key);
+        const std::shared_ptr<Slot>& slot = entries_.at(*key).slot;
+        if (key != ages_.begin() && slot.use_count() == 1 && slot->made.value.use_count() == 1) drop(key);
+        key = next;
     }
 }
 

@@ -30,6 +30,8 @@ public:
         return std::static_pointer_cast<const T>(get_erased(key, make));
     }
     [[nodiscard]] std::size_t bytes() const;
+    // Drops all values that no caller holds, except the most recently used one.
+    void drop_unused();
 
 private:
     struct Slot {
@@ -45,6 +47,7 @@ private:
     [[nodiscard]] std::shared_ptr<const void> get_erased(const std::string& key, const std::function<Made()>& make);
     [[nodiscard]] std::shared_ptr<Slot> slot(const std::string& key);
     void account(const std::string& key, const Slot& slot);
+    void drop(std::list<std::string>::iterator key); // the caller holds mutex_
 
     mutable std::mutex mutex_;
     std::size_t budget_, most_, bytes_ = 0;

@@ -57,6 +57,19 @@ TEST(log, what_others_log_has_the_same_form) {
     EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
 }
 
+TEST(log, what_others_log_has_no_fields) {
+    const auto write = [] {
+        spdlog::info("dataset {}", "a\x1f"
+                                   "b=1\x1fx\n2026 error");
+    };
+    const std::string line = logged(LogFormat::text, write);
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
+    const json event = json::parse(logged(LogFormat::json, write));
+    EXPECT_EQ(event.size(), 3U) << "time, level and event: " << event;
+    EXPECT_EQ(event["event"], "dataset a\x1f"
+                              "b=1\x1fx\n2026 error");
+}
+
 TEST(log, no_value_makes_another_line_or_a_long_one) {
     const auto write = [] {
         log_event(LogLevel::info, "{} %s", {{"reason", "\x1f x=1\n2026 \xff" + std::string(5000, 'a')}});

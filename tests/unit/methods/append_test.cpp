@@ -276,6 +276,18 @@ TEST_F(Append, the_lock_is_held_for_the_commit_only_and_one_that_fails_can_be_tr
     EXPECT_EQ(client_.call("append.commit", only(upload))["step"], 3);
 }
 
+TEST_F(Append, an_upload_that_is_being_stored_cannot_be_cancelled) {
+    const json upload = begin(5);
+    fill(upload, 1);
+    const engine::UploadId id = engine::upload_id(upload["upload"]);
+    std::string reason;
+    server_.uploads().commit(
+        id, [&](std::size_t, std::size_t) { reason = refusal("append.cancel", only(upload), failed); });
+    EXPECT_THAT(reason, HasSubstr("can no longer be cancelled"));
+    EXPECT_EQ(store::Dataset::open(folder_ / "box.ciel")->steps().size(), 4U);
+    refusal("append.cancel", only(upload), not_found);
+}
+
 TEST_F(Append, an_upload_is_forgotten_when_it_is_cancelled_or_silent) {
     const json cancelled = begin(3), silent = begin(4);
     EXPECT_EQ(client_.call("append.cancel", only(cancelled)), nullptr);

@@ -215,13 +215,58 @@ TEST_F(Held, parsed_requests_are_counted_before_they_wait) {
     engine::Server server(options(limits));
     Client client(server, false);
     const json answer = json::parse(client.send(text));
+    EXPECT_EQ(answer["id"], 1);
     EXPECT_EQ(answer["error"]["code"], limit);
     EXPECT_THAT(answer["error"]["data"]["reason"].get<std::string>(), HasSubstr("the server may hold"));
     EXPECT_EQ(bytes(server, "requests"), 0U);
+    const json answers = json::parse(client.send("[" + text + R"(, {"jsonrpc": "2.0", "id": "b", "method": "x"}])"));
+    ASSERT_EQ(answers.size(), 2U) << "a batch is answered by a batch";
+    EXPECT_EQ(answers[0]["id"], 1);
+    EXPECT_EQ(answers[1]["id"], "b");
+    EXPECT_EQ(answers[1]["error"]["code"], limit);
+    EXPECT_EQ(client.send(std::string(text).replace(text.find(R"("id": 1, )"), 9, "")), "") << "a notification";
 
     engine::Server roomy(options());
     Client other(roomy, false);
     EXPECT_EQ(json::parse(other.send(text))["error"]["code"], invalid_params);
+}
+
+// Otherwise nobody could close a session to make room.
+TEST_F(Held, short_calls_pass_when_the_memory_is_full) {
+    limits::Limits limits;
+    limits.memory_bytes = 1;
+    engine::Server server(options(limits));
+    Client client(server, false);
+    EXPECT_TRUE(client.request("server.info").contains("result"));
+    EXPECT_EQ(client.error_code("session.close", {{"session", "none"}}), -32001) << "it was looked for";
+}
+
+TEST_F(Held, a_refused_call_is_counted_once) {
+    limits::Limits limits;
+    limits.batch_answer_bytes = 100;
+    engine::Server server(options(limits));
+    Client client(server, false);
+    std::string batch;
+    for (int id = 0; id < 5; ++id)
+        batch += std::string(id == 0 ? "[" : ", ") + R"({"jsonrpc": "2.0", "id": )" + std::to_string(id) +
+                 R"(, "method": "none"})";
+    EXPECT_EQ(json::parse(client.send(batch + "]")).size(), 5U);
+    EXPECT_THAT(server.metrics(), HasSubstr("ciel_rpc_errors_total{code=\"-32601\"} 5\n"));
+    EXPECT_THAT(server.metrics(), Not(HasSubstr("code=\"-32003\"")));
+}
+
+TEST_F(Held, cached_fields_are_freed_when_the_memory_is_full) {
+    engine::Server server(options());
+    Client client(server, false);
+    for (const double time : {0, 1, 2}) {
+        json scene = scene_with_iso();
+        scene["time"] = time;
+        client.call("picture.render", {{"scene", scene}, {"width", 16}, {"height", 16}});
+    }
+    const std::size_t before = bytes(server, "datasets");
+    limits::Memory::Charge all(server.memory(), limits::Held::uploads);
+    EXPECT_THROW(all.change(server.memory().most()), limits::LimitReached);
+    EXPECT_LT(bytes(server, "datasets"), before);
 }
 
 TEST_F(Held, the_result_of_a_call_is_counted_until_its_text_is) {

@@ -65,6 +65,20 @@ TEST(CacheTest, KeepsNoMoreThanItsNumber) {
     EXPECT_EQ(made, 1);
 }
 
+TEST(CacheTest, DropsWhatNobodyHolds) {
+    Cache cache(1000);
+    int made = 0;
+    const auto get = [&](const char* key) { return cache.get<int>(key, [&] { return ++made, number(made, 40); }); };
+    const auto held = get("held");
+    (void)get("unused");
+    (void)get("last");
+    cache.drop_unused();
+    EXPECT_EQ(cache.bytes(), 80U);
+    EXPECT_EQ(*get("held"), 1);
+    EXPECT_EQ(*get("last"), 3);
+    EXPECT_EQ(*get("unused"), 4) << "was dropped";
+}
+
 TEST(CacheTest, AFailureIsNotKept) {
     Cache cache(10);
     EXPECT_THROW((void)cache.get<int>("a", []() -> Cache::Made { throw Error("no"); }), Error);
@@ -291,6 +305,16 @@ TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
     EXPECT_THAT(names(catalog), ElementsAre("box", "box-2", "new"));
     fs::remove_all(directory);
     EXPECT_THAT(names(catalog), ElementsAre("box-2", "new")) << "names stay with their directories";
+}
+
+TEST_F(CatalogTest, ARemovedDatasetIsInMemoryWhileItIsHeld) {
+    Catalog catalog({scratch.path()});
+    auto held = catalog.open("box");
+    fs::remove_all(directory);
+    EXPECT_THAT(names(catalog), ElementsAre());
+    EXPECT_THAT(catalog.loaded(), ElementsAre(held));
+    held = nullptr;
+    EXPECT_THAT(catalog.loaded(), ElementsAre());
 }
 
 TEST_F(CatalogTest, AHiddenFolderIsOneThatIsStillBeingWritten) {
