@@ -4,6 +4,8 @@
 #include "ciel/extract.hpp"
 #include "engine/metrics.hpp"
 #include "engine/schedule/frame_workers.hpp"
+#include "limits/errors.hpp"
+#include "limits/memory.hpp"
 #include "sessions/session_services.hpp"
 
 #include <functional>
@@ -16,6 +18,12 @@ struct EngineServices : sessions::SessionServices {
     Metrics& metrics;
     // Frees geometry of unused sessions if little memory is left (Sessions::make_room). Call it without a lock.
     std::function<void()> make_room;
+
+    // Makes room. Throws LimitReached if all memory is in use: surfaces and fields are charged when they are made.
+    void require_room() const {
+        make_room();
+        if (memory.room() == 0) throw limits::LimitReached(memory.refusal());
+    }
 };
 
 } // namespace server::engine

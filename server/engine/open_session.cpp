@@ -14,7 +14,7 @@ OpenSession::OpenSession(std::string id, const EngineServices& services,
 std::shared_ptr<const geometry::Geometry> OpenSession::geometry(const sessions::SceneVersion& version,
                                                                 const std::stop_token& stop, bool moving,
                                                                 const geometry::LayersMade& layers_made) {
-    services_.make_room();
+    services_.require_room();
     const std::scoped_lock lock(geometry_mutex_);
     const std::uint64_t own = services_.limits.session_memory_bytes;
     const std::uint64_t left = surfaces_.bytes() + services_.memory.room();

@@ -65,7 +65,11 @@ struct Server::State {
           picture_workers(1, options.backend, memory, options.still_samples),
           services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics, {}},
           sessions(services), uploads(options.limits, memory), slow_calls(options.limits) {
-        services.make_room = [this] { sessions.make_room(); };
+        services.make_room = [this] {
+            constexpr std::uint64_t scarce = 16; // less than a 16th is left
+            sessions.make_room();
+            if (memory.room() < memory.most() / scarce) memory.release();
+        };
         limits::keep_memory_in_reserve();
         watch = catalog.watch([this](const std::string& dataset) { tell_steps(dataset); });
         housekeeping = std::jthread([this](const std::stop_token& stop) {

@@ -256,7 +256,7 @@ void Uploads::cancel(const wire::UploadId& id) {
     const std::lock_guard lock(mutex_);
     if (known(id)->is_stored)
         throw ciel::Error("the upload " + to_text(id) +
-                          " is being stored and can no longer be cancelled; append.commit answers when it is done");
+                          " is being stored; wait for the answer of append.commit, and cancel the upload if it fails");
     open_.erase(id);
 }
 

@@ -132,7 +132,7 @@ void Cut::use_field(const std::string& name, store::ScalarField new_field, ciel:
     shape = nullptr;
     field_name.clear(); // stays empty if anything below throws
     if (!same_topology) {
-        query.reset(); // before `field` is replaced, because the query reads it
+        query.reset();
         field = std::move(new_field);
         query.emplace(field.query(extraction));
     } else { // the same topology, whose vertices may have moved

@@ -71,7 +71,7 @@ struct Contoured {
     void forget() { *this = {}; } // call when the lines are not shown
 };
 
-// One iso-value `nu` of one field. `query` reads `field` until `query` is destroyed, so `field` is declared first.
+// One iso-value `nu` of one field. `query` has a copy of the field.
 struct Cut {
     store::ScalarField field;
     std::string field_name;

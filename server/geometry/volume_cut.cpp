@@ -123,7 +123,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
 }
 
 std::size_t VolumeCut::memory_bytes() const {
-    return gradients.size() * sizeof(ciel::Vec3f) + limits.size() * sizeof(limits[0]) +
+    return values.size_bytes() + gradients.size() * sizeof(ciel::Vec3f) + limits.size() * sizeof(limits[0]) +
            (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
 }
 

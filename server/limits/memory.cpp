@@ -23,7 +23,7 @@ void Memory::Charge::note(std::size_t bytes) {
 
 void Memory::add_or_throw(Held held, std::uint64_t more) {
     if (add(held, more)) return;
-    release_();
+    if (more <= most_) release_();
     if (!add(held, more)) throw LimitReached(refusal());
 }
 

@@ -24,8 +24,8 @@ inline constexpr std::array held_names{"scenes", "surfaces", "answers", "unsent"
 // Thread-safe. Must outlive its charges.
 class Memory {
 public:
-    // `dataset_bytes` returns the bytes of all datasets. `release` frees unused datasets. Both are called on the thread
-    // that changes a Charge, and must not change a Charge themselves.
+    // `dataset_bytes` returns the bytes of all datasets. `release` frees unused datasets and unused fields. Both are
+    // called on the thread that changes a Charge, and must not change a Charge themselves.
     Memory(std::uint64_t most_bytes, std::function<std::uint64_t()> dataset_bytes, std::function<void()> release);
 
     // The bytes counted for one holder. The destructor subtracts them from the total. Not thread-safe.
@@ -47,6 +47,7 @@ public:
         std::size_t bytes_ = 0;
     };
 
+    void release() const { release_(); }
     // Returns the error message for a client whose request would exceed the limit.
     [[nodiscard]] std::string refusal() const;
     [[nodiscard]] std::uint64_t room() const;

@@ -137,7 +137,7 @@ private:
         }
     }
 
-    // Short requests and answers pass when the server's memory is full, so that clients can close what needs it.
+    // Short requests and answers pass when the server's memory is full, so that clients can close sessions.
     static void count(limits::Memory::Charge& charge, std::size_t bytes) {
         constexpr std::size_t always_accepted = 64 << 10;
         bytes <= always_accepted ? charge.note(bytes) : charge.change(bytes);
@@ -148,13 +148,13 @@ private:
         if (!one) return context_.making.note(0);
         const std::string id = ids_.empty() ? std::string() : ids_[next_];
         answered_.push_back({(*one)["id"], id});
-        const bool is_refusal =
-            one->contains("error"); // has been logged and counted, so that no second one replaces it
+        const bool is_refusal = one->contains("error");
         try {
             const std::string text = text_of(*one, id);
             one.reset();
-            context_.making.note(0); // append() counts the text
-            append(text, is_refusal);
+            context_.making.note(0);                    // append() counts the text
+            constexpr std::size_t usual_refusal = 4096; // has been logged and counted, so no other one replaces it
+            append(text, is_refusal && text.size() <= usual_refusal);
         } catch (...) { // the answer exceeds the limit of the batch or the server's memory
             context_.making.note(0);
             append(text_of(refuse(context_, requests_[next_]).value_or(json()), id), true);

@@ -24,7 +24,7 @@ std::shared_ptr<const geometry::Geometry> SceneSource::geometry(const geometry::
 
 std::shared_ptr<const geometry::Geometry> SceneSource::geometry_of_scene(const geometry::LayersMade& layers_made) {
     const engine::EngineServices& services = context_.server.services();
-    services.make_room();
+    services.require_room();
     const std::uint64_t own = services.limits.session_memory_bytes, left = services.memory.room();
     try {
         geometry::SceneGeometry geometry(services.extraction);

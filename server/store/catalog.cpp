@@ -206,11 +206,14 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
     const std::lock_guard lock(state_->mutex);
     if (const auto found = state_->known.find(name); found != state_->known.end()) {
         Known& entry = found->second;
+        state_->forget(entry.loaded);
         entry.loaded = loaded;
         entry.problem = problem;
         if (entry.lost != Known::Lost::no && !loaded) entry.lost = Known::Lost::refused;
         if (loaded) entry.lost = entry.lost == Known::Lost::refused ? Known::Lost::came_back : Known::Lost::no;
         entry.examined = entry.loaded_stamp = stamp;
+    } else if (loaded) {
+        state_->replaced.push_back(loaded);
     }
     if (failure) std::rethrow_exception(failure);
     return loaded;

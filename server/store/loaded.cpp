@@ -269,7 +269,7 @@ Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
         return {copied, copied->size_bytes()};
     });
     of->check_intact();
-    return *made;
+    return {*made, made}; // the holder of the result keeps the cached value in use
 }
 
 Histogram LoadedDataset::histogram(const std::string& name, std::size_t step, std::size_t bins,

@@ -1,5 +1,5 @@
-// What layers, probes and histograms of a stored dataset allocate is shorter than the mesh. Volumes are not tested,
-// because they keep arrays as long as the mesh.
+// Layers, probes and histograms of a stored dataset allocate no array with a number for each cell or vertex. A
+// threshold has a byte for each cell. Volumes are not tested, because they keep arrays as long as the mesh.
 #include "allocations/counted_new.hpp"
 #include "ciel/cell_locator.hpp"
 #include "geometry/default_scene.hpp"
@@ -21,8 +21,8 @@ using nlohmann::json;
 
 constexpr int side = 80;
 constexpr std::size_t cells = std::size_t{side} * side * side;
-// A surface has at most the size of the boundary, which is 5 % of the cells here. Its triangles need 1.8 bytes for each
-// cell of the mesh, more while a vector grows.
+// A boundary has 7.5 % as many faces as the mesh has cells. Its triangles need 1.8 bytes for each cell of the mesh,
+// more while a vector grows.
 constexpr std::size_t of_surfaces = 2 * cells, of_boundaries = 4 * cells;
 
 void write_cubes(const std::filesystem::path& directory) {

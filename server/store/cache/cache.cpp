@@ -1,6 +1,8 @@
 #include "store/cache/cache.hpp"
 
 #include <iterator>
+#include <utility>
+#include <vector>
 
 namespace server::store {
 
@@ -27,29 +29,36 @@ std::shared_ptr<Cache::Slot> Cache::slot(const std::string& key) {
 }
 
 void Cache::account(const std::string& key, const Slot& made) {
+    std::vector<std::shared_ptr<Slot>> dropped; // destroyed after `lock`
     const std::lock_guard lock(mutex_);
     // If the entry was dropped while its value was being made, the cache does not hold the value and must not count it.
     if (const auto found = entries_.find(key); found != entries_.end() && found->second.slot.get() == &made) {
         found->second.bytes = made.made.bytes;
         bytes_ += made.made.bytes;
     }
-    while ((bytes_ > budget_ || ages_.size() > most_) && ages_.size() > 1) drop(std::prev(ages_.end()));
+    while ((bytes_ > budget_ || ages_.size() > most_) && ages_.size() > 1)
+        dropped.push_back(drop(std::prev(ages_.end())));
 }
 
-void Cache::drop(std::list<std::string>::iterator key) {
-    const auto dropped = entries_.find(*key);
-    bytes_ -= dropped->second.bytes;
-    entries_.erase(dropped);
+std::shared_ptr<Cache::Slot> Cache::drop(std::list<std::string>::iterator key) {
+    const auto entry = entries_.find(*key);
+    std::shared_ptr<Slot> dropped = std::move(entry->second.slot);
+    bytes_ -= entry->second.bytes;
+    entries_.erase(entry);
     ages_.erase(key);
+    return dropped;
 }
 
 // The number of holders of a slot or a value cannot grow while mutex_ is held.
 void Cache::drop_unused() {
+    std::vector<std::shared_ptr<Slot>> dropped; // destroyed after `lock`
     const std::lock_guard lock(mutex_);
     for (auto key = ages_.begin(); key != ages_.end();) {
         const auto next = std::next(key);
         const std::shared_ptr<Slot>& slot = entries_.at(*key).slot;
-        if (key != ages_.begin() && slot.use_count() == 1 && slot->made.value.use_count() == 1) drop(key);
+        // A slot whose value could not be made is unused, too.
+        if (key != ages_.begin() && slot.use_count() == 1 && slot->made.value.use_count() <= 1)
+            dropped.push_back(drop(key));
         key = next;
     }
 }

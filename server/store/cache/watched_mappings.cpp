@@ -27,7 +27,8 @@ static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bo
               std::atomic<Loss>::is_always_lock_free);
 
 void lose(WatchedMapping& mapping, Loss loss) {
-    if (mapping.loss.exchange(loss) == Loss::none) ++lost_count;
+    Loss none = Loss::none;
+    if (mapping.loss.compare_exchange_strong(none, loss)) ++lost_count;
     *mapping.any_lost.load() = true;
 }
 

@@ -65,7 +65,7 @@ TEST(CacheTest, KeepsNoMoreThanItsNumber) {
     EXPECT_EQ(made, 1);
 }
 
-TEST(CacheTest, DropsWhatNobodyHolds) {
+TEST(CacheTest, DropsValuesWithoutAHolder) {
     Cache cache(1000);
     int made = 0;
     const auto get = [&](const char* key) { return cache.get<int>(key, [&] { return ++made, number(made, 40); }); };
@@ -305,6 +305,16 @@ TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
     EXPECT_THAT(names(catalog), ElementsAre("box", "box-2", "new"));
     fs::remove_all(directory);
     EXPECT_THAT(names(catalog), ElementsAre("box-2", "new")) << "names stay with their directories";
+}
+
+TEST_F(LoadedTest, UnusedFieldsAreDroppedAndUsedOnesStay) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const Values held = loaded.scalar_values("p", 0);
+    (void)loaded.scalar_values("p", 2);
+    const Values last = loaded.scalar_values("U:x", 0);
+    const std::size_t before = loaded.memory_bytes();
+    loaded.drop_unused_fields();
+    EXPECT_EQ(loaded.memory_bytes(), before - held.size_bytes()) << "one array without a holder";
 }
 
 TEST_F(CatalogTest, ARemovedDatasetIsInMemoryWhileItIsHeld) {

@@ -1,4 +1,4 @@
-// What the sources of the Python module share. Not in the paper.
+// Declarations that the sources of the Python module share. Not in the paper.
 #pragma once
 
 #include "arrays.hpp"
