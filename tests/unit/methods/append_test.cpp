@@ -283,7 +283,7 @@ TEST_F(Append, an_upload_that_is_being_stored_cannot_be_cancelled) {
     std::string reason;
     server_.uploads().commit(
         id, [&](std::size_t, std::size_t) { reason = refusal("append.cancel", only(upload), failed); });
-    EXPECT_THAT(reason, HasSubstr("can no longer be cancelled"));
+    EXPECT_THAT(reason, HasSubstr("is being stored"));
     EXPECT_EQ(store::Dataset::open(folder_ / "box.ciel")->steps().size(), 4U);
     refusal("append.cancel", only(upload), not_found);
 }

@@ -98,5 +98,20 @@ TEST_F(ManySteps, AFieldOfAnEarlierStepCanStillBeCut) {
     EXPECT_EQ(surface.polygon_cell.size(), 4U);
 }
 
+TEST(MappedFile, NamesTheFirstLoss) {
+    const test::Folder scratch;
+    const std::filesystem::path path = scratch / "file";
+    test::overwrite_file(path, std::string(8192, 'a'));
+    const MappedFile file(path, 8192);
+    std::filesystem::resize_file(path, 0);
+    EXPECT_THROW(file.load(file.bytes()), ciel::Error);
+    test::overwrite_file(path, std::string(8192, 'b')); // the same file, changed
+    try {
+        file.refuse();
+    } catch (const ciel::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("has shrunk"));
+    }
+}
+
 } // namespace
 } // namespace server::store
