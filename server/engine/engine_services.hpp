@@ -16,10 +16,12 @@ struct EngineServices : sessions::SessionServices {
     ciel::Extraction extraction;
     FrameWorkers& workers;
     Metrics& metrics;
-    // Frees geometry of unused sessions if little memory is left (Sessions::make_room). Call it without a lock.
+    // Frees surfaces of unused sessions (Sessions::make_room), then unused fields, if little memory is left. Call it
+    // without a lock.
     std::function<void()> make_room;
 
-    // Makes room. Throws LimitReached if all memory is in use: surfaces and fields are charged when they are made.
+    // Makes room. Throws LimitReached if all memory is in use. Call it before surfaces or fields are made, because
+    // their size is not known before.
     void require_room() const {
         make_room();
         if (memory.room() == 0) throw limits::LimitReached(memory.refusal());

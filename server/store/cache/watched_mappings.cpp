@@ -26,12 +26,6 @@ struct sigaction previous {};
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<Loss>::is_always_lock_free);
 
-void lose(WatchedMapping& mapping, Loss loss) {
-    Loss none = Loss::none;
-    if (mapping.loss.compare_exchange_strong(none, loss)) ++lost_count;
-    *mapping.any_lost.load() = true;
-}
-
 // Reads `begin` twice, because another thread may give the node to another mapping meanwhile.
 bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
     const std::uintptr_t begin = mapping.begin.load();
@@ -43,7 +37,7 @@ bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
 bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
         if (!holds(*each, address)) continue;
-        lose(*each, Loss::shrunk);
+        note_loss(*each, Loss::shrunk);
         // NOLINTNEXTLINE(performance-no-int-to-ptr): the address came from a pointer
         return ::mmap(reinterpret_cast<void*>(each->begin.load()), each->bytes.load(), PROT_READ,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
@@ -96,7 +90,11 @@ void unwatch_mapping(WatchedMapping* mapping) {
 
 Loss loss_of(const WatchedMapping& mapping) { return mapping.loss; }
 
-void note_loss(WatchedMapping& mapping, Loss loss) { lose(mapping, loss); }
+void note_loss(WatchedMapping& mapping, Loss loss) {
+    Loss none = Loss::none;
+    if (mapping.loss.compare_exchange_strong(none, loss)) ++lost_count;
+    *mapping.any_lost.load() = true;
+}
 
 std::size_t lost_mapping_count() { return lost_count; }
 
