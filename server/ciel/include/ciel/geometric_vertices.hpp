@@ -31,9 +31,8 @@ public:
     [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:
-    mutable std::function<FaceMeshView()> mesh_; // empty when `found_` is made
+    mutable std::function<FaceMeshView()> mesh_; // empty once `found_` is made
     mutable Mutex mutex_;
-    mutable bool made_ = false;
     mutable Found found_;
 };
 

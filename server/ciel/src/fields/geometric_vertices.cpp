@@ -120,7 +120,7 @@ private:
 
 const GeometricVertices::Found& GeometricVertices::find(const Topology& topology) const {
     const Locked lock(mutex_);
-    if (made_) return found_;
+    if (!mesh_) return found_;
     const FaceMeshView mesh = mesh_();
     double largest = 0;
     const Vec3d shift = mesh.surface_shift();
@@ -142,7 +142,6 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     found_.vertices.clear(); // an earlier call that ran out of memory may have left vertices
     for (Index v = 0; v < flag.size(); ++v)
         if (flag[v] != 0) found_.vertices.push_back(v);
-    made_ = true;
     mesh_ = nullptr;
     return found_;
 }
