@@ -1,11 +1,29 @@
 // Page script that holds back messages while `holding` is true: the description of a chosen dataset, then its first
-// picture. `held` names the message that is held back; `pass` delivers it.
+// picture. `held` names the newest message that is held back; `pass` delivers all of them. `letGo` does so, too, and
+// holds nothing more: in one step, because no message may overtake an earlier one.
+
+interface HoldingPage {
+  holding: boolean;
+  held: string | null;
+  pass: () => void;
+  letGo: () => void;
+}
 
 /** Runs in the page: replaces WebSocket by a class that holds messages back. */
 function hold(): void {
   const Plain = WebSocket;
-  const page = globalThis as unknown as { holding: boolean; held: string | null; pass: () => void };
+  const page = globalThis as unknown as HoldingPage;
+  const waiting: (() => void)[] = [];
+  page.holding = false;
   page.held = null;
+  page.pass = () => {
+    page.held = null;
+    for (const deliver of waiting.splice(0)) deliver();
+  };
+  page.letGo = () => {
+    page.holding = false;
+    page.pass();
+  };
   window.WebSocket = class extends Plain {
     private listener: ((event: MessageEvent) => void) | null = null;
     private readonly asked = new Set<number>();
@@ -31,14 +49,8 @@ function hold(): void {
       const isDescription = !isPicture && this.asked.delete((JSON.parse(data) as { id?: number }).id ?? -1);
       if (!page.holding || !(isPicture || isDescription)) this.listener?.(event);
       else {
-        const before = page.pass;
-        const isFirst = page.held === null;
         page.held = isPicture ? "picture" : "description";
-        page.pass = () => {
-          if (!isFirst) before();
-          page.held = null;
-          this.listener?.(event);
-        };
+        waiting.push(() => this.listener?.(event));
       }
     }
   };
