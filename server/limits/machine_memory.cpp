@@ -3,10 +3,10 @@
 #include "limits/control_group.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <limits>
 #include <malloc.h>
+#include <mutex>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -48,21 +48,24 @@ std::uint64_t private_resident_memory() {
 
 std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory().limit); }
 
-void give_back_free_memory() {
+bool FreeMemory::is_worth_returning(std::uint64_t free, std::uint64_t resident) {
     constexpr std::uint64_t worth_it = std::uint64_t{32} << 20;
-    // malloc also counts memory as free that it has returned to the system. Therefore the free bytes and the resident
-    // size are compared with their values after the last return.
-    static std::atomic<std::uint64_t> free_after{0}, size_after{0};
-    const auto free_bytes = []() -> std::uint64_t { return ::mallinfo2().fordblks; };
-    const std::uint64_t free_now = free_bytes(), size_now = private_resident_memory();
-    if (free_now >= free_after + worth_it || (free_now >= worth_it && size_now >= size_after + worth_it)) {
-        ::malloc_trim(0);
-        free_after = free_bytes();
-        size_after = private_resident_memory();
-    } else {
-        free_after = std::min(free_after.load(), free_now);
-        size_after = std::min(size_after.load(), size_now);
+    if (free >= free_before_ + worth_it || (free >= worth_it && resident >= resident_after_ + worth_it)) {
+        free_before_ = free;
+        return true;
     }
+    free_before_ = std::min(free_before_, free);
+    resident_after_ = std::min(resident_after_, resident);
+    return false;
+}
+
+void give_back_free_memory() {
+    static std::mutex mutex;
+    static FreeMemory free_memory;
+    const std::scoped_lock lock(mutex);
+    if (!free_memory.is_worth_returning(::mallinfo2().fordblks, private_resident_memory())) return;
+    ::malloc_trim(0);
+    free_memory.returned(private_resident_memory());
 }
 
 SpareMemory spare_memory() { return {std::min(available_on_machine(), group_memory().spare), spare_address_space()}; }

@@ -15,7 +15,21 @@ struct SpareMemory {
 };
 [[nodiscard]] SpareMemory spare_memory();
 
-// Returns freed heap memory to the system if it seems to be 32 MiB or more. malloc would keep it. Thread-safe.
+// Decides when freed heap memory is returned to the system. malloc counts memory as free that it has returned already.
+// Therefore the free bytes and the resident size are compared with their values at the last return. Not thread-safe.
+class FreeMemory {
+public:
+    // Returns whether 32 MiB or more seem to be free and resident. If so, call returned() after the return, with the
+    // resident size then.
+    [[nodiscard]] bool is_worth_returning(std::uint64_t free, std::uint64_t resident);
+    void returned(std::uint64_t resident) { resident_after_ = resident; }
+
+private:
+    // `free_before_` is the value before the return, so that bytes that another thread frees meanwhile count as new.
+    std::uint64_t free_before_ = 0, resident_after_ = 0;
+};
+
+// Returns freed heap memory to the system as FreeMemory decides. malloc would keep it. Thread-safe.
 void give_back_free_memory();
 
 } // namespace server::limits

@@ -68,5 +68,24 @@ TEST(machine_memory, what_is_in_use_at_a_return_is_given_back_when_it_is_freed) 
     }
 }
 
+TEST(free_memory, what_is_freed_during_a_return_is_returned_the_next_time) {
+    FreeMemory memory;
+    ASSERT_TRUE(memory.is_worth_returning(50 * mebibyte, 200 * mebibyte));
+    memory.returned(150 * mebibyte); // another thread has freed 40 MiB meanwhile, which are resident
+    EXPECT_TRUE(memory.is_worth_returning(90 * mebibyte, 150 * mebibyte));
+    memory.returned(110 * mebibyte);
+    EXPECT_FALSE(memory.is_worth_returning(90 * mebibyte, 110 * mebibyte)); // malloc still counts these bytes as free
+}
+
+TEST(free_memory, what_is_used_again_and_freed_is_returned) {
+    FreeMemory memory;
+    ASSERT_TRUE(memory.is_worth_returning(100 * mebibyte, 200 * mebibyte));
+    memory.returned(100 * mebibyte);
+    EXPECT_TRUE(memory.is_worth_returning(100 * mebibyte, 140 * mebibyte)); // used and freed since
+    memory.returned(100 * mebibyte);
+    EXPECT_FALSE(memory.is_worth_returning(10 * mebibyte, 190 * mebibyte)); // in use
+    EXPECT_TRUE(memory.is_worth_returning(60 * mebibyte, 190 * mebibyte));
+}
+
 } // namespace
 } // namespace server::limits
