@@ -39,9 +39,9 @@ private:
 
 color::SlabMesh boundary_of(const Case& data, const geometry::SlabProperty& property) {
     const ciel::BlockBoxes boxes = ciel::block_boxes(*data.topology, data.mesh.positions);
-    const std::vector<std::uint8_t> filled = geometry::filled_cells(property.limits);
     return geometry::slab_boundary(
-        ciel::threshold_surface(*data.topology, data.mesh, boxes, filled, ciel::CollapsedFaces::keep), property);
+        ciel::threshold_surface(*data.topology, data.mesh, boxes, property.filled, ciel::CollapsedFaces::keep),
+        property);
 }
 
 } // namespace
@@ -49,8 +49,8 @@ color::SlabMesh boundary_of(const Case& data, const geometry::SlabProperty& prop
 VolumePictures::VolumePictures(const Case& data)
     : data_(data), values_(converted(data.values, false)),
       gradients_(ciel::vertex_gradients(*data.topology, data.mesh, data.values)),
-      limits_(ciel::cell_limits(*data.topology, values_.floats())),
-      boundary_(boundary_of(data, {values_.floats(), gradients_, limits_})) {
+      filled_(geometry::filled_cells(field_of(data, values_))),
+      boundary_(boundary_of(data, {*data.topology, values_.floats(), gradients_, filled_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.surface_origin;
     for (std::size_t i = 0; i < data.mesh.positions.size(); ++i) {
@@ -79,7 +79,7 @@ std::uint64_t VolumePictures::cut(const ciel::Vec3d& normal) {
     for (std::size_t i = 0; i < slice_count; ++i)
         places.push_back(volume_.first + (static_cast<double>(i) + 0.5) * volume_.thickness);
     (void)ciel::sweep(*data_.topology, data_.mesh, planes, places,
-                      geometry::SlabSink{{values_.floats(), gradients_, limits_}}, slices_);
+                      geometry::SlabSink{{*data_.topology, values_.floats(), gradients_, filled_}}, slices_);
     volume_.slices = slices_;
     volume_.revision = ++revision_;
     std::uint64_t triangles = 0;

@@ -38,7 +38,7 @@ private:
     const Case& data_;
     store::Values values_; // as floats
     std::vector<ciel::Vec3f> gradients_;
-    std::vector<std::array<float, 2>> limits_;
+    std::vector<std::uint8_t> filled_;
     color::SlabMesh boundary_;
     std::vector<color::SlabMesh> slices_;
     render::Volume volume_;

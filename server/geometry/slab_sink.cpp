@@ -1,6 +1,8 @@
 #include "geometry/slab_sink.hpp"
 
+#include "ciel/cell_limits.hpp"
 #include "ciel/sink_pieces.hpp"
+#include "ciel/threshold_surface.hpp"
 #include "ciel/vectors.hpp"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ public:
     }
 
     void add(std::span<const ciel::Index> loop, const std::array<float, 2>& limits) {
-        if (loop.size() < 3) return;
+        if (loop.size() < 3 || limits[0] > limits[1]) return;
         const std::size_t corner = best_corner(loop), n = loop.size();
         const ciel::Index apex = own(loop[corner]);
         out_.vertices[apex].limits = limits;
@@ -96,8 +98,6 @@ private:
     std::vector<std::uint8_t>& taken_; // by vertex: 1 if a fan starts at the vertex
 };
 
-bool is_filled(const std::array<float, 2>& limits) { return limits[0] <= limits[1]; }
-
 ciel::Vec3f lerp(const ciel::Vec3f& a, const ciel::Vec3f& b, double t) {
     return {ciel::lerp(a[0], b[0], t), ciel::lerp(a[1], b[1], t), ciel::lerp(a[2], b[2], t)};
 }
@@ -107,7 +107,7 @@ ciel::Vec3f lerp(const ciel::Vec3f& a, const ciel::Vec3f& b, double t) {
 void SlabSink::check(const ciel::TopologyCounts& counts) const {
     ciel::require_size(property.value.size(), counts.vertices, "values, one for each vertex");
     ciel::require_size(property.gradient.size(), counts.vertices, "gradients, one for each vertex");
-    ciel::require_size(property.limits.size(), counts.cells, "limits, one for each cell");
+    ciel::require_size(property.filled.size(), counts.cells, "flags, one for each cell");
 }
 
 void SlabSink::write(const ciel::BlockPolygons& cut, Piece& piece) const {
@@ -123,9 +123,10 @@ void SlabSink::write(const ciel::BlockPolygons& cut, Piece& piece) const {
     piece.triangles.clear();
     piece.triangles.reserve(3 * (cut.polygon_point.size() - 2 * cut.polygon_count()));
     FanWriter fans(piece);
+    ciel::CellLimits limits(property.topology, property.value);
     for (std::size_t i = 0; i < cut.polygon_count(); ++i)
-        if (const auto& limits = property.limits[cut.cell_begin + cut.polygon_cell[i]]; is_filled(limits))
-            fans.add(cut.polygon(i), limits);
+        if (const ciel::Index cell = cut.cell_begin + cut.polygon_cell[i]; property.filled[cell] != 0)
+            fans.add(cut.polygon(i), limits.of(cell));
 }
 
 void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
@@ -133,17 +134,16 @@ void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
     ciel::join_triangles(pieces, &Piece::vertices, out);
 }
 
-std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> limits) {
-    std::vector<std::uint8_t> filled(limits.size());
-    std::ranges::transform(limits, filled.begin(), [](const auto& of_cell) { return is_filled(of_cell) ? 1 : 0; });
-    return filled;
+std::vector<std::uint8_t> filled_cells(const ciel::Field& values) {
+    constexpr double greatest = std::numeric_limits<double>::max();
+    return ciel::cells_in_range(values, {-greatest, greatest}, ciel::InRange::all);
 }
 
 SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property) {
     const std::size_t vertices = std::min(property.value.size(), property.gradient.size());
     const auto has_entry = [&](const ciel::EdgePoint& point) { return point.a < vertices; };
-    const auto has_limits = [&](ciel::Index cell) { return cell < property.limits.size(); };
-    if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_limits))
+    const auto has_cell = [&](ciel::Index cell) { return cell < property.topology.counts().cells; };
+    if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_cell))
         ciel::fail(
             "a vertex or a cell of a volume's boundary has no entry in the property; pass the boundary of the mesh on "
             "which the property lies");
@@ -154,9 +154,10 @@ SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property)
         out.vertices.push_back({faces.positions[i], property.value[vertex], property.gradient[vertex], {}});
     }
     FanWriter fans(out);
+    ciel::CellLimits limits(property.topology, property.value);
     for (std::size_t i = 0; i < faces.polygon_cell.size(); ++i) {
         const ciel::Index begin = faces.polygon_offset[i], end = faces.polygon_offset[i + 1];
-        fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin), property.limits[faces.polygon_cell[i]]);
+        fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin), limits.of(faces.polygon_cell[i]));
     }
     return out;
 }

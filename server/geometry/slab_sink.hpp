@@ -2,18 +2,18 @@
 // boundary of the volume. Any thread may call the functions. The results own their data.
 #pragma once
 
-#include "ciel/cell_limits.hpp"
 #include "ciel/sweep_sinks.hpp"
 #include "color/slab_mesh.hpp"
 
 namespace server::geometry {
 
-// The property on the whole mesh. Does not own the arrays. A cell is filled, which means a part of the volume, unless
-// its limits are no_limits.
+// The property on the whole mesh. Does not own the arrays. A cell is filled, which means a part of the volume, only if
+// its vertices have finite values.
 struct SlabProperty {
-    std::span<const float> value;                 // one for each mesh vertex
-    std::span<const ciel::Vec3f> gradient;        // one for each mesh vertex, per unit of length
-    std::span<const std::array<float, 2>> limits; // one for each cell (cell_limits)
+    const ciel::Topology& topology;
+    std::span<const float> value;          // one for each mesh vertex
+    std::span<const ciel::Vec3f> gradient; // one for each mesh vertex, per unit of length
+    std::span<const std::uint8_t> filled;  // one flag for each cell: 1 if the cell is filled, else 0 (filled_cells)
 };
 
 // Sink for `sweep`. Leaves out cells that are not filled. Writes a point once for each block that has the point's edge.
@@ -29,8 +29,9 @@ struct SlabSink {
     void join(std::span<const Piece* const> pieces, Out& out) const;
 };
 
-// Returns one flag for each cell: 1 if the cell is filled, else 0.
-[[nodiscard]] std::vector<std::uint8_t> filled_cells(std::span<const std::array<float, 2>> limits);
+// Returns one flag for each cell: 1 if all vertices of the cell have a value in the field, else 0. The flag of a cell
+// without faces is unspecified. Reads the blocks that have a vertex without a value.
+[[nodiscard]] std::vector<std::uint8_t> filled_cells(const ciel::Field& values);
 
 // Returns the polygons of `faces` as the boundary of a volume. `faces`: the surface around the filled cells
 // (threshold_surface, with CollapsedFaces::keep). Its points are mesh vertices. Throws Error when a vertex or a cell of

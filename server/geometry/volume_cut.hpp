@@ -44,7 +44,8 @@ struct VolumeCut {
     store::Values values; // floats, relative to value_origin
     double value_origin = 0;
     std::vector<ciel::Vec3f> gradients;
-    std::vector<std::array<float, 2>> limits; // by cell (cell_limits in ciel/cell_limits.hpp)
+    std::vector<std::uint8_t> filled; // by cell (SlabProperty)
+    std::shared_ptr<const ciel::Topology> topology;
     std::shared_ptr<const color::SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;

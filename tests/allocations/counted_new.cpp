@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <link.h>
+#include <malloc.h>
 #include <new>
 #include <string_view>
 
@@ -38,6 +39,21 @@ std::atomic<std::size_t> failing{never};
 
 std::atomic<std::size_t> large{never}, large_count{0};
 
+std::atomic<bool> weighs{false};
+std::atomic<std::ptrdiff_t> held{0}, most_held{0};
+
+void* weigh(void* memory) {
+    if (!weighs) return memory;
+    const std::ptrdiff_t now = held += static_cast<std::ptrdiff_t>(::malloc_usable_size(memory));
+    for (std::ptrdiff_t most = most_held; now > most && !most_held.compare_exchange_weak(most, now);) {
+    }
+    return memory;
+}
+void give_back(void* memory) {
+    if (weighs) held -= static_cast<std::ptrdiff_t>(::malloc_usable_size(memory));
+    std::free(memory);
+}
+
 // Neither counts nor fails TBB's own allocations: an exception while TBB starts a worker would end the process.
 void count(std::size_t bytes, const void* caller) {
     const auto address = reinterpret_cast<std::size_t>(caller);
@@ -59,6 +75,13 @@ LargeAllocations::LargeAllocations(std::size_t bytes) {
 LargeAllocations::~LargeAllocations() { large = never; }
 std::size_t LargeAllocations::count() { return large_count; }
 
+PeakBytes::PeakBytes() {
+    held = most_held = 0;
+    weighs = true;
+}
+PeakBytes::~PeakBytes() { weighs = false; }
+std::size_t PeakBytes::peak() { return static_cast<std::size_t>(most_held.load()); }
+
 FailingAllocation::FailingAllocation(std::size_t nth) { failing = asked + nth; }
 FailingAllocation::~FailingAllocation() { failing = never; }
 bool FailingAllocation::has_failed() { return asked >= failing; }
@@ -67,7 +90,7 @@ bool FailingAllocation::has_failed() { return asked >= failing; }
 
 void* operator new(std::size_t bytes) {
     count(bytes, __builtin_return_address(0));
-    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return memory;
+    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) return weigh(memory);
     throw std::bad_alloc();
 }
 // Called by std::stable_partition. AddressSanitizer's version would not match the operator delete below.
@@ -78,15 +101,15 @@ void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
         return nullptr;
     }
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
 
 // Called by vectors of the kernel's 4-component SIMD type.
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     count(bytes, __builtin_return_address(0));
     const auto step = static_cast<std::size_t>(alignment);
-    if (void* memory = std::aligned_alloc(step, (bytes / step + 1) * step)) return memory;
+    if (void* memory = std::aligned_alloc(step, (bytes / step + 1) * step)) return weigh(memory);
     throw std::bad_alloc();
 }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }

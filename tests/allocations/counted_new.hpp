@@ -17,6 +17,15 @@ public:
     [[nodiscard]] static std::size_t count();
 };
 
+// Counts the bytes that all threads hold more than at the beginning. Only one may exist.
+class PeakBytes {
+public:
+    PeakBytes();
+    ~PeakBytes();
+    PeakBytes(const PeakBytes&) = delete;
+    [[nodiscard]] static std::size_t peak();
+};
+
 // During its lifetime, the n-th allocation of any thread throws std::bad_alloc and all others succeed. Only one may
 // exist.
 class FailingAllocation {

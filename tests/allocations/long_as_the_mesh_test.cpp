@@ -1,5 +1,5 @@
 // Layers, probes and histograms of a stored dataset allocate no array with a number for each cell or vertex. A
-// threshold has a byte for each cell. Volumes are not tested, because they keep arrays as long as the mesh.
+// threshold and a volume have a byte for each cell, and a volume has a gradient for each vertex.
 #include "allocations/counted_new.hpp"
 #include "ciel/cell_locator.hpp"
 #include "geometry/default_scene.hpp"
@@ -95,6 +95,16 @@ TEST_F(LongAsTheMesh, NoArrayOfALayerIs) {
         }
         EXPECT_EQ(ciel::test::LargeAllocations::count(), 0U) << each.name;
     }
+}
+
+TEST_F(LongAsTheMesh, OnlyTheGradientsOfAVolumeAre) {
+    const auto loaded = catalog.open("cubes");
+    SceneGeometry geometry{ciel::Algorithm::signatures};
+    const json layers{{"a", {{"type", "volume"}, {"array", "p"}, {"slices", 40}}}};
+    const ciel::test::LargeAllocations large(7 * cells);
+    const auto shown = geometry.update({scene::parse({{"dataset", "cubes"}, {"layers", layers}}), loaded});
+    EXPECT_EQ(shown->volumes.size(), 1U);
+    EXPECT_EQ(ciel::test::LargeAllocations::count(), 1U); // 12 bytes for each vertex
 }
 
 TEST_F(LongAsTheMesh, NoArrayOfAProbeAHistogramOrTheFirstSceneIs) {

@@ -5,12 +5,12 @@
 #include "ciel/geometric_vertices.hpp"
 #include "ciel/sweep_sinks.hpp"
 #include "fields/cell_ranges.hpp"
-#include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
 #include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
 #include "support/views.hpp"
+#include "support/volume_property.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -256,9 +256,8 @@ TEST_P(SweepOutOfMemory, OfASoup) { expect_right(SoupSink{}); }
 TEST_P(SweepOutOfMemory, OfAnOutline) { expect_right(OutlineSink{}); }
 TEST_P(SweepOutOfMemory, OfASlice) { expect_right(SliceSink{data.values[1]}); }
 TEST_P(SweepOutOfMemory, OfASlab) {
-    const std::vector<Vec3f> gradients = vertex_gradients(data.topology, data.assembled.mesh.view(), data.values[1]);
-    const std::vector<std::array<float, 2>> limits = cell_limits(data.topology, data.values[1]);
-    expect_right(geometry::SlabSink{{data.values[1], gradients, limits}});
+    const VolumeProperty property(data.topology, data.assembled.mesh.view(), data.values[1]);
+    expect_right(geometry::SlabSink{property.view()});
 }
 
 const std::vector<How> sweep_ways{

@@ -3,11 +3,11 @@
 #include "ciel/extract.hpp"
 #include "ciel/process_threads.hpp"
 #include "ciel/sweep_sinks.hpp"
-#include "geometry/slab_sink.hpp"
 #include "support/fields.hpp"
 #include "support/kept.hpp"
 #include "support/meshes.hpp"
 #include "support/views.hpp"
+#include "support/volume_property.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,9 +118,8 @@ TEST_P(SteadySweep, OfASoup) { expect_none(SoupSink{}); }
 TEST_P(SteadySweep, OfAnOutline) { expect_none(OutlineSink{}); }
 TEST_P(SteadySweep, OfASlice) { expect_none(SliceSink{others}); }
 TEST_P(SteadySweep, OfASlab) {
-    const std::vector<Vec3f> gradients = vertex_gradients(topology, mesh, others);
-    const std::vector<std::array<float, 2>> limits = cell_limits(topology, others);
-    expect_none(geometry::SlabSink{{others, gradients, limits}});
+    const VolumeProperty property(topology, mesh, others);
+    expect_none(geometry::SlabSink{property.view()});
 }
 
 INSTANTIATE_TEST_SUITE_P(meshes, SteadySweep,

@@ -5,7 +5,7 @@
 #include "fuzz/extract_steps.hpp"
 #include "support/kept.hpp"
 #include "support/views.hpp"
-#include "support/volume_boundary.hpp"
+#include "support/volume_property.hpp"
 
 #include <optional>
 
@@ -126,8 +126,8 @@ private:
         std::vector<SliceSink::Out> slices;
         std::vector<geometry::SlabSink::Out> slabs;
         const std::vector<float>& property = values_[1 - current_];
-        const auto limits = cell_limits(topology_, property);
-        const geometry::SlabProperty of_slab{property, gradient_[1 - current_], limits};
+        const auto filled = geometry::filled_cells(*field_[1 - current_]);
+        const geometry::SlabProperty of_slab{topology_, property, gradient_[1 - current_], filled};
         // Buffers left from a sweep through the other field must not affect the result.
         SweepBuffers<SoupSink> kept;
         SweepBuffers<SliceSink> kept_slices;
@@ -146,7 +146,7 @@ private:
             compare_with(surface, soup[i], outline[i], slices[i]);
             check_slab(slabs[i]);
         }
-        check_slab(volume_boundary(topology_, mesh_, block_boxes(topology_, mesh_.positions), of_slab));
+        check_slab(VolumeProperty(topology_, mesh_, property).boundary(mesh_));
     }
 
     static void compare_with(const Surface& surface, const std::vector<Vec3f>& soup, const std::vector<Vec3f>& outline,

@@ -5,11 +5,11 @@
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "ciel/threshold_surface.hpp"
-#include "geometry/slab_sink.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
 #include "support/thread_count.hpp"
+#include "support/volume_property.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -156,12 +156,9 @@ TEST_P(DeterminismOfChoices, PolygonsOfSlabs) {
     std::vector<std::vector<SlabPolygon>> expected;
     in_every_way([&](const KernelMesh& mesh, const Way& way) {
         const Field field = make_field(mesh.topology, mesh.stored(values));
-        const std::vector<float> property = mesh.stored(others);
-        const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
+        const VolumeProperty property(mesh.topology, mesh.mesh(), mesh.stored(others));
         std::vector<geometry::SlabSink::Out> found;
-        ASSERT_TRUE(
-            sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{{property, gradient, limits}}, found));
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{property.view()}, found));
         for (std::size_t i = 0; i < walk.size(); ++i) {
             std::vector<SlabPolygon> polygons = polygons_of(found[i]);
             if (expected.size() == i) expected.push_back(polygons);
@@ -177,12 +174,9 @@ TEST_P(DeterminismOfChoices, SlabsWhateverTheThreads) {
         const ThreadCount count(threads);
         const KernelMesh mesh(input, {8});
         const Field field = make_field(mesh.topology, mesh.stored(values));
-        const std::vector<float> property = mesh.stored(others);
-        const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-        const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
+        const VolumeProperty property(mesh.topology, mesh.mesh(), mesh.stored(others));
         std::vector<geometry::SlabSink::Out> found;
-        ASSERT_TRUE(
-            sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{{property, gradient, limits}}, found));
+        ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, walk, geometry::SlabSink{property.view()}, found));
         if (expected.empty()) expected = found;
         for (std::size_t i = 0; i < walk.size(); ++i) {
             ASSERT_TRUE(same_bits(expected[i].vertices, found[i].vertices)) << walk[i] << ", " << threads;

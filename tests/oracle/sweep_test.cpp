@@ -1,9 +1,10 @@
 // A sweep over several values in one pass gives the same surfaces as one query per value.
+#include "ciel/cell_limits.hpp"
 #include "ciel/sweep_sinks.hpp"
-#include "geometry/slab_sink.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
+#include "support/volume_property.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -154,8 +155,6 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
     for (std::size_t v = 3; v < property.size(); v += 17) property[v] = std::numeric_limits<float>::quiet_NaN();
     for (std::size_t v = 7; v < property.size(); v += 29) property[v] = infinity;
     for (std::size_t v = 9; v < property.size(); v += 31) property[v] = -infinity;
-    const std::vector<Vec3f> gradient = vertex_gradients(mesh.topology, mesh.mesh(), property);
-    const std::vector<std::array<float, 2>> limits = cell_limits(mesh.topology, property);
     std::vector<bool> is_empty(mesh.mesh().cell_count());
     const FaceMeshView faces = mesh.mesh();
     for (Index face = 0; face < faces.face_count(); ++face)
@@ -164,10 +163,13 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
                 is_empty[faces.owner[face]] = true;
                 if (faces.neighbour[face] != none) is_empty[faces.neighbour[face]] = true;
             }
-    ASSERT_EQ(limits, limits_of_faces(faces, property, is_empty));
+    const auto expected_limits = limits_of_faces(faces, property, is_empty);
+    CellLimits limits(mesh.topology, property);
+    for (Index cell = 0; cell < expected_limits.size(); ++cell) ASSERT_EQ(limits.of(cell), expected_limits[cell]);
+    EXPECT_THROW((void)limits.of(faces.cell_count()), Error);
+    const VolumeProperty volume(mesh.topology, faces, property);
     std::vector<geometry::SlabSink::Out> out;
-    ASSERT_TRUE(sweep(mesh.topology, mesh.mesh(), field, values, geometry::SlabSink{{property, gradient, limits}}, out,
-                      {}, how));
+    ASSERT_TRUE(sweep(mesh.topology, faces, field, values, geometry::SlabSink{volume.view()}, out, {}, how));
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Surface surface = surface_at(values[i]);
         std::size_t expected = 0;

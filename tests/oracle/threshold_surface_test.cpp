@@ -1,11 +1,12 @@
 // Threshold surfaces against a brute-force test of each cell, without owners, neighbors or blocks.
+#include "ciel/cell_limits.hpp"
 #include "ciel/clip_surface.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/boundary.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
-#include "support/volume_boundary.hpp"
+#include "support/volume_property.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -175,22 +176,25 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             const KernelMesh mesh(input, {cells});
             const std::vector<float> values = mesh.stored(random_field(input.vertex_count(), 8));
             const std::vector<Vec3f> gradients(values.size());
-            std::vector<std::array<float, 2>> limits(mesh.mesh().cell_count(), no_limits);
-            std::vector<std::uint8_t> kept(limits.size(), 0);
-            for (Index cell = 0; cell < kept.size(); cell += one_in) {
-                kept[cell] = 1;
-                limits[cell] = {static_cast<float>(cell), static_cast<float>(cell)}; // the cell's id
-            }
+            std::vector<std::uint8_t> kept(mesh.mesh().cell_count(), 0);
+            for (Index cell = 0; cell < kept.size(); cell += one_in) kept[cell] = 1;
             const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
             const Boundary boundary(mesh.mesh());
-            const color::SlabMesh slab =
-                volume_boundary(mesh.topology, boundary.faces(), boxes, {values, gradients, limits});
+            const Surface faces = threshold_surface(mesh.topology, boundary.faces(), boxes, kept, CollapsedFaces::keep);
+            const color::SlabMesh slab = geometry::slab_boundary(faces, {mesh.topology, values, gradients, kept});
+            CellLimits limits(mesh.topology, values);
             Areas found, wanted;
             std::vector<Vec3f> positions;
             for (const color::SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);
-            for (std::size_t i = 0; i < slab.triangles.size(); i += 3)
-                add_polygon(found, static_cast<Index>(slab.vertices[slab.triangles[i]].limits[0]),
-                            vector_area(positions, std::span(slab.triangles).subspan(i, 3)));
+            std::size_t at = 0;
+            for (std::size_t face = 0; face < faces.polygon_cell.size(); ++face) {
+                const Index cell = faces.polygon_cell[face];
+                for (std::size_t k = 2; k < polygon(faces, face).size(); ++k, at += 3) {
+                    EXPECT_EQ(slab.vertices.at(slab.triangles.at(at)).limits, limits.of(cell));
+                    add_polygon(found, cell, vector_area(positions, std::span(slab.triangles).subspan(at, 3)));
+                }
+            }
+            EXPECT_EQ(at, slab.triangles.size());
             const Surface surface = threshold_surface(mesh.mesh(), kept);
             for (std::size_t i = 0; i < surface.polygon_cell.size(); ++i)
                 add_polygon(wanted, surface.polygon_cell[i], vector_area(surface.positions, polygon(surface, i)));

@@ -80,10 +80,10 @@ TEST(Twin, IncludesNoHeaderOfTheKernel) {
     const std::filesystem::path tests = std::filesystem::path(CIEL_SOURCE_DIR) / "tests";
     const std::set<std::string> for_its_tests{
         "views.hpp",          "boundary.hpp",       "thread_count.hpp",    "chosen_algorithm.hpp",
-        "copied_records.hpp", "mapped_records.hpp", "volume_boundary.hpp", "kept.hpp"};
+        "copied_records.hpp", "mapped_records.hpp", "volume_property.hpp", "kept.hpp"};
     const std::regex kernel(
         R"(^\s*#\s*include\s*["<](.*/)?((server|ciel)/|)"
-        R"((views|boundary|thread_count|chosen_algorithm|copied_records|mapped_records|volume_boundary|kept)\.hpp))");
+        R"((views|boundary|thread_count|chosen_algorithm|copied_records|mapped_records|volume_property|kept)\.hpp))");
     int files = 0;
     for (const auto& folder : {tests / "oracle" / "twin", tests / "support"}) {
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {

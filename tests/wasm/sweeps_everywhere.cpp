@@ -1,5 +1,6 @@
+#include "ciel/cell_limits.hpp"
 #include "support/kept.hpp"
-#include "support/volume_boundary.hpp"
+#include "support/volume_property.hpp"
 #include "wasm/results.hpp"
 
 namespace ciel::test {
@@ -22,10 +23,8 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
     };
     const auto soup = swept(SoupSink{}), outline = swept(OutlineSink{});
     const auto slices = swept(SliceSink{fields.others});
-    const std::vector<Vec3f> gradient = vertex_gradients(meshes.topology, meshes.view(), fields.others);
-    const std::vector<std::array<float, 2>> limits = cell_limits(meshes.topology, fields.others);
-    const geometry::SlabProperty property{fields.others, gradient, limits};
-    const auto slabs = swept(geometry::SlabSink{property});
+    const VolumeProperty property(meshes.topology, meshes.view(), {fields.others.begin(), fields.others.end()});
+    const auto slabs = swept(geometry::SlabSink{property.view()});
     for (std::size_t i = 0; i < fields.walk.size(); ++i) {
         const std::string where = fields.where + " / sweep at " + std::to_string(fields.walk[i]);
         results.record(where, "soup", soup[i]);
@@ -35,10 +34,11 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
         results.record(where, "slice triangles", slices[i].triangles);
         record_slab(where + " / slab", slabs[i], results);
     }
-    results.record(fields.where, "cell limits", limits);
-    const BlockBoxes boxes = block_boxes(meshes.topology, meshes.view().positions);
-    record_slab(fields.where + " / slab boundary", volume_boundary(meshes.topology, meshes.view(), boxes, property),
-                results);
+    CellLimits limits(meshes.topology, fields.others);
+    std::vector<std::array<float, 2>> of_cells;
+    for (Index cell = 0; cell < meshes.topology.counts().cells; ++cell) of_cells.push_back(limits.of(cell));
+    results.record(fields.where, "cell limits", of_cells);
+    record_slab(fields.where + " / slab boundary", property.boundary(meshes.view()), results);
 }
 
 } // namespace ciel::test

@@ -6,7 +6,7 @@
 #include "support/chosen_algorithm.hpp"
 #include "support/kept.hpp"
 #include "support/views.hpp"
-#include "support/volume_boundary.hpp"
+#include "support/volume_property.hpp"
 
 #include <cmath>
 #include <functional>
@@ -22,13 +22,12 @@ class VolumeScene {
 public:
     VolumeScene(const test::Polyhedra& mesh, const std::function<double(const Vec3d&)>& property)
         : mesh_(assemble(test::view(mesh)).mesh), topology_(mesh_.view()) {
+        std::vector<float> values;
         for (std::size_t v = 0; v < mesh_.positions.size(); v += 3)
-            values_.push_back(
+            values.push_back(
                 static_cast<float>(property({mesh_.positions[v], mesh_.positions[v + 1], mesh_.positions[v + 2]})));
-        gradients_ = vertex_gradients(topology_, mesh_.view(), values_);
-        limits_ = cell_limits(topology_, values_);
-        boundary_ = test::volume_boundary(topology_, mesh_.view(), block_boxes(topology_, mesh_.view().positions),
-                                          {values_, gradients_, limits_});
+        property_ = {topology_, mesh_.view(), std::move(values)};
+        boundary_ = property_.boundary(mesh_.view());
     }
 
     // The result borrows from this scene, until the next call.
@@ -42,8 +41,8 @@ public:
         std::vector<double> places;
         for (std::size_t i = 0; i < slices; ++i)
             places.push_back(volume.first + (static_cast<double>(i) + 0.5) * volume.thickness);
-        (void)sweep(topology_, mesh_.view(), planes, places, geometry::SlabSink{{values_, gradients_, limits_}},
-                    slices_, {}, test::chosen_algorithm());
+        (void)sweep(topology_, mesh_.view(), planes, places, geometry::SlabSink{property_.view()}, slices_, {},
+                    test::chosen_algorithm());
         volume.slices = slices_;
         volume.boundary = &boundary_;
         volume.identity = 1;
@@ -56,9 +55,7 @@ public:
 private:
     FaceMesh mesh_;
     Topology topology_;
-    std::vector<float> values_;
-    std::vector<Vec3f> gradients_;
-    std::vector<std::array<float, 2>> limits_;
+    test::VolumeProperty property_;
     color::SlabMesh boundary_;
     std::vector<color::SlabMesh> slices_;
     static inline std::uint64_t revision_ = 0; // shared by all scenes, because one renderer may draw several

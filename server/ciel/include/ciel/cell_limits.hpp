@@ -1,4 +1,4 @@
-// Cell limits: [min, max] of the values at the vertices of each cell. Not in the paper.
+// Cell limits: [min, max] of the values at the vertices of a cell. Not in the paper.
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace ciel {
 
@@ -14,8 +13,22 @@ namespace ciel {
 inline constexpr std::array<float, 2> no_limits{std::numeric_limits<float>::infinity(),
                                                 -std::numeric_limits<float>::infinity()};
 
-// Returns [min, max] of the values at the vertices of each cell, or no_limits if a value is NaN or infinite. `values`:
-// one for each vertex. Throws Error when `values` has another size. Uses all threads of parallel_for.
-[[nodiscard]] std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values);
+// Computes limits when they are asked for, because an array of them would be as long as the mesh. Not thread-safe; an
+// object is small, so each thread makes its own.
+class CellLimits {
+public:
+    // `values`: one for each vertex. The topology and the values must outlive this object. Throws Error when `values`
+    // has another size.
+    CellLimits(const Topology& topology, std::span<const float> values);
+    // Returns [min, max] of the values at the vertices of the cell, or no_limits if a value is NaN or infinite, or if
+    // the cell has no faces. Faster if the cell before was in the same block. Throws Error when the mesh has no such
+    // cell, and when a record is damaged.
+    [[nodiscard]] std::array<float, 2> of(Index cell);
+
+private:
+    const Topology& topology_;
+    std::span<const float> values_;
+    Index block_ = 0, cell_begin_ = 0, cell_end_ = 0; // the block of the cell before, and its cells
+};
 
 } // namespace ciel

@@ -33,6 +33,8 @@ public:
             return *made;
         return touch(block, make);
     }
+    // Deletes the view. The caller ensures that no thread uses it.
+    void drop(std::size_t block) { delete views_[block].exchange(nullptr); }
     template <class F>
     void for_each(F&& f) const {
         for (std::size_t b = 0; b < size_; ++b)

@@ -2,7 +2,6 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
-#include "parallel/grain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,25 +10,28 @@ namespace ciel {
 
 using namespace detail;
 
-std::vector<std::array<float, 2>> cell_limits(const Topology& topology, std::span<const float> values) {
+CellLimits::CellLimits(const Topology& topology, std::span<const float> values) : topology_(topology), values_(values) {
     if (values.size() != topology.counts().vertices)
         fail("cell limits need one value for each vertex of the mesh; pass as many values as the mesh has vertices");
-    const Topology::Blocks& blocks = topology.blocks();
-    std::vector<std::array<float, 2>> limits(topology.counts().cells, no_limits);
-    parallel_for(blocks.count(), fair_grain(blocks.count(), 16), [&](std::size_t begin, std::size_t end) {
-        CellLoops loops;
-        for (std::size_t b = begin; b < end; ++b)
-            for_cells(blocks.cells(static_cast<Index>(b)), loops, [&](Index cell, const CellLoops& of_cell) {
-                std::array<float, 2> range = no_limits;
-                for (const Index vertex : of_cell.vertex) {
-                    const float value = values[vertex];
-                    if (!std::isfinite(value)) return;
-                    range = {std::min(range[0], value), std::max(range[1], value)};
-                }
-                limits[cell] = range;
-            });
-    });
-    return limits;
+}
+
+std::array<float, 2> CellLimits::of(Index cell) {
+    const Topology::Blocks& blocks = topology_.blocks();
+    if (cell < cell_begin_ || cell >= cell_end_) {
+        if (cell >= topology_.counts().cells) fail("the mesh has no such cell; pass a cell of the topology's mesh");
+        block_ = blocks.block_of_cell(cell);
+        cell_begin_ = blocks.numbers.cell[block_];
+        cell_end_ = blocks.numbers.cell[block_ + 1];
+    }
+    static thread_local CellLoops loops;
+    read_loops(blocks.cells(block_), cell - cell_begin_, loops);
+    std::array<float, 2> range = no_limits;
+    for (const Index vertex : loops.vertex) {
+        const float value = values_[vertex];
+        if (!std::isfinite(value)) return no_limits;
+        range = {std::min(range[0], value), std::max(range[1], value)};
+    }
+    return range;
 }
 
 } // namespace ciel

@@ -1,52 +1,91 @@
 // Computes the gradients at all vertices, for volumes.
 #include "ciel/parallel.hpp"
+#include "ciel/threads.hpp"
 #include "fields/field_data.hpp"
 #include "fields/gradient.hpp"
 #include "fields/gradient_sums.hpp"
 #include "fields/polyhedron_gradient.hpp"
 
+#include <atomic>
+
 namespace ciel::detail {
 
 namespace {
 
-constexpr std::size_t blocks_per_task = 2;
+// Gradients of the cells of blocks, kept while a border vertex needs them. A border vertex belongs to the first block
+// of its ring, so it needs no earlier block. Therefore the gradients of a block are dropped when it and all earlier
+// blocks are done. Blocks that are near on the curve of the block order are near in space, so that few are kept at a
+// time. Thread-safe.
+class CellGradients {
+public:
+    using OfBlock = std::unique_ptr<CellGradient[]>; // section by section
+
+    explicit CellGradients(std::size_t blocks) : is_done_(blocks) { made_.resize(blocks); }
+
+    // Returns the gradients of block `of`. The first call for a block calls make(). `user`: the block with the border
+    // vertex. Null if block `of` is earlier, because its gradients may be gone.
+    template <class Make>
+    [[nodiscard]] const CellGradient* get(Index of, Index user, Make&& make) {
+        if (of < user) [[unlikely]]
+            return nullptr;
+        return made_.of(of, make).get();
+    }
+    void done(Index b) {
+        const Locked lock(mutex_);
+        is_done_[b] = 1;
+        for (; first_ < is_done_.size() && is_done_[first_] != 0; ++first_) made_.drop(first_);
+    }
+
+private:
+    Touched<OfBlock> made_;
+    Mutex mutex_;
+    std::vector<std::uint8_t> is_done_;
+    std::size_t first_ = 0; // the first block that is not done
+};
 
 class Everywhere {
 public:
     Everywhere(const FaceMeshView& mesh, const Field::Data& field)
-        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()),
-          cell_(std::make_unique_for_overwrite<CellGradient[]>(blocks_.counts.cells)), out_(mesh.vertex_count()) {}
+        : mesh_(mesh), field_(field), blocks_(field.topology->blocks()), cells_(blocks_.count()),
+          out_(mesh.vertex_count()) {}
 
     std::vector<Vec3f> run() {
-        for_blocks([this](Index b) { sum_inside(b); });
-        for_blocks([this](Index b) { sum_at_border(b); });
+        // Threads take blocks from one counter, because a loop's ranges may begin far apart on the curve.
+        std::atomic<Index> next{0};
+        parallel_for(blocks_.count(), 1, [&](std::size_t begin, std::size_t end) {
+            for (; begin < end; ++begin) {
+                const Index b = next++;
+                (void)cells_of(b, b);
+                sum_at_border(b);
+                cells_.done(b);
+            }
+        });
         return std::move(out_);
     }
 
 private:
-    template <class F>
-    void for_blocks(F&& body) {
-        parallel_for(blocks_.count(), blocks_per_task, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t b = begin; b < end; ++b) body(static_cast<Index>(b));
-        });
+    [[nodiscard]] const CellGradient* cells_of(Index b, Index user) {
+        return cells_.get(b, user, [&] { return sum_inside(b); });
     }
-    void sum_inside(Index b);
+    // Sets the gradients of the block's own vertices, except at its border. Returns those of its cells.
+    [[nodiscard]] CellGradients::OfBlock sum_inside(Index b);
     void sum_at_border(Index b);
 
     const FaceMeshView& mesh_;
     const Field::Data& field_;
     const Topology::Blocks& blocks_;
-    std::unique_ptr<CellGradient[]> cell_; // gradients of all cells, block by block, section by section
+    CellGradients cells_;
     std::vector<Vec3f> out_;
 };
 
-void Everywhere::sum_inside(Index b) {
+CellGradients::OfBlock Everywhere::sum_inside(Index b) {
     const Block& block = blocks_.cells(b);
     std::vector<Sample> samples, scratch;
     BlockSampler(mesh_, b, block, field_.of_block(b)).all(samples);
     const auto sample = [&](Index v) { return samples[v]; };
     std::vector<GradientSum> sum(block.vertex_count);
-    CellGradient* cell = &cell_[block.cell_begin];
+    auto gradients = std::make_unique_for_overwrite<CellGradient[]>(block.cell_count);
+    CellGradient* cell = gradients.get();
     for (const StandardSection& section : block.standard)
         with_shape(section.shape->type, [&]<const StandardShape & shape>() {
             for (std::size_t begin = 0; begin < section.vertex.size(); begin += shape.corners, ++cell) {
@@ -70,6 +109,7 @@ void Everywhere::sum_inside(Index b) {
     });
     const auto ghosts = static_cast<Index>(block.ghost_vertex.size());
     for (Index v = ghosts; v < block.vertex_count; ++v) out_[block.vertex(v)] = sum[v].mean();
+    return gradients;
 }
 
 void Everywhere::sum_at_border(Index b) {
@@ -80,7 +120,10 @@ void Everywhere::sum_at_border(Index b) {
         const auto first_own = std::ranges::lower_bound(arrays.border_vertex, block.ghost_vertex.size());
         for (auto v = first_own; v != arrays.border_vertex.end(); ++v) {
             list_ring(blocks_, {b, static_cast<Index>(v - arrays.border_vertex.begin())}, ring);
-            AddStored add([this](Index other, Index place) { return &cell_[blocks_.numbers.cell[other] + place]; });
+            AddStored add([this, b](Index other, Index place) {
+                const CellGradient* cells = cells_of(other, b);
+                return cells == nullptr ? nullptr : cells + place;
+            });
             for_cells_around(blocks_, ring, scratch, add);
             out_[block.vertex(*v)] = add.sum.mean();
         }
