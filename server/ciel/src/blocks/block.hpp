@@ -235,6 +235,36 @@ struct BlockOf {
 
 using Block = BlockOf<Viewed>;
 
+// A half-edge in its face, as local ids of the block. In memory, the half-edges of a face follow each other, in the
+// direction of the face or against it.
+struct PlaceInFace {
+    Index first, place, size; // first half-edge in memory, place of the half-edge, number of half-edges
+    bool backwards;
+
+    // Returns the half-edge that is `steps` forward around the face.
+    [[nodiscard]] Index turned(Index steps) const {
+        return first + (place + (backwards ? size - steps % size : steps % size)) % size;
+    }
+};
+
+// Does not accept half-edges of inner faces of the PolyhedralSection, which do not follow each other.
+template <template <class> class Array>
+[[nodiscard]] PlaceInFace place_in_face(const BlockOf<Array>& block, Index local_half_edge) {
+    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size()) {
+        const auto& section = block.standard[s];
+        const StandardShape& shape = *section.shape;
+        const Index of_cell = (local_half_edge - section.half_edge_begin) % shape.half_edges;
+        const Index face = shape.face[of_cell], begin = shape.face_begin[face];
+        return {local_half_edge - of_cell + begin, of_cell - begin, shape.face_size(face), false};
+    }
+    return block.with([&](const auto& polyhedra) -> PlaceInFace {
+        const Index corner = polyhedra.corner(local_half_edge - polyhedra.half_edge_begin);
+        const auto loop = polyhedra.loop(polyhedra.face(corner));
+        return {polyhedra.half_edge_begin + polyhedra.half_edge(loop.begin, 0), corner - loop.begin, loop.size(),
+                corner >= polyhedra.far_corner};
+    });
+}
+
 // Goes `steps` half-edges forward around the face of a local half-edge, and returns the local half-edge there.
 template <template <class> class Array>
 [[nodiscard]] Index turn(const BlockOf<Array>& block, Index local_half_edge, Index steps) {

@@ -157,7 +157,8 @@ void BlockBuilder::set_standard_mates(BuiltBlock& built) {
                     mates.push_back(no_mate);
                 } else {
                     mates.push_back(static_cast<std::uint16_t>(built.block.standard_half_edges + built.tails.size()));
-                    built.tails.push_back({loops_.mesh_face[loop], side, anchor_[loop][side], steps, other});
+                    built.tails.push_back({loops_.mesh_face[loop], side, loops_.mesh_cell[loop][1 - side],
+                                           anchor_[loop][side], steps, other});
                 }
             }
             first += shape.half_edges;

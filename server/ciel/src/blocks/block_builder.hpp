@@ -18,6 +18,7 @@ struct BuiltBlock {
     // One side of a face. The mates of its half-edges are in another block or section, or do not exist.
     struct Tail {
         Index face, side; // mesh face; side 0 is the owner's, side 1 the neighbor's
+        Index other_cell; // mesh cell on the other side, or none
         Index anchor;     // local half-edge that leaves the face's first corner (side 0) or leads to it (side 1)
         Index steps;      // steps around the face from its first half-edge to the anchor
         Index mate;       // the anchor's mate if it is in another section of this block; else none

@@ -84,30 +84,27 @@ std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> 
     return owners;
 }
 
-// Pairs (neighbor, index among the ids that the neighbor owns). Must live until RecordWriter::finish.
-struct NamedGhosts {
-    std::vector<std::array<std::uint16_t, 2>> narrow;
-    std::vector<std::array<std::uint32_t, 2>> wide;
+NamedGhosts named(std::span<const Index> ids, std::span<const Index> neighbours, std::span<const Index> begin) {
+    NamedGhosts out;
+    std::size_t at = 0;
+    for (const Index id : ids) {
+        while (id >= begin[neighbours[at] + 1]) ++at;
+        out.wide.push_back({static_cast<std::uint32_t>(at), id - begin[neighbours[at]]});
+    }
+    const bool fit = std::ranges::all_of(out.wide, [](const auto& ghost) {
+        return std::max(ghost[0], ghost[1]) <= std::numeric_limits<std::uint16_t>::max();
+    });
+    if (!fit) return out;
+    for (const auto& [neighbour, index] : out.wide)
+        out.narrow.push_back({static_cast<std::uint16_t>(neighbour), static_cast<std::uint16_t>(index)});
+    out.wide = {};
+    return out;
+}
 
-    NamedGhosts(std::span<const Index> ids, std::span<const Index> neighbours, std::span<const Index> begin) {
-        std::size_t at = 0;
-        for (const Index id : ids) {
-            while (id >= begin[neighbours[at] + 1]) ++at;
-            wide.push_back({static_cast<std::uint32_t>(at), id - begin[neighbours[at]]});
-        }
-        const bool fit = std::ranges::all_of(wide, [](const auto& ghost) {
-            return std::max(ghost[0], ghost[1]) <= std::numeric_limits<std::uint16_t>::max();
-        });
-        if (!fit) return;
-        for (const auto& [neighbour, index] : wide)
-            narrow.push_back({static_cast<std::uint16_t>(neighbour), static_cast<std::uint16_t>(index)});
-        wide.clear();
-    }
-    void add_to(RecordWriter& writer, std::uint16_t id) const {
-        writer.add(id, span_of(narrow));
-        writer.add(id, span_of(wide));
-    }
-};
+void add_ghosts(RecordWriter& writer, std::uint16_t id, const NamedGhosts& ghosts) {
+    writer.add(id, span_of(ghosts.narrow));
+    writer.add(id, span_of(ghosts.wide));
+}
 
 Ghosts view_ghosts(const RecordView& record, std::uint16_t id, std::span<const Index> neighbours,
                    std::span<const Index> begin) {
@@ -124,21 +121,26 @@ Ghosts view_ghosts(const RecordView& record, std::uint16_t id, std::span<const I
 
 } // namespace
 
-RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumbers& numbers) {
+BlockGhosts name_ghosts(const BlockOf<Owned>& block, std::span<const Index> vertex_begin,
+                        std::span<const Index> edge_begin) {
+    BlockGhosts out;
+    std::ranges::set_union(owners_of(block.ghost_vertex, vertex_begin), owners_of(block.ghost_edge, edge_begin),
+                           std::back_inserter(out.neighbours));
+    out.vertices = named(block.ghost_vertex, out.neighbours, vertex_begin);
+    out.edges = named(block.ghost_edge, out.neighbours, edge_begin);
+    return out;
+}
+
+RecordBytes record_of(const BlockOf<Owned>& block, const BlockGhosts& ghosts, Index number) {
     return block.with([&]<class Local>(const PolyhedralSection<Local, Owned>& polyhedra) {
-        std::vector<Index> neighbours;
-        std::ranges::set_union(owners_of(block.ghost_vertex, numbers.vertex), owners_of(block.ghost_edge, numbers.edge),
-                               std::back_inserter(neighbours));
-        const auto away = distances(neighbours, number);
-        const NamedGhosts vertices(block.ghost_vertex, neighbours, numbers.vertex);
-        const NamedGhosts edges(block.ghost_edge, neighbours, numbers.edge);
+        const auto away = distances(ghosts.neighbours, number);
         const Counts counts{block.cell_count,        block.vertex_count,   block.edge_count,
                             polyhedra.inner_corners, polyhedra.far_corner, polyhedra.inner_faces};
         RecordWriter writer;
         writer.add(id_neighbour, span_of(away));
         writer.add(id_counts, std::span(&counts.cells, sizeof counts / sizeof(Index)));
-        vertices.add_to(writer, id_ghost_vertex);
-        edges.add_to(writer, id_ghost_edge);
+        add_ghosts(writer, id_ghost_vertex, ghosts.vertices);
+        add_ghosts(writer, id_ghost_edge, ghosts.edges);
         for (const StandardSectionOf<Owned>& section : block.standard) {
             const std::size_t type = place_of_type(section.shape->type);
             writer.add(type_id(id_cell, type), span_of(section.cell));
@@ -160,12 +162,12 @@ RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumb
     });
 }
 
-RecordBytes record_of(const BlockOf<Owned>& block, const BlockAroundOf<Owned>& around, Index number) {
+RecordBytes record_of(const BlockAroundOf<Owned>& around, std::span<const CellType> types, Index number) {
     const auto away = distances(around.neighbour, number);
     RecordWriter writer;
     writer.add(id_neighbour, span_of(away));
-    for (std::size_t s = 0; s < block.standard.size(); ++s)
-        writer.add(type_id(id_next_entry, place_of_type(block.standard[s].shape->type)), span_of(around.next_entry[s]));
+    for (std::size_t s = 0; s < types.size(); ++s)
+        writer.add(type_id(id_next_entry, place_of_type(types[s])), span_of(around.next_entry[s]));
     return around.with([&](const auto& all) {
         writer.add(type_id(id_next_entry, of_polyhedra), span_of(all.next_entry));
         writer.add(id_first_entry, span_of(all.first_entry));
@@ -176,13 +178,13 @@ RecordBytes record_of(const BlockOf<Owned>& block, const BlockAroundOf<Owned>& a
     });
 }
 
-RecordBytes record_of(const BlockOf<Owned>& block, const BlockMatesOf<Owned>& mates, Index number) {
+RecordBytes record_of(const BlockMatesOf<Owned>& mates, std::span<const CellType> types, Index number) {
     const auto away = distances(mates.neighbour, number);
     RecordWriter writer;
     writer.add(id_neighbour, span_of(away));
     writer.add(id_twin_counts, std::span(&mates.twin_begin, 1));
-    for (std::size_t s = 0; s < block.standard.size(); ++s)
-        writer.add(type_id(id_mate, place_of_type(block.standard[s].shape->type)), span_of(mates.mate[s]));
+    for (std::size_t s = 0; s < types.size(); ++s)
+        writer.add(type_id(id_mate, place_of_type(types[s])), span_of(mates.mate[s]));
     writer.add(id_twin_half_edge, span_of(mates.twin_half_edge));
     return std::visit(
         [&](const auto& all) {

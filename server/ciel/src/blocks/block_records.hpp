@@ -19,9 +19,23 @@ struct BlockNumbers {
     [[nodiscard]] std::size_t block_count() const { return cell.empty() ? 0 : cell.size() - 1; }
 };
 
-[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, Index number, const BlockNumbers& numbers);
-[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, const BlockAroundOf<Owned>& around, Index number);
-[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, const BlockMatesOf<Owned>& mates, Index number);
+// The ghosts of a block as pairs (neighbor, index among the ids that the neighbor owns), as a record has them.
+struct NamedGhosts {
+    std::vector<std::array<std::uint16_t, 2>> narrow;
+    std::vector<std::array<std::uint32_t, 2>> wide; // if an index needs 32 bits
+};
+struct BlockGhosts {
+    std::vector<Index> neighbours; // the owners of all ghosts, ascending
+    NamedGhosts vertices, edges;
+};
+// `vertex_begin`, `edge_begin`: the first id that each block owns, for all blocks up to this one.
+[[nodiscard]] BlockGhosts name_ghosts(const BlockOf<Owned>& block, std::span<const Index> vertex_begin,
+                                      std::span<const Index> edge_begin);
+
+// `number`: of the block. `types`: of its standard sections.
+[[nodiscard]] RecordBytes record_of(const BlockOf<Owned>& block, const BlockGhosts& ghosts, Index number);
+[[nodiscard]] RecordBytes record_of(const BlockAroundOf<Owned>& around, std::span<const CellType> types, Index number);
+[[nodiscard]] RecordBytes record_of(const BlockMatesOf<Owned>& mates, std::span<const CellType> types, Index number);
 
 // Return views of the records of block `number`. The arrays of a view are in the record, which must outlive the view.
 // Throw Error if the bytes are not a record of this kind.

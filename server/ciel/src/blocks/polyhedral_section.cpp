@@ -123,7 +123,8 @@ void Filler<Local>::set_anchors(std::span<std::array<Index, 2>> anchor) {
         }
         const Index side = corner >= out_.far_corner ? 1 : 0;
         anchor[loop][side] = at(side);
-        built_.tails.push_back({loops_.mesh_face[loop], side, at(side), 0, anchor[loop][1 - side]});
+        built_.tails.push_back(
+            {loops_.mesh_face[loop], side, loops_.mesh_cell[loop][1 - side], at(side), 0, anchor[loop][1 - side]});
     }
 }
 

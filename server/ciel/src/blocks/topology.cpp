@@ -1,14 +1,19 @@
 #include "ciel/topology.hpp"
 
-#include "blocks/block_links.hpp"
+#include "blocks/block_linker.hpp"
 #include "blocks/block_tables.hpp"
 #include "blocks/blocks.hpp"
 #include "blocks/check_records.hpp"
+#include "blocks/records_in_memory.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/threads.hpp"
 #include "mesh/standard_shapes.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace ciel {
 
@@ -66,6 +71,61 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
     return components;
 }
 
+// Returns the last cell with a face that has the vertex, for each vertex.
+std::vector<Index> last_cells(const FaceMeshView& mesh) {
+    std::vector<Index> last(mesh.vertex_count(), 0);
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        const Index neighbour = mesh.neighbour[face];
+        const Index cell = neighbour == none ? mesh.owner[face] : neighbour;
+        for (const Index vertex : mesh.loop(face)) last[vertex] = std::max(last[vertex], cell);
+    }
+    return last;
+}
+
+// Builds the blocks in parallel, and links each one when all earlier ones are linked.
+class Building {
+public:
+    Building(const FaceMeshView& mesh, const CellFaces& faces, std::span<const Index> cell_begin, BlockLinker& linker,
+             RecordsInMemory& records)
+        : mesh_(mesh), faces_(faces), cell_begin_(cell_begin), linker_(linker), records_(records),
+          built_(cell_begin.size() - 1) {}
+
+    void run() {
+        parallel_for(thread_count(), 1, [this](std::size_t begin, std::size_t end) {
+            for (; begin < end; ++begin) build_until_none_is_left();
+        });
+    }
+
+private:
+    void build_until_none_is_left() {
+        BlockBuilder builder(mesh_, faces_);
+        for (std::size_t b = next_++; b < built_.size(); b = next_++) {
+            auto built = std::make_unique<BuiltBlock>(builder.build(cell_begin_[b], cell_begin_[b + 1]));
+            for (const BlockLinker::CompleteRecord& record : link(b, std::move(built)))
+                records_.set(record.block, record.kind, record.make());
+        }
+    }
+    [[nodiscard]] std::vector<BlockLinker::CompleteRecord> link(std::size_t b, std::unique_ptr<BuiltBlock> built) {
+        const Locked lock(mutex_);
+        built_[b] = std::move(built);
+        std::vector<BlockLinker::CompleteRecord> complete;
+        for (; linked_ < built_.size() && built_[linked_]; ++linked_)
+            std::ranges::move(linker_.add(std::move(*std::exchange(built_[linked_], nullptr))),
+                              std::back_inserter(complete));
+        return complete;
+    }
+
+    const FaceMeshView& mesh_;
+    const CellFaces& faces_;
+    std::span<const Index> cell_begin_; // by block, and the number of cells
+    BlockLinker& linker_;
+    RecordsInMemory& records_;
+    std::atomic<std::size_t> next_{0}; // block
+    Mutex mutex_;
+    std::vector<std::unique_ptr<BuiltBlock>> built_; // blocks that are not linked
+    std::size_t linked_ = 0;
+};
+
 RecordBytes copy_of(std::span<const std::byte> record) {
     RecordBytes copied((record.size() + sizeof(RecordBytes::value_type) - 1) / sizeof(RecordBytes::value_type));
     std::ranges::copy(record, std::as_writable_bytes(std::span(copied)).begin());
@@ -83,19 +143,21 @@ Topology::Topology(const FaceMeshView& mesh, Options options) : blocks_(std::mak
     check_face_mesh(mesh);
     const CellFaces faces = cell_faces(mesh);
     const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
-    std::vector<BuiltBlock> built(begin.size() - 1);
-    // Few tasks, because each BlockBuilder has buffers that grow to its largest block.
-    parallel_for(built.size(), built.size() / (std::size_t{4} * thread_count()) + 1,
-                 [&](std::size_t first, std::size_t last) {
-                     BlockBuilder builder(mesh, faces);
-                     for (std::size_t b = first; b < last; ++b) built[b] = builder.build(begin[b], begin[b + 1]);
-                 });
-    link_blocks(mesh, built, *blocks_);
-    TopologyCounts& counts = blocks_->counts;
-    counts.faces = mesh.face_count();
-    counts.boundary_faces = static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour.unchecked(), none));
-    counts.cells = mesh.cell_count();
-    counts.components = count_components(mesh);
+    const std::vector<Index> last_cell = last_cells(mesh);
+    auto records = std::make_unique<RecordsInMemory>(begin.size() - 1);
+    BlockLinker linker(last_cell);
+    Building(mesh, faces, begin, linker, *records).run();
+    linker.finish();
+    blocks_->numbers = std::move(linker.numbers());
+    blocks_->source = std::move(records);
+    blocks_->counts = {mesh.vertex_count(),
+                       linker.edge_count(),
+                       mesh.face_count(),
+                       linker.half_edge_count(),
+                       static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour.unchecked(), none)),
+                       mesh.cell_count(),
+                       count_components(mesh)};
+    blocks_->begin();
 }
 
 Topology::Topology(std::span<const std::byte> tables, std::unique_ptr<RecordSource> source)
