@@ -31,7 +31,7 @@ struct PolyhedraView {
 // Cells that assemble() left out for one reason. The faces between these cells and other cells become boundary faces.
 // Exception: faces of a repeated cell stay matched with the first copy of the cell.
 struct BadCells {
-    enum class Reason {
+    enum class Reason : std::uint8_t {
         open,
         inconsistent_winding,
         inside_out_unresolved,

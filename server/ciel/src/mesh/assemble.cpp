@@ -6,7 +6,7 @@
 #include "mesh/hilbert.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
 
 namespace ciel {
 
@@ -40,25 +40,58 @@ void check_sizes(const PolyhedraView& input) {
 }
 
 struct Judged {
-    std::vector<CellWinding::Verdict> verdict; // per input cell
-    std::vector<std::uint8_t> turn;            // per input face: 1 if its loop must be reversed
+    // By input cell. `key`: the place on the Hilbert curve.
+    std::vector<std::optional<BadCells::Reason>> bad;
+    std::vector<double> volume; // absolute value
+    std::vector<std::uint64_t> key;
+    std::vector<std::uint8_t> turn; // per input face: 1 if its loop must be reversed
 };
+
+std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3d> centre) {
+    Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    for (std::size_t c = 0; c < centre.size(); ++c) {
+        if (judged.bad[c]) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], centre[c][i]);
+            high[i] = std::max(high[i], centre[c][i]);
+        }
+    }
+    const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
+    std::vector<std::uint64_t> key(centre.size());
+    parallel_for(key.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            const Vec3d& p = centre[c];
+            key[c] = hilbert_key({(p[0] - low[0]) / extent, (p[1] - low[1]) / extent, (p[2] - low[2]) / extent});
+        }
+    });
+    return key;
+}
 
 Judged judge_cells(const PolyhedraView& input) {
     const std::size_t cells = input.cell_types.size();
-    Judged judged{std::vector<CellWinding::Verdict>(cells), std::vector<std::uint8_t>(input.face_offset.size() - 1)};
+    Judged judged;
+    judged.bad.resize(cells);
+    judged.volume.resize(cells);
+    judged.turn.resize(input.face_offset.size() - 1);
+    std::vector<Vec3d> centre(cells);
     // Few tasks, because each CellWinding allocates a table with one entry per mesh vertex.
     const std::size_t grain = std::max(cells_per_task, cells / (std::size_t{4} * thread_count()) + 1);
     parallel_for(cells, grain, [&](std::size_t begin, std::size_t end) {
         CellWinding winding(input);
-        for (std::size_t c = begin; c < end; ++c) judged.verdict[c] = winding.judge(static_cast<Index>(c), judged.turn);
+        for (std::size_t c = begin; c < end; ++c) {
+            const CellWinding::Verdict verdict = winding.judge(static_cast<Index>(c), judged.turn);
+            judged.bad[c] = verdict.bad;
+            judged.volume[c] = verdict.volume;
+            centre[c] = verdict.centre;
+        }
     });
+    judged.key = curve_keys(judged, centre);
     return judged;
 }
 
 void report_bad_cells(const Judged& judged, AssembleReport& report) {
-    for (std::size_t c = 0; c < judged.verdict.size(); ++c) {
-        const auto& bad = judged.verdict[c].bad;
+    for (std::size_t c = 0; c < judged.bad.size(); ++c) {
+        const auto& bad = judged.bad[c];
         if (!bad) continue;
         auto entry = std::ranges::find(report.bad_cells, *bad, &BadCells::reason);
         if (entry == report.bad_cells.end()) entry = report.bad_cells.insert(entry, BadCells{*bad, 0, {}});
@@ -68,8 +101,8 @@ void report_bad_cells(const Judged& judged, AssembleReport& report) {
 }
 
 void report_faces(const PolyhedraView& input, const Judged& judged, AssembleReport& report) {
-    for (std::size_t c = 0; c < judged.verdict.size(); ++c) {
-        if (judged.verdict[c].bad) continue;
+    for (std::size_t c = 0; c < judged.bad.size(); ++c) {
+        if (judged.bad[c]) continue;
         std::uint64_t faces = 0, turned = 0, short_faces = 0;
         for (std::uint64_t f = input.cell_offset[c]; f < input.cell_offset[c + 1]; ++f) {
             const bool is_face = input.is_face(f);
@@ -86,26 +119,13 @@ void report_faces(const PolyhedraView& input, const Judged& judged, AssembleRepo
     }
 }
 
+// Returns the good cells along the curve.
 std::vector<Index> curve_order(const Judged& judged) {
-    Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    for (const auto& verdict : judged.verdict) {
-        if (verdict.bad) continue;
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], verdict.centre[i]);
-            high[i] = std::max(high[i], verdict.centre[i]);
-        }
-    }
-    const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
-    std::vector<std::uint64_t> key(judged.verdict.size());
-    parallel_for(key.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c) {
-            const Vec3d& p = judged.verdict[c].centre;
-            key[c] = hilbert_key({(p[0] - low[0]) / extent, (p[1] - low[1]) / extent, (p[2] - low[2]) / extent});
-        }
-    });
+    const std::vector<std::uint64_t>& key = judged.key;
     std::vector<Index> order;
+    order.reserve(key.size());
     for (Index c = 0; c < key.size(); ++c)
-        if (!judged.verdict[c].bad) order.push_back(c);
+        if (!judged.bad[c]) order.push_back(c);
     std::ranges::sort(order, [&](Index a, Index b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
     return order;
 }
@@ -126,12 +146,10 @@ CellType checked_type(const PolyhedraView& input, Index cell) {
 // The loops hold input vertex ids until number_vertices renumbers them.
 class FaceWriter {
 public:
-    FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> cell_of_face,
-               const MatchedFaces& matched, std::span<const std::uint8_t> turn)
-        : input_(input), order_(order), cell_of_face_(cell_of_face), matched_(matched), turn_(turn),
-          rank_(input.cell_types.size(), none) {
-        for (Index i = 0; i < order.size(); ++i) rank_[order[i]] = i;
-    }
+    // `neighbour`: input face -> stored cell on the other side, or none.
+    FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> neighbour,
+               std::span<const std::uint8_t> turn)
+        : input_(input), order_(order), neighbour_(neighbour), turn_(turn) {}
 
     void write(Assembled& out) {
         list_faces(out);
@@ -148,18 +166,24 @@ public:
     }
 
 private:
-    [[nodiscard]] Index neighbour(std::uint64_t face) const {
-        const Index partner = matched_.partner[face];
-        return partner == none ? none : rank_[cell_of_face_[partner]];
+    // Calls f(input face) for the faces that the stored cell owns.
+    template <class F>
+    void for_own_faces(Index cell, F&& f) const {
+        const Index source = order_[cell];
+        for (std::uint64_t face = input_.cell_offset[source]; face < input_.cell_offset[source + 1]; ++face)
+            if (input_.is_face(face) && neighbour_[face] > cell) f(face);
     }
 
     void list_faces(Assembled& out) const {
+        std::size_t count = 0;
+        for (Index cell = 0; cell < order_.size(); ++cell) for_own_faces(cell, [&](std::uint64_t) { ++count; });
+        out.mesh.owner.reserve(count);
+        out.mesh.neighbour.reserve(count);
+        out.face_source.reserve(count);
         std::vector<std::pair<Index, std::uint64_t>> faces; // of one cell: (stored cell on the other side, input face)
         for (Index cell = 0; cell < order_.size(); ++cell) {
             faces.clear();
-            const Index source = order_[cell];
-            for (std::uint64_t f = input_.cell_offset[source]; f < input_.cell_offset[source + 1]; ++f)
-                if (input_.is_face(f) && neighbour(f) > cell) faces.emplace_back(neighbour(f), f);
+            for_own_faces(cell, [&](std::uint64_t face) { faces.emplace_back(neighbour_[face], face); });
             std::ranges::sort(faces);
             for (const auto& [other, face] : faces) {
                 out.mesh.owner.push_back(cell);
@@ -181,10 +205,8 @@ private:
     }
 
     const PolyhedraView& input_;
-    std::span<const Index> order_, cell_of_face_;
-    const MatchedFaces& matched_;
+    std::span<const Index> order_, neighbour_;
     std::span<const std::uint8_t> turn_;
-    std::vector<Index> rank_; // input cell -> stored cell; none for a cell that is left out
 };
 
 void number_vertices(const PolyhedraView& input, Assembled& out) {
@@ -207,34 +229,48 @@ void number_vertices(const PolyhedraView& input, Assembled& out) {
 
 } // namespace
 
+namespace {
+
+// Matches the faces of good cells. Returns the input cell on the other side of each input face, or none.
+std::vector<Index> neighbours_of(const PolyhedraView& input, Judged& judged, AssembleReport& report) {
+    std::vector<Index> cell_of_face(judged.turn.size(), none);
+    for (Index c = 0; c < judged.bad.size(); ++c)
+        if (!judged.bad[c])
+            std::fill(cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c]),
+                      cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c + 1]), c);
+    MatchedFaces matched = match_faces(input, {cell_of_face, judged.volume, judged.turn});
+    for (const Index cell : matched.repeated_cells) judged.bad[cell] = BadCells::Reason::repeated;
+    report.internal_boundaries = matched.internal_boundaries;
+    report.inverted_cells = matched.inverted_cells.size();
+    matched.inverted_cells.resize(std::min<std::size_t>(10, matched.inverted_cells.size()));
+    report.first_inverted = std::move(matched.inverted_cells);
+    for (Index& of_face : matched.partner)
+        if (of_face != none) of_face = cell_of_face[of_face];
+    return std::move(matched.partner);
+}
+
+} // namespace
+
 Assembled assemble(const PolyhedraView& input) {
     check_sizes(input);
     Assembled out;
     out.mesh.origin = input.origin;
     Judged judged = judge_cells(input);
-
-    std::vector<Index> cell_of_face(judged.turn.size(), none);
-    std::vector<double> volume(judged.verdict.size());
-    for (Index c = 0; c < judged.verdict.size(); ++c) {
-        volume[c] = judged.verdict[c].volume;
-        if (judged.verdict[c].bad) continue;
-        std::fill(cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c]),
-                  cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c + 1]), c);
-    }
-    const MatchedFaces matched = match_faces(input, {cell_of_face, volume, judged.turn});
-    for (const Index cell : matched.repeated_cells) judged.verdict[cell].bad = BadCells::Reason::repeated;
+    std::vector<Index> neighbour = neighbours_of(input, judged, out.report);
+    judged.volume = {};
     report_bad_cells(judged, out.report);
-    out.report.internal_boundaries = matched.internal_boundaries;
-    out.report.inverted_cells = matched.inverted_cells.size();
-    out.report.first_inverted.assign(matched.inverted_cells.begin(),
-                                     matched.inverted_cells.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
-                                                                          10, out.report.inverted_cells)));
     report_faces(input, judged, out.report);
 
     out.original_cell = curve_order(judged);
+    judged.key = {};
     for (const Index cell : out.original_cell)
         out.mesh.cell_types.push_back(static_cast<std::uint8_t>(checked_type(input, cell)));
-    FaceWriter(input, out.original_cell, cell_of_face, matched, judged.turn).write(out);
+    std::vector<Index> rank(judged.bad.size(), none); // input cell -> stored cell
+    for (Index i = 0; i < out.original_cell.size(); ++i) rank[out.original_cell[i]] = i;
+    for (Index& cell : neighbour)
+        if (cell != none) cell = rank[cell];
+    rank = {};
+    FaceWriter(input, out.original_cell, neighbour, judged.turn).write(out);
     number_vertices(input, out);
     return out;
 }

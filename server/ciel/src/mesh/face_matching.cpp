@@ -1,23 +1,20 @@
 #include "mesh/face_matching.hpp"
 
 #include "ciel/parallel.hpp"
+#include "ciel/threads.hpp"
 #include "mesh/cell_winding.hpp"
 #include "mesh/loop.hpp"
 #include "mesh/repeated_cells.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace ciel::detail {
 
 namespace {
 
-constexpr std::size_t faces_per_task = 16384;
-
-struct Claim {
-    Index smallest = none; // smallest vertex of the face; none if the face must not be matched
-    std::uint32_t fingerprint = 0;
-    Index face = none;
-};
+constexpr std::size_t faces_per_task = 16384, vertices_per_task = 4096;
 
 void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out) {
     const std::uint64_t begin = input.face_offset[face];
@@ -26,80 +23,50 @@ void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
-// Faces that collapsed to a line or a point do not separate cells. They get an empty claim and stay on the boundary.
-std::vector<Claim> make_claims(const PolyhedraView& input, std::span<const Index> cell_of_face) {
-    std::vector<Claim> claims(cell_of_face.size());
-    parallel_for(claims.size(), faces_per_task, [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> loop;
-        for (std::size_t f = begin; f < end; ++f) {
-            if (cell_of_face[f] == none) continue;
-            loop.clear();
-            append_loop(input, static_cast<Index>(f), loop);
-            if (loop.size() < 3) continue;
-            Claim& claim = claims[f];
-            claim.face = static_cast<Index>(f);
-            claim.smallest = *std::ranges::min_element(loop);
-            for (const Index v : loop) claim.fingerprint += mix(v); // a sum does not depend on the vertex order
-        }
-    });
-    return claims;
-}
-
-std::vector<Claim> group_claims(const std::vector<Claim>& claims, std::size_t vertices) {
-    std::vector<std::uint64_t> begin(vertices + 1, 0);
-    for (const Claim& claim : claims)
-        if (claim.smallest != none) ++begin[claim.smallest + 1];
-    for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
-    std::vector<Claim> grouped(begin.back());
-    std::vector<std::uint64_t> cursor(begin.begin(), begin.end() - 1);
-    for (const Claim& claim : claims)
-        if (claim.smallest != none) grouped[cursor[claim.smallest]++] = claim;
-    parallel_for(vertices, faces_per_task, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v)
-            std::sort(grouped.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-                      grouped.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [](const Claim& a, const Claim& b) {
-                          return a.fingerprint != b.fingerprint ? a.fingerprint < b.fingerprint : a.face < b.face;
-                      });
-    });
-    return grouped;
-}
-
-class Matcher {
-public:
-    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces) {}
-
-    MatchedFaces run();
-
-private:
-    enum class Relation { different, same_direction, opposite };
-
-    void pair_faces();
-    [[nodiscard]] std::vector<Index> suspects() const;
-    bool leave_out_repeated_cells();
-    void settle_equal(std::span<const Claim> claims);
-    void settle_group(std::span<const Index> group);
-    Relation compare(Index a, Index b);
-    bool wound_alike(Index a, Index b); // true if both loops, reversed if `turn` is set, have the same direction
-    void match(Index a, Index b);
-    void agree_across_faces();
-    void divide_into_units(const std::vector<Index>& conflicts);
-    void spread_from(Index start);
-    void settle_crowd(const std::vector<Index>& group);
-
-    const PolyhedraView& input_;
-    CellOfFace faces_;
-    MatchedFaces result_;
-    std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
-    std::vector<Index> loop_a_, loop_b_;
-    // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
-    // is cell c or its first lobe. The units of further lobes have numbers after all cells.
-    std::vector<Index> unit_of_face_;
-    std::vector<Index> cell_of_unit_;
-    std::vector<std::uint8_t> divided_; // by cell: 1 if it is divided into several units
-    std::vector<std::uint8_t> parity_;  // by unit: 0 not visited, 1 keep the winding, 2 reverse it
+// The faces whose smallest vertex is v are face[begin[v]] to face[begin[v + 1] - 1], ascending.
+struct FacesByVertex {
+    std::vector<std::uint64_t> begin;
+    std::vector<Index> face;
 };
 
-Matcher::Relation Matcher::compare(Index a, Index b) {
+// `scratch`: one element for each face. Leaves out faces that collapsed to a line or a point, which do not separate
+// cells, and faces without a cell. They stay on the boundary.
+FacesByVertex group_faces(const PolyhedraView& input, std::span<const Index> cell_of_face, std::span<Index> scratch) {
+    parallel_for(scratch.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+        std::vector<Index> loop;
+        for (std::size_t f = first; f < last; ++f) {
+            loop.clear();
+            if (cell_of_face[f] != none) append_loop(input, static_cast<Index>(f), loop);
+            scratch[f] = loop.size() < 3 ? none : *std::ranges::min_element(loop);
+        }
+    });
+    FacesByVertex out;
+    out.begin.assign(input.positions.size() / 3 + 1, 0);
+    for (const Index smallest : scratch)
+        if (smallest != none) ++out.begin[std::size_t{smallest} + 1];
+    for (std::size_t v = 1; v < out.begin.size(); ++v) out.begin[v] += out.begin[v - 1];
+    out.face.resize(out.begin.back());
+    std::vector<std::uint64_t> cursor(out.begin.begin(), out.begin.end() - 1);
+    for (Index f = 0; f < scratch.size(); ++f)
+        if (scratch[f] != none) out.face[cursor[scratch[f]]++] = f;
+    return out;
+}
+
+enum class Relation { different, same_direction, opposite };
+
+// Compares the loops of faces. Not thread-safe.
+class LoopComparison {
+public:
+    explicit LoopComparison(const PolyhedraView& input) : input_(input) {}
+
+    Relation operator()(Index a, Index b);
+
+private:
+    const PolyhedraView& input_;
+    std::vector<Index> loop_a_, loop_b_;
+};
+
+Relation LoopComparison::operator()(Index a, Index b) {
     loop_a_.clear();
     loop_b_.clear();
     append_loop(input_, a, loop_a_);
@@ -119,36 +86,99 @@ Matcher::Relation Matcher::compare(Index a, Index b) {
     return Relation::different;
 }
 
+// Finds equal faces among faces with the same smallest vertex. Each thread needs its own object.
+class EqualFaces {
+public:
+    explicit EqualFaces(const PolyhedraView& input) : input_(input), compare_(input) {}
+
+    // Calls settle(group) for each group of two or more equal faces. The faces of a group ascend.
+    template <class Settle>
+    void for_groups(std::span<const Index> faces, Settle&& settle);
+
+private:
+    struct Claim {
+        std::uint32_t fingerprint = 0;
+        Index face = none;
+    };
+    template <class Settle>
+    void compare_all(std::span<const Claim> claims, Settle&& settle);
+
+    const PolyhedraView& input_;
+    LoopComparison compare_;
+    std::vector<Claim> claims_;
+    std::vector<Index> loop_, left_, group_, rest_;
+};
+
+template <class Settle>
+void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
+    claims_.clear();
+    for (const Index face : faces) {
+        loop_.clear();
+        append_loop(input_, face, loop_);
+        Claim claim{0, face};
+        for (const Index v : loop_) claim.fingerprint += mix(v); // a sum does not depend on the vertex order
+        claims_.push_back(claim);
+    }
+    std::ranges::sort(claims_, {}, [](const Claim& claim) { return std::pair(claim.fingerprint, claim.face); });
+    for (std::size_t begin = 0, end; begin < claims_.size(); begin = end) {
+        end = begin + 1;
+        while (end < claims_.size() && claims_[end].fingerprint == claims_[begin].fingerprint) ++end;
+        if (end > begin + 1) compare_all(std::span(claims_).subspan(begin, end - begin), settle);
+    }
+}
+
+// Faces with the same smallest vertex and fingerprint are nearly always equal.
+template <class Settle>
+void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
+    left_.clear();
+    for (const Claim& claim : claims) left_.push_back(claim.face);
+    while (!left_.empty()) {
+        group_.assign(1, left_[0]);
+        rest_.clear();
+        for (std::size_t i = 1; i < left_.size(); ++i)
+            (compare_(left_[0], left_[i]) == Relation::different ? rest_ : group_).push_back(left_[i]);
+        if (group_.size() > 1) settle(group_);
+        left_.swap(rest_);
+    }
+}
+
+class Matcher {
+public:
+    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces), compare_(input) {}
+
+    MatchedFaces run();
+
+private:
+    void pair_faces();
+    [[nodiscard]] std::vector<Index> suspects() const;
+    bool leave_out_repeated_cells();
+    bool wound_alike(Index a, Index b); // true if both loops, reversed if `turn` is set, have the same direction
+    void match(Index a, Index b);
+    void agree_across_faces();
+    void divide_into_units(const std::vector<Index>& conflicts);
+    void spread_from(Index start);
+    void settle_crowd(const std::vector<Index>& group);
+
+    const PolyhedraView& input_;
+    CellOfFace faces_;
+    MatchedFaces result_;
+    std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
+    LoopComparison compare_;
+    // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
+    // is cell c or its first lobe. The units of further lobes have numbers after all cells.
+    std::vector<Index> unit_of_face_;
+    std::vector<Index> cell_of_unit_;
+    std::vector<std::uint8_t> divided_; // by cell: 1 if it is divided into several units
+    std::vector<std::uint8_t> parity_;  // by unit: 0 not visited, 1 keep the winding, 2 reverse it
+};
+
 bool Matcher::wound_alike(Index a, Index b) {
-    return (compare(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
+    return (compare_(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
 }
 
 void Matcher::match(Index a, Index b) {
     result_.partner[a] = b;
     result_.partner[b] = a;
-}
-
-void Matcher::settle_group(std::span<const Index> group) {
-    if (group.size() == 2) {
-        if (faces_.cell[group[0]] != faces_.cell[group[1]]) match(group[0], group[1]);
-    } else if (group.size() > 2) {
-        crowds_.emplace_back(group.begin(), group.end());
-    }
-}
-
-// Faces with the same smallest vertex and fingerprint are nearly always equal.
-void Matcher::settle_equal(std::span<const Claim> claims) {
-    if (claims.size() < 2) return;
-    std::vector<Index> left, group, rest;
-    for (const Claim& claim : claims) left.push_back(claim.face);
-    while (!left.empty()) {
-        group.assign(1, left[0]);
-        rest.clear();
-        for (std::size_t i = 1; i < left.size(); ++i)
-            (compare(left[0], left[i]) == Relation::different ? rest : group).push_back(left[i]);
-        settle_group(group);
-        left.swap(rest);
-    }
 }
 
 // Each cell was wound outwards without regard to its neighbors. Therefore two adjacent cells may disagree if a cell is
@@ -290,16 +320,30 @@ bool Matcher::leave_out_repeated_cells() {
 }
 
 void Matcher::pair_faces() {
-    result_.partner.assign(faces_.cell.size(), none);
+    std::vector<Index>& partner = result_.partner;
+    partner.resize(faces_.cell.size());
+    const FacesByVertex faces = group_faces(input_, faces_.cell, partner);
+    std::ranges::fill(partner, none);
+    std::vector<std::pair<std::size_t, std::vector<std::vector<Index>>>> crowds; // (first vertex, crowds of a task)
+    Mutex mutex;
+    parallel_for(faces.begin.size() - 1, vertices_per_task, [&](std::size_t first, std::size_t last) {
+        EqualFaces equal(input_);
+        std::vector<std::vector<Index>> of_task;
+        for (std::size_t v = first; v < last; ++v)
+            equal.for_groups(std::span(faces.face).subspan(faces.begin[v], faces.begin[v + 1] - faces.begin[v]),
+                             [&](const std::vector<Index>& group) {
+                                 if (group.size() > 2)
+                                     of_task.push_back(group);
+                                 else if (faces_.cell[group[0]] != faces_.cell[group[1]])
+                                     match(group[0], group[1]);
+                             });
+        if (of_task.empty()) return;
+        const Locked lock(mutex);
+        crowds.emplace_back(first, std::move(of_task));
+    });
+    std::ranges::sort(crowds);
     crowds_.clear();
-    const std::vector<Claim> claims = group_claims(make_claims(input_, faces_.cell), input_.positions.size() / 3);
-    for (std::size_t begin = 0, end; begin < claims.size(); begin = end) {
-        end = begin + 1;
-        while (end < claims.size() && claims[end].smallest == claims[begin].smallest &&
-               claims[end].fingerprint == claims[begin].fingerprint)
-            ++end;
-        settle_equal(std::span(claims).subspan(begin, end - begin));
-    }
+    for (auto& [first, of_task] : crowds) std::ranges::move(of_task, std::back_inserter(crowds_));
 }
 
 MatchedFaces Matcher::run() {
