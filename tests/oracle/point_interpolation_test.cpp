@@ -29,7 +29,7 @@ double largest_error(const std::array<int, 3>& cubes, std::size_t axis) {
     const Assembled assembled = assemble(view(hexahedra({cubes, 0.15, 7})));
     const FaceMeshView mesh = assembled.mesh.view();
     std::vector<float> cells;
-    for (const Vec3d& centre : cell_centres(mesh, face_shapes(mesh))) cells.push_back(static_cast<float>(centre[axis]));
+    for (const Vec3d& centre : cell_centres(mesh)) cells.push_back(static_cast<float>(centre[axis]));
     const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
     const std::array<double, 3> box{static_cast<double>(cubes[0]), static_cast<double>(cubes[1]),
                                     static_cast<double>(cubes[2])};

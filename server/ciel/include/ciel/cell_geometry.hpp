@@ -4,6 +4,7 @@
 
 #include "ciel/face_mesh.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace ciel {
@@ -22,7 +23,7 @@ namespace ciel {
 }
 
 // Sets `loop` to the vertex ids of a face. Reads each id once, because another process may change a mapped file at any
-// time. Throws Error when an index is out of range; so do read_cells, face_shapes and cell_centres.
+// time. Throws Error when an index is out of range; so do the functions below.
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
 
 struct FaceCells {
@@ -38,11 +39,16 @@ struct FaceShape {
 // Returns the shape of the face whose vertex ids are `loop`. REQUIRES: loop is not empty, and all ids are below
 // mesh.vertex_count().
 [[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
-// Returns the shapes of all faces, by face id. Uses all threads of parallel_for.
-[[nodiscard]] std::vector<FaceShape> face_shapes(const FaceMeshView& mesh);
 
-// Returns the centroids of all cells, by cell id, as offsets from the mesh's origin. `faces`: the result of
-// face_shapes.
-[[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<FaceShape>& faces);
+// `faces`: the faces of the cell, in the order of their ids; the areas point out of the cell. `centre`: its centroid, as
+// an offset from the mesh's origin.
+using OnCell = std::function<void(Index cell, std::span<const FaceShape> faces, const Vec3d& centre)>;
+// Calls visit(cell, faces, centre) for each cell of the mesh. Several threads may call it at the same time, for
+// different cells; `faces` is valid only during the call. Keeps the shapes of no other cells. Uses all threads of
+// parallel_for.
+void for_cell_shapes(const FaceMeshView& mesh, const OnCell& visit);
+
+// Returns the centroids of all cells, by cell id, as offsets from the mesh's origin. Uses all threads of parallel_for.
+[[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh);
 
 } // namespace ciel

@@ -17,17 +17,18 @@ constexpr std::size_t grain = 4096;
 
 class BoundaryNormals {
 public:
-    BoundaryNormals(const FaceMeshView& mesh, const std::vector<FaceShape>& shapes) : at_(mesh.vertex_count(), none) {
+    explicit BoundaryNormals(const FaceMeshView& mesh) : at_(mesh.vertex_count(), none) {
         std::vector<Index> loop;
         for (Index face = 0; face < mesh.face_count(); ++face) {
             if (read_cells(mesh, face).neighbour != none) continue;
             read_loop(mesh, face, loop);
+            const Vec3d area = face_shape(mesh, loop).area;
             for (const Index vertex : loop) {
                 if (at_[vertex] == none) {
                     at_[vertex] = static_cast<Index>(normals_.size());
                     normals_.emplace_back();
                 }
-                normals_[at_[vertex]].add(shapes[face].area);
+                normals_[at_[vertex]].add(area);
             }
         }
     }
@@ -45,9 +46,8 @@ private:
 PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
     find_cells(mesh);
     weight_.assign(cell_.size(), 0.0F);
-    const std::vector<FaceShape> shapes = face_shapes(mesh);
-    const std::vector<Vec3d> centres = cell_centres(mesh, shapes);
-    const BoundaryNormals normals(mesh, shapes);
+    const std::vector<Vec3d> centres = cell_centres(mesh);
+    const BoundaryNormals normals(mesh);
     parallel_for(mesh.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3d> displacements;
         std::vector<double> weights;

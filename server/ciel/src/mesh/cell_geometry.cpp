@@ -2,6 +2,7 @@
 
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
+#include "mesh/cell_faces.hpp"
 
 #include <algorithm>
 
@@ -45,46 +46,49 @@ void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop) {
 
 FaceCells read_cells(const FaceMeshView& mesh, Index face) { return {mesh.owner[face], mesh.neighbour[face]}; }
 
-std::vector<FaceShape> face_shapes(const FaceMeshView& mesh) {
-    std::vector<FaceShape> faces(mesh.face_count());
-    parallel_for(faces.size(), grain, [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> loop;
-        for (std::size_t face = begin; face < end; ++face) {
-            read_loop(mesh, static_cast<Index>(face), loop);
-            faces[face] = face_shape(mesh, loop);
-        }
-    });
-    return faces;
+namespace {
+
+// `faces`: of one cell. The areas point out of the cell.
+Vec3d centroid(std::span<const FaceShape> faces) {
+    Vec3d guess{};
+    for (const FaceShape& face : faces) guess = guess + face.centre;
+    guess = (1 / std::max(static_cast<double>(faces.size()), 1.0)) * guess;
+
+    // The mean of the centroids of the pyramids from the guess to each face, weighted by volume.
+    Vec3d moment{};
+    double volume = 0;
+    for (const FaceShape& face : faces) {
+        const double part = std::max(0.0, dot(face.area, face.centre - guess) / 3);
+        volume += part;
+        moment = moment + part * (0.75 * face.centre + 0.25 * guess);
+    }
+    return volume > 0 ? (1 / volume) * moment : guess;
 }
 
-std::vector<Vec3d> cell_centres(const FaceMeshView& mesh, const std::vector<FaceShape>& faces) {
-    const std::size_t cells = mesh.cell_count();
-    const auto for_each_side = [&](auto&& visit) {
-        for (Index face = 0; face < mesh.face_count(); ++face) {
-            const FaceCells beside = read_cells(mesh, face);
-            visit(beside.owner, faces[face], 1.0);
-            if (beside.neighbour != none) visit(beside.neighbour, faces[face], -1.0);
-        }
-    };
-    std::vector<Vec3d> guess(cells);
-    std::vector<double> count(cells);
-    for_each_side([&](Index cell, const FaceShape& face, double) {
-        guess[cell] = guess[cell] + face.centre;
-        ++count[cell];
-    });
-    for (std::size_t cell = 0; cell < cells; ++cell) guess[cell] = (1 / std::max(count[cell], 1.0)) * guess[cell];
+} // namespace
 
-    // The new center is the mean of the centroids of the pyramids from the guess to each face, weighted by volume.
-    std::vector<Vec3d> moment(cells);
-    std::vector<double> volume(cells);
-    for_each_side([&](Index cell, const FaceShape& face, double sign) {
-        const double part = std::max(0.0, sign * dot(face.area, face.centre - guess[cell]) / 3);
-        volume[cell] += part;
-        moment[cell] = moment[cell] + part * (0.75 * face.centre + 0.25 * guess[cell]);
+void for_cell_shapes(const FaceMeshView& mesh, const OnCell& visit) {
+    const detail::CellFaces faces = detail::cell_faces(mesh);
+    parallel_for(mesh.cell_count(), grain, [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> loop;
+        std::vector<FaceShape> shapes;
+        for (auto cell = static_cast<Index>(begin); cell < end; ++cell) {
+            shapes.clear();
+            for (const Index face : faces.of(cell)) {
+                read_loop(mesh, face, loop);
+                FaceShape shape = face_shape(mesh, loop);
+                if (read_cells(mesh, face).owner != cell) shape.area = -1.0 * shape.area;
+                shapes.push_back(shape);
+            }
+            visit(cell, shapes, centroid(shapes));
+        }
     });
-    for (std::size_t cell = 0; cell < cells; ++cell)
-        if (volume[cell] > 0) guess[cell] = (1 / volume[cell]) * moment[cell];
-    return guess;
+}
+
+std::vector<Vec3d> cell_centres(const FaceMeshView& mesh) {
+    std::vector<Vec3d> centres(mesh.cell_count());
+    for_cell_shapes(mesh, [&](Index cell, std::span<const FaceShape>, const Vec3d& centre) { centres[cell] = centre; });
+    return centres;
 }
 
 } // namespace ciel
