@@ -41,12 +41,11 @@ std::vector<std::string> degenerate_cells(const JoinedMesh& joined) {
     for (std::size_t cell = 0; cell < joined.cell_types.size(); ++cell) {
         bool repeated = false;
         corners.clear();
-        for (std::uint64_t face = joined.cell_offset[cell]; face < joined.cell_offset[cell + 1]; ++face) {
-            loop.assign(joined.face_vertex.begin() + static_cast<std::ptrdiff_t>(joined.face_offset[face]),
-                        joined.face_vertex.begin() + static_cast<std::ptrdiff_t>(joined.face_offset[face + 1]));
+        joined.for_loops(cell, [&](std::span<const ciel::Index> of_face) {
+            loop.assign(of_face.begin(), of_face.end());
             repeated = has_repeated(loop) || repeated;
             corners.insert(corners.end(), loop.begin(), loop.end());
-        }
+        });
         if (!repeated) continue;
         (void)has_repeated(corners);
         (corners.size() < least_corners ? flat : collapsed).add(joined.source_cell[cell]);

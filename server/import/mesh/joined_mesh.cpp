@@ -59,6 +59,7 @@ private:
     void close_cell(ciel::CellType type, vtkIdType cell) {
         mesh_.cell_types.push_back(static_cast<std::uint8_t>(type));
         mesh_.cell_offset.push_back(mesh_.face_offset.size() - 1);
+        mesh_.corner_offset.push_back(mesh_.corner.size());
         mesh_.source_cell.push_back(mesh_.members[member_].first_cell + static_cast<ciel::Index>(cell));
     }
 
@@ -69,7 +70,12 @@ private:
         ciel::VtkCorners corners{};
         for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
         if (shape.reduced_from != nullptr) ++mesh_.reduced_cells[shape.reduced_from];
-        ciel::append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
+        if (shape.type == ciel::CellType::polyhedron) {
+            ciel::append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
+        } else {
+            const ciel::VtkCorners ordered = ciel::standard_corners(shape, corners);
+            mesh_.corner.insert(mesh_.corner.end(), ordered.begin(), ordered.begin() + shape.corners);
+        }
         close_cell(shape.type, cell);
     }
 
@@ -227,11 +233,29 @@ void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
     mesh.point_count = static_cast<ciel::Index>(points);
 }
 
+// Vectors that grow would take up to three times their size.
+void reserve_cells(JoinedMesh& mesh) {
+    std::size_t cells = 0, corners = 0;
+    for (const JoinedMesh::Member& member : mesh.members) {
+        const auto of_member = static_cast<std::size_t>(member.data->GetNumberOfCells());
+        cells += of_member;
+        auto* grid = vtkUnstructuredGrid::SafeDownCast(member.data);
+        const bool is_listed = grid != nullptr && grid->GetCells() != nullptr;
+        corners += is_listed ? static_cast<std::size_t>(grid->GetCells()->GetNumberOfConnectivityIds()) : 8 * of_member;
+    }
+    mesh.cell_types.reserve(cells);
+    mesh.cell_offset.reserve(cells + 1);
+    mesh.corner_offset.reserve(cells + 1);
+    mesh.source_cell.reserve(cells);
+    mesh.corner.reserve(corners);
+}
+
 void check_finite(const JoinedMesh& mesh) {
-    for (const ciel::Index vertex : mesh.face_vertex)
+    JoinedMesh::for_vertices(mesh, [&](ciel::Index vertex) {
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite(mesh.positions[3 * std::size_t{vertex} + axis]))
                 throw ciel::Error("point " + std::to_string(vertex) + " has a coordinate that is not a finite number");
+    });
 }
 
 } // namespace
@@ -257,6 +281,7 @@ store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ci
 JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
     JoinedMesh mesh;
     number_members(mesh, volumes);
+    reserve_cells(mesh);
     for (std::size_t member = 0; member < mesh.members.size(); ++member) MemberJoiner(mesh, member).add_cells();
     mesh.positions = point_positions(mesh.members, mesh.point_count);
     check_finite(mesh);
@@ -265,15 +290,13 @@ JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
 
 std::uint64_t count_edges(const JoinedMesh& mesh) {
     const auto for_each_edge = [&mesh](auto&& visit) {
-        for (std::size_t face = 0; face + 1 < mesh.face_offset.size(); ++face) {
-            const std::uint64_t begin = mesh.face_offset[face];
-            const std::uint64_t end = mesh.face_offset[face + 1];
-            for (std::uint64_t i = begin; i < end; ++i) {
-                const ciel::Index a = mesh.face_vertex[i];
-                const ciel::Index b = mesh.face_vertex[i + 1 < end ? i + 1 : begin];
-                if (a != b) visit(std::min(a, b), std::max(a, b));
-            }
-        }
+        for (std::size_t cell = 0; cell < mesh.cell_types.size(); ++cell)
+            mesh.for_loops(cell, [&](std::span<const ciel::Index> loop) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    const ciel::Index a = loop[i], b = loop[(i + 1) % loop.size()];
+                    if (a != b) visit(std::min(a, b), std::max(a, b));
+                }
+            });
     };
     // A bucket has the edges with the same lower vertex id. Buckets are short, so that sorting takes linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);

@@ -35,14 +35,38 @@ struct JoinedMesh {
     std::uint64_t convex_point_sets = 0;                // left out, because VTK lists no faces for them
 
     store::Values positions; // x, y, z of each running point, equal to the numbers in the input
+    // As in PolyhedraView. Standard cells list their corners, except cells that the input gives as polyhedra.
     std::vector<std::uint8_t> cell_types;
-    std::vector<std::uint64_t> cell_offset{0};
-    std::vector<std::uint64_t> face_offset{0};
-    std::vector<ciel::Index> face_vertex;
+    std::vector<std::uint64_t> cell_offset{0}, face_offset{0}, corner_offset{0};
+    std::vector<ciel::Index> face_vertex, corner;
     std::vector<ciel::Index> source_cell; // cell of the joined mesh -> running cell
 
     [[nodiscard]] ciel::PolyhedraView view() const {
-        return {{}, positions, cell_types, cell_offset, face_offset, face_vertex};
+        return {{}, positions, cell_types, cell_offset, face_offset, face_vertex, corner_offset, corner};
+    }
+    // Calls f(loop) for each face of the cell.
+    template <class F>
+    void for_loops(std::size_t cell, F&& f) const {
+        static thread_local std::vector<std::uint64_t> offset; // of the faces of a standard cell
+        static thread_local std::vector<ciel::Index> vertex;
+        offset.assign(1, 0);
+        vertex.clear();
+        const std::uint64_t corners = corner_offset[cell + 1] - corner_offset[cell];
+        if (corners > 0) {
+            ciel::append_standard_faces(static_cast<ciel::CellType>(cell_types[cell]),
+                                        std::span(corner).subspan(corner_offset[cell], corners), offset, vertex);
+            for (std::size_t face = 0; face + 1 < offset.size(); ++face)
+                f(std::span<const ciel::Index>(vertex).subspan(offset[face], offset[face + 1] - offset[face]));
+        } else {
+            for (std::uint64_t face = cell_offset[cell]; face < cell_offset[cell + 1]; ++face)
+                f(std::span(face_vertex).subspan(face_offset[face], face_offset[face + 1] - face_offset[face]));
+        }
+    }
+    // Calls f(vertex) for each mention of a running point in a cell. The vertices may be changed.
+    template <class Self, class F>
+    static void for_vertices(Self& mesh, F&& f) {
+        for (auto& vertex : mesh.corner) f(vertex);
+        for (auto& vertex : mesh.face_vertex) f(vertex);
     }
 };
 

@@ -205,7 +205,7 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())
-        for (ciel::Index& vertex : joined.face_vertex) vertex = welds.representative[vertex];
+        JoinedMesh::for_vertices(joined, [&](ciel::Index& vertex) { vertex = welds.representative[vertex]; });
 
     mesh.assembled = ciel::assemble(joined.view());
     describe_assembly(joined, mesh.assembled.report, mesh);

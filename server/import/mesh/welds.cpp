@@ -213,8 +213,7 @@ Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut, const
     const bool look = mode == Weld::all || mesh.members.size() > 1;
     // Points without cells belong to ghost cells, which were left out. Only --weld also compares these points.
     std::vector<bool> looked_at(look ? mesh.point_count : 0, mode == Weld::all);
-    if (look)
-        for (const ciel::Index point : mesh.face_vertex) looked_at[point] = true;
+    if (look) JoinedMesh::for_vertices(mesh, [&](ciel::Index point) { looked_at[point] = true; });
     if (look)
         for_each_coincident(mesh, looked_at, [&](ciel::Index a, ciel::Index b) {
             coincident += sets.find(a) == sets.find(b) ? 0 : 1; // 0 if a cut or a seam joined the pair

@@ -11,8 +11,8 @@
 
 namespace ciel {
 
-// Cells as lists of faces, and faces as loops of vertex ids. V: number of vertices, C: number of cells, F: number of
-// faces. Does not own the arrays.
+// Cells as lists of faces, and faces as loops of vertex ids. Standard cells may list their corners instead, which takes
+// less memory. V: number of vertices, C: number of cells, F: number of listed faces. Does not own the arrays.
 // Each face belongs to one cell, in any winding. A face between two cells is listed twice, once for each cell.
 // Collapsed cells are allowed: a loop may repeat vertex ids, and a face may have collapsed to a line or a point. A cell
 // is closed when each half-edge between distinct vertices has a half-edge in the opposite direction.
@@ -24,8 +24,10 @@ struct PolyhedraView {
     std::span<const std::uint64_t> cell_offset; // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1
     std::span<const std::uint64_t> face_offset; // F + 1: index of the first vertex of face f in face_vertex
     std::span<const Index> face_vertex;
-
-    [[nodiscard]] bool is_face(std::uint64_t f) const { return face_offset[f + 1] - face_offset[f] >= 3; }
+    // C + 1, or empty if all cells list their faces: cell c has the corners corner_offset[c] to corner_offset[c + 1]
+    // - 1. A cell with corners lists no faces. It has the faces of append_standard_faces.
+    std::span<const std::uint64_t> corner_offset = {};
+    std::span<const Index> corner = {}; // vertices, in VTK's order of the corners
 };
 
 // Cells that assemble() left out for one reason. The faces between these cells and other cells become boundary faces.
@@ -64,9 +66,8 @@ struct Assembled {
     // Cells are in the order of a space-filling (Hilbert) curve. Faces are sorted by (owner, neighbour). Vertices are
     // in the order of their first use in the faces.
     FaceMesh mesh;
-    std::vector<Index> original_vertex;     // stored vertex -> input vertex; without unused input vertices
-    std::vector<Index> original_cell;       // stored cell -> input cell
-    std::vector<std::uint64_t> face_source; // stored face -> input face of the owner cell
+    std::vector<Index> original_vertex; // stored vertex -> input vertex; without unused input vertices
+    std::vector<Index> original_cell;   // stored cell -> input cell
     AssembleReport report;
 };
 

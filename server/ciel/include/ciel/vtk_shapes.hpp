@@ -23,6 +23,9 @@ struct VtkShape {
 
 using VtkCorners = std::array<Index, 12>; // a hexagonal prism, the shape with the most corners, has 12
 
+// Returns the corners in the order of append_standard_faces. `corners`: the first shape.corners points of the cell.
+[[nodiscard]] VtkCorners standard_corners(const VtkShape& shape, VtkCorners corners);
+
 // Appends the faces of a cell (append_standard_faces, append_prism_faces). `corners`: its first shape.corners points.
 // `face_offset` must begin with 0; it gets the end of each face in face_vertex.
 void append_vtk_faces(const VtkShape& shape, VtkCorners corners, std::vector<std::uint64_t>& face_offset,

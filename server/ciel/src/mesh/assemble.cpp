@@ -12,32 +12,13 @@ namespace ciel {
 
 using detail::CellWinding;
 using detail::hilbert_key;
+using detail::InputFaces;
 using detail::match_faces;
 using detail::MatchedFaces;
 
 namespace {
 
 constexpr std::size_t cells_per_task = 4096;
-
-void check_offsets(std::span<const std::uint64_t> offsets, std::uint64_t end, const std::string& name) {
-    if (offsets.empty() || offsets.front() != 0 || !std::ranges::is_sorted(offsets) || offsets.back() != end)
-        fail(name + " must rise from 0 to " + std::to_string(end) + ", the length of the array that it indexes");
-}
-
-void check_sizes(const PolyhedraView& input) {
-    if (input.positions.size() % 3 != 0) fail("positions must hold three numbers per vertex");
-    if (input.positions.size() / 3 >= none || input.cell_types.size() >= none || input.face_offset.size() > none)
-        fail("the mesh has more than 4,294,967,294 vertices, cells or faces; split the dataset");
-    if (input.cell_offset.size() != input.cell_types.size() + 1)
-        fail("cell_offset must hold one number more than there are cells (" + std::to_string(input.cell_types.size()) +
-             ")");
-    check_offsets(input.cell_offset, input.face_offset.empty() ? 0 : input.face_offset.size() - 1, "cell_offset");
-    check_offsets(input.face_offset, input.face_vertex.size(), "face_offset");
-    for (const std::uint8_t type : input.cell_types)
-        if (type != 10 && type != 12 && type != 13 && type != 14 && type != 42)
-            fail("cell type " + std::to_string(type) +
-                 " is not known; use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 (polyhedron)");
-}
 
 struct Judged {
     // By input cell. `key`: the place on the Hilbert curve.
@@ -67,12 +48,12 @@ std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3
     return key;
 }
 
-Judged judge_cells(const PolyhedraView& input) {
-    const std::size_t cells = input.cell_types.size();
+Judged judge_cells(const InputFaces& input) {
+    const std::size_t cells = input.cell_count();
     Judged judged;
     judged.bad.resize(cells);
     judged.volume.resize(cells);
-    judged.turn.resize(input.face_offset.size() - 1);
+    judged.turn.resize(input.face_count());
     std::vector<Vec3d> centre(cells);
     // Few tasks, because each CellWinding allocates a table with one entry per mesh vertex.
     const std::size_t grain = std::max(cells_per_task, cells / (std::size_t{4} * thread_count()) + 1);
@@ -100,18 +81,18 @@ void report_bad_cells(const Judged& judged, AssembleReport& report) {
     }
 }
 
-void report_faces(const PolyhedraView& input, const Judged& judged, AssembleReport& report) {
-    for (std::size_t c = 0; c < judged.bad.size(); ++c) {
+void report_faces(const InputFaces& input, const Judged& judged, AssembleReport& report) {
+    for (Index c = 0; c < judged.bad.size(); ++c) {
         if (judged.bad[c]) continue;
         std::uint64_t faces = 0, turned = 0, short_faces = 0;
-        for (std::uint64_t f = input.cell_offset[c]; f < input.cell_offset[c + 1]; ++f) {
-            const bool is_face = input.is_face(f);
+        for (Index f = input.begin(c); f < input.end(c); ++f) {
+            const bool is_face = input.is_face(c, f);
             faces += is_face ? 1 : 0;
             turned += is_face && judged.turn[f] ? 1 : 0;
             short_faces += is_face ? 0 : 1;
         }
         report.short_faces += short_faces;
-        if (short_faces > 0 && report.first_short.size() < 10) report.first_short.push_back(static_cast<Index>(c));
+        if (short_faces > 0 && report.first_short.size() < 10) report.first_short.push_back(c);
         if (turned == faces)
             ++report.reversed_cells;
         else
@@ -131,11 +112,11 @@ std::vector<Index> curve_order(const Judged& judged) {
 }
 
 // Returns polyhedron when the numbers of faces and corners do not match the type. Later code relies on these numbers.
-CellType checked_type(const PolyhedraView& input, Index cell) {
-    const auto type = static_cast<CellType>(input.cell_types[cell]);
-    const std::uint64_t faces = input.cell_offset[cell + 1] - input.cell_offset[cell];
-    const std::uint64_t corners =
-        input.face_offset[input.cell_offset[cell + 1]] - input.face_offset[input.cell_offset[cell]];
+CellType checked_type(const InputFaces& input, Index cell) {
+    const auto type = static_cast<CellType>(input.input().cell_types[cell]);
+    const Index faces = input.end(cell) - input.begin(cell);
+    std::size_t corners = 0;
+    for (Index f = input.begin(cell); f < input.end(cell); ++f) corners += input.size(cell, f);
     const bool fits = (type == CellType::tetrahedron && faces == 4 && corners == 12) ||
                       (type == CellType::hexahedron && faces == 6 && corners == 24) ||
                       (type == CellType::wedge && faces == 5 && corners == 18) ||
@@ -147,64 +128,68 @@ CellType checked_type(const PolyhedraView& input, Index cell) {
 class FaceWriter {
 public:
     // `neighbour`: input face -> stored cell on the other side, or none.
-    FaceWriter(const PolyhedraView& input, std::span<const Index> order, std::span<const Index> neighbour,
+    FaceWriter(const InputFaces& input, std::span<const Index> order, std::span<const Index> neighbour,
                std::span<const std::uint8_t> turn)
         : input_(input), order_(order), neighbour_(neighbour), turn_(turn) {}
 
-    void write(Assembled& out) {
+    void write(FaceMesh& out) const {
         list_faces(out);
-        out.mesh.face_offset.resize(out.face_source.size() + 1);
-        for (std::size_t f = 0; f < out.face_source.size(); ++f) {
-            const std::uint64_t source = out.face_source[f];
-            out.mesh.face_offset[f + 1] =
-                out.mesh.face_offset[f] + input_.face_offset[source + 1] - input_.face_offset[source];
-        }
-        out.mesh.face_vertex.resize(out.mesh.face_offset.back());
-        parallel_for(out.face_source.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) copy_loop(out, f);
+        out.face_vertex.resize(out.face_offset.back());
+        parallel_for(order_.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
+            OwnFaces faces;
+            auto at = static_cast<std::size_t>(std::ranges::lower_bound(out.owner, begin) - out.owner.begin());
+            for (auto cell = static_cast<Index>(begin); cell < end; ++cell) {
+                own_faces(cell, faces);
+                for (const auto& [other, face] : faces) copy_loop(order_[cell], face, out, at++);
+            }
         });
     }
 
 private:
+    using OwnFaces = std::vector<std::pair<Index, Index>>; // (stored cell on the other side, input face), ascending
+
     // Calls f(input face) for the faces that the stored cell owns.
     template <class F>
     void for_own_faces(Index cell, F&& f) const {
         const Index source = order_[cell];
-        for (std::uint64_t face = input_.cell_offset[source]; face < input_.cell_offset[source + 1]; ++face)
-            if (input_.is_face(face) && neighbour_[face] > cell) f(face);
+        for (Index face = input_.begin(source); face < input_.end(source); ++face)
+            if (neighbour_[face] > cell && input_.is_face(source, face)) f(face);
+    }
+    void own_faces(Index cell, OwnFaces& out) const {
+        out.clear();
+        for_own_faces(cell, [&](Index face) { out.emplace_back(neighbour_[face], face); });
+        std::ranges::sort(out);
     }
 
-    void list_faces(Assembled& out) const {
+    void list_faces(FaceMesh& out) const {
         std::size_t count = 0;
-        for (Index cell = 0; cell < order_.size(); ++cell) for_own_faces(cell, [&](std::uint64_t) { ++count; });
-        out.mesh.owner.reserve(count);
-        out.mesh.neighbour.reserve(count);
-        out.face_source.reserve(count);
-        std::vector<std::pair<Index, std::uint64_t>> faces; // of one cell: (stored cell on the other side, input face)
+        for (Index cell = 0; cell < order_.size(); ++cell) for_own_faces(cell, [&](Index) { ++count; });
+        out.owner.reserve(count);
+        out.neighbour.reserve(count);
+        out.face_offset.reserve(count + 1);
+        out.face_offset.assign(1, 0);
+        OwnFaces faces;
         for (Index cell = 0; cell < order_.size(); ++cell) {
-            faces.clear();
-            for_own_faces(cell, [&](std::uint64_t face) { faces.emplace_back(neighbour_[face], face); });
-            std::ranges::sort(faces);
+            own_faces(cell, faces);
             for (const auto& [other, face] : faces) {
-                out.mesh.owner.push_back(cell);
-                out.mesh.neighbour.push_back(other);
-                out.face_source.push_back(face);
+                out.owner.push_back(cell);
+                out.neighbour.push_back(other);
+                out.face_offset.push_back(out.face_offset.back() + input_.size(order_[cell], face));
             }
         }
     }
 
-    void copy_loop(Assembled& out, std::size_t face) const {
-        const std::uint64_t source = out.face_source[face];
-        const auto loop = input_.face_vertex.subspan(input_.face_offset[source],
-                                                     input_.face_offset[source + 1] - input_.face_offset[source]);
-        const auto to = out.mesh.face_vertex.begin() + static_cast<std::ptrdiff_t>(out.mesh.face_offset[face]);
-        if (turn_[source])
+    void copy_loop(Index source, Index face, FaceMesh& out, std::size_t stored) const {
+        InputFaces::Corners corners;
+        const std::span<const Index> loop = input_.loop(source, face, corners);
+        const auto to = out.face_vertex.begin() + static_cast<std::ptrdiff_t>(out.face_offset[stored]);
+        if (turn_[face])
             std::ranges::reverse_copy(loop, to);
         else
             std::ranges::copy(loop, to);
     }
 
-    const PolyhedraView& input_;
+    const InputFaces& input_;
     std::span<const Index> order_, neighbour_;
     std::span<const std::uint8_t> turn_;
 };
@@ -232,12 +217,11 @@ void number_vertices(const PolyhedraView& input, Assembled& out) {
 namespace {
 
 // Matches the faces of good cells. Returns the input cell on the other side of each input face, or none.
-std::vector<Index> neighbours_of(const PolyhedraView& input, Judged& judged, AssembleReport& report) {
+std::vector<Index> neighbours_of(const InputFaces& input, Judged& judged, AssembleReport& report) {
     std::vector<Index> cell_of_face(judged.turn.size(), none);
     for (Index c = 0; c < judged.bad.size(); ++c)
         if (!judged.bad[c])
-            std::fill(cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c]),
-                      cell_of_face.begin() + static_cast<std::ptrdiff_t>(input.cell_offset[c + 1]), c);
+            std::ranges::fill(std::span(cell_of_face).subspan(input.begin(c), input.end(c) - input.begin(c)), c);
     MatchedFaces matched = match_faces(input, {cell_of_face, judged.volume, judged.turn});
     for (const Index cell : matched.repeated_cells) judged.bad[cell] = BadCells::Reason::repeated;
     report.internal_boundaries = matched.internal_boundaries;
@@ -251,10 +235,10 @@ std::vector<Index> neighbours_of(const PolyhedraView& input, Judged& judged, Ass
 
 } // namespace
 
-Assembled assemble(const PolyhedraView& input) {
-    check_sizes(input);
+Assembled assemble(const PolyhedraView& view) {
+    const InputFaces input(view);
     Assembled out;
-    out.mesh.origin = input.origin;
+    out.mesh.origin = view.origin;
     Judged judged = judge_cells(input);
     std::vector<Index> neighbour = neighbours_of(input, judged, out.report);
     judged.volume = {};
@@ -263,6 +247,7 @@ Assembled assemble(const PolyhedraView& input) {
 
     out.original_cell = curve_order(judged);
     judged.key = {};
+    out.mesh.cell_types.reserve(out.original_cell.size());
     for (const Index cell : out.original_cell)
         out.mesh.cell_types.push_back(static_cast<std::uint8_t>(checked_type(input, cell)));
     std::vector<Index> rank(judged.bad.size(), none); // input cell -> stored cell
@@ -270,8 +255,9 @@ Assembled assemble(const PolyhedraView& input) {
     for (Index& cell : neighbour)
         if (cell != none) cell = rank[cell];
     rank = {};
-    FaceWriter(input, out.original_cell, neighbour, judged.turn).write(out);
-    number_vertices(input, out);
+    FaceWriter(input, out.original_cell, neighbour, judged.turn).write(out.mesh);
+    neighbour = {};
+    number_vertices(view, out);
     return out;
 }
 

@@ -11,17 +11,17 @@ namespace ciel::detail {
 
 using Reason = BadCells::Reason;
 
-CellWinding::CellWinding(const PolyhedraView& input) : input_(input), local_of_(input.positions.size() / 3, none) {}
+CellWinding::CellWinding(const InputFaces& input) : input_(input), local_of_(input.vertex_count(), none) {}
 
 bool CellWinding::gather(Index cell) {
     faces_.clear();
     from_.clear();
     face_of_.clear();
     vertices_.clear();
-    for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
-        if (!input_.is_face(f)) continue;
-        const auto loop =
-            input_.face_vertex.subspan(input_.face_offset[f], input_.face_offset[f + 1] - input_.face_offset[f]);
+    InputFaces::Corners corners;
+    for (Index f = input_.begin(cell); f < input_.end(cell); ++f) {
+        const std::span<const Index> loop = input_.loop(cell, f, corners);
+        if (loop.size() < 3) continue;
         if (std::ranges::any_of(loop, [&](Index v) { return v >= local_of_.size(); })) return false;
         loop_.clear();
         append_without_repeats(loop, loop_);
@@ -146,13 +146,13 @@ Index CellWinding::spread_winding() {
 }
 
 std::vector<Index> CellWinding::lobes(Index cell) {
-    std::vector<Index> out(input_.cell_offset[cell + 1] - input_.cell_offset[cell], 0);
+    std::vector<Index> out(input_.end(cell) - input_.begin(cell), 0);
     if (gather(cell) && collect_edges()) {
         const Index count = spread_winding();
         if (count > 1) {
             join_open_lobes(count);
             for (Index face = 0; face < faces_.size(); ++face)
-                out[faces_[face].id - input_.cell_offset[cell]] = joined(lobe_[face]);
+                out[faces_[face].id - input_.begin(cell)] = joined(lobe_[face]);
         }
     }
     forget();
@@ -193,7 +193,8 @@ std::optional<Reason> CellWinding::make_agree() {
 
 Vec3d CellWinding::position(Index local) const {
     const std::size_t at = 3 * std::size_t{vertices_[local]};
-    return {input_.positions[at], input_.positions[at + 1], input_.positions[at + 2]};
+    const ValuesView& positions = input_.input().positions;
+    return {positions[at], positions[at + 1], positions[at + 2]};
 }
 
 Vec3d CellWinding::centre() const {

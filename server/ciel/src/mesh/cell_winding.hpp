@@ -2,17 +2,17 @@
 // outwards. Finds mates as the paper does (appendix A).
 #pragma once
 
-#include "ciel/assemble.hpp"
+#include "mesh/input_faces.hpp"
 
 #include <optional>
 
 namespace ciel::detail {
 
-// Each thread needs its own object. The input must outlive the object, and the sizes of its arrays must have been
-// checked. For a bad cell, `judge` does not throw; the Verdict has the reason.
+// Each thread needs its own object. The input must outlive the object. For a bad cell, `judge` does not throw; the
+// Verdict has the reason.
 class CellWinding {
 public:
-    explicit CellWinding(const PolyhedraView& input);
+    explicit CellWinding(const InputFaces& input);
 
     struct Verdict {
         std::optional<BadCells::Reason> bad;
@@ -28,7 +28,7 @@ public:
 
 private:
     struct Face {
-        std::uint64_t id;
+        Index id;         // input face
         Index begin, end; // range of the half-edges of the face in from_
         bool turned = false;
     };
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] Vec3d centre() const;
     [[nodiscard]] double signed_volume(const Vec3d& centre) const;
 
-    const PolyhedraView& input_;
+    const InputFaces& input_;
     std::vector<Index> local_of_; // input vertex -> local vertex; none if not in this cell
     std::vector<Index> vertices_; // local vertex -> input vertex
     std::vector<Face> faces_;     // the cell's faces that have at least three vertices

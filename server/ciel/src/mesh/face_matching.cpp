@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::size_t faces_per_task = 16384, vertices_per_task = 4096;
 
-void append_loop(const PolyhedraView& input, Index face, std::vector<Index>& out) {
-    const std::uint64_t begin = input.face_offset[face];
-    append_without_repeats(input.face_vertex.subspan(begin, input.face_offset[face + 1] - begin), out);
-}
-
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
 // The faces whose smallest vertex is v are face[begin[v]] to face[begin[v + 1] - 1], ascending.
@@ -31,17 +26,18 @@ struct FacesByVertex {
 
 // `scratch`: one element for each face. Leaves out faces that collapsed to a line or a point, which do not separate
 // cells, and faces without a cell. They stay on the boundary.
-FacesByVertex group_faces(const PolyhedraView& input, std::span<const Index> cell_of_face, std::span<Index> scratch) {
+FacesByVertex group_faces(const InputFaces& input, std::span<const Index> cell_of_face, std::span<Index> scratch) {
     parallel_for(scratch.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
         std::vector<Index> loop;
-        for (std::size_t f = first; f < last; ++f) {
+        InputFaces::Corners corners;
+        for (auto f = static_cast<Index>(first); f < last; ++f) {
             loop.clear();
-            if (cell_of_face[f] != none) append_loop(input, static_cast<Index>(f), loop);
+            if (cell_of_face[f] != none) append_without_repeats(input.loop(cell_of_face[f], f, corners), loop);
             scratch[f] = loop.size() < 3 ? none : *std::ranges::min_element(loop);
         }
     });
     FacesByVertex out;
-    out.begin.assign(input.positions.size() / 3 + 1, 0);
+    out.begin.assign(std::size_t{input.vertex_count()} + 1, 0);
     for (const Index smallest : scratch)
         if (smallest != none) ++out.begin[std::size_t{smallest} + 1];
     for (std::size_t v = 1; v < out.begin.size(); ++v) out.begin[v] += out.begin[v - 1];
@@ -54,23 +50,28 @@ FacesByVertex group_faces(const PolyhedraView& input, std::span<const Index> cel
 
 enum class Relation { different, same_direction, opposite };
 
-// Compares the loops of faces. Not thread-safe.
-class LoopComparison {
+// Loops of faces without repeated vertices. Each thread needs its own object.
+class Loops {
 public:
-    explicit LoopComparison(const PolyhedraView& input) : input_(input) {}
+    Loops(const InputFaces& input, std::span<const Index> cell_of_face) : input_(input), cell_of_face_(cell_of_face) {}
 
-    Relation operator()(Index a, Index b);
+    // Sets `loop` to the loop of the face.
+    void read(Index face, std::vector<Index>& loop) {
+        loop.clear();
+        append_without_repeats(input_.loop(cell_of_face_[face], face, corners_), loop);
+    }
+    [[nodiscard]] Relation compare(Index a, Index b);
 
 private:
-    const PolyhedraView& input_;
+    const InputFaces& input_;
+    std::span<const Index> cell_of_face_;
+    InputFaces::Corners corners_{};
     std::vector<Index> loop_a_, loop_b_;
 };
 
-Relation LoopComparison::operator()(Index a, Index b) {
-    loop_a_.clear();
-    loop_b_.clear();
-    append_loop(input_, a, loop_a_);
-    append_loop(input_, b, loop_b_);
+Relation Loops::compare(Index a, Index b) {
+    read(a, loop_a_);
+    read(b, loop_b_);
     const std::size_t n = loop_a_.size();
     if (n != loop_b_.size()) return Relation::different;
     for (std::size_t shift = 0; shift < n; ++shift) {
@@ -89,7 +90,7 @@ Relation LoopComparison::operator()(Index a, Index b) {
 // Finds equal faces among faces with the same smallest vertex. Each thread needs its own object.
 class EqualFaces {
 public:
-    explicit EqualFaces(const PolyhedraView& input) : input_(input), compare_(input) {}
+    explicit EqualFaces(const Loops& loops) : loops_(loops) {}
 
     // Calls settle(group) for each group of two or more equal faces. The faces of a group ascend.
     template <class Settle>
@@ -103,8 +104,7 @@ private:
     template <class Settle>
     void compare_all(std::span<const Claim> claims, Settle&& settle);
 
-    const PolyhedraView& input_;
-    LoopComparison compare_;
+    Loops loops_;
     std::vector<Claim> claims_;
     std::vector<Index> loop_, left_, group_, rest_;
 };
@@ -113,8 +113,7 @@ template <class Settle>
 void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
     claims_.clear();
     for (const Index face : faces) {
-        loop_.clear();
-        append_loop(input_, face, loop_);
+        loops_.read(face, loop_);
         Claim claim{0, face};
         for (const Index v : loop_) claim.fingerprint += mix(v); // a sum does not depend on the vertex order
         claims_.push_back(claim);
@@ -136,7 +135,7 @@ void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
         group_.assign(1, left_[0]);
         rest_.clear();
         for (std::size_t i = 1; i < left_.size(); ++i)
-            (compare_(left_[0], left_[i]) == Relation::different ? rest_ : group_).push_back(left_[i]);
+            (loops_.compare(left_[0], left_[i]) == Relation::different ? rest_ : group_).push_back(left_[i]);
         if (group_.size() > 1) settle(group_);
         left_.swap(rest_);
     }
@@ -144,7 +143,7 @@ void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
 
 class Matcher {
 public:
-    Matcher(const PolyhedraView& input, CellOfFace faces) : input_(input), faces_(faces), compare_(input) {}
+    Matcher(const InputFaces& input, CellOfFace faces) : input_(input), faces_(faces), loops_(input, faces.cell) {}
 
     MatchedFaces run();
 
@@ -159,11 +158,11 @@ private:
     void spread_from(Index start);
     void settle_crowd(const std::vector<Index>& group);
 
-    const PolyhedraView& input_;
+    const InputFaces& input_;
     CellOfFace faces_;
     MatchedFaces result_;
     std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
-    LoopComparison compare_;
+    Loops loops_;
     // A unit is a set of faces that are reversed together: a cell, or one lobe of a cell (CellWinding::lobes). Unit c
     // is cell c or its first lobe. The units of further lobes have numbers after all cells.
     std::vector<Index> unit_of_face_;
@@ -173,7 +172,7 @@ private:
 };
 
 bool Matcher::wound_alike(Index a, Index b) {
-    return (compare_(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
+    return (loops_.compare(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
 }
 
 void Matcher::match(Index a, Index b) {
@@ -221,7 +220,7 @@ void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
         const std::vector<Index> lobes = winding.lobes(cell);
         const auto first_new = static_cast<Index>(cell_of_unit_.size());
         for (std::size_t i = 0; i < lobes.size(); ++i)
-            if (lobes[i] > 0) unit_of_face_[input_.cell_offset[cell] + i] = first_new + lobes[i] - 1;
+            if (lobes[i] > 0) unit_of_face_[input_.begin(cell) + i] = first_new + lobes[i] - 1;
         cell_of_unit_.resize(first_new + *std::ranges::max_element(lobes), cell);
         divided_[cell] = cell_of_unit_.size() > first_new ? 1 : 0;
     }
@@ -235,10 +234,10 @@ void Matcher::spread_from(Index start) {
     parity_[start] = 1;
     for (std::size_t next = 0; next < component.size(); ++next) {
         const Index unit = component[next], cell = cell_of_unit_[unit];
-        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+        for (Index f = input_.begin(cell); f < input_.end(cell); ++f) {
             if (unit_of_face_[f] != unit || result_.partner[f] == none) continue;
             const Index other = unit_of_face_[result_.partner[f]];
-            const bool turn = wound_alike(static_cast<Index>(f), result_.partner[f]);
+            const bool turn = wound_alike(f, result_.partner[f]);
             const auto parity = turn ? static_cast<std::uint8_t>(3 - parity_[unit]) : parity_[unit];
             if (parity_[other] == 0) {
                 parity_[other] = parity;
@@ -295,9 +294,9 @@ std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)
         for (const Index f : crowd) out.push_back(faces_.cell[f]);
-    for (Index cell = 0; cell < input_.cell_types.size(); ++cell) {
+    for (Index cell = 0; cell < input_.cell_count(); ++cell) {
         Index other = none;
-        for (std::uint64_t f = input_.cell_offset[cell]; f < input_.cell_offset[cell + 1]; ++f) {
+        for (Index f = input_.begin(cell); f < input_.end(cell); ++f) {
             if (result_.partner[f] == none) continue;
             const Index behind = faces_.cell[result_.partner[f]];
             if (behind == other) out.push_back(cell);
@@ -313,9 +312,7 @@ std::vector<Index> Matcher::suspects() const {
 bool Matcher::leave_out_repeated_cells() {
     result_.repeated_cells = repeated_cells(input_, suspects());
     for (const Index cell : result_.repeated_cells)
-        std::ranges::fill(
-            faces_.cell.subspan(input_.cell_offset[cell], input_.cell_offset[cell + 1] - input_.cell_offset[cell]),
-            none);
+        std::ranges::fill(faces_.cell.subspan(input_.begin(cell), input_.end(cell) - input_.begin(cell)), none);
     return !result_.repeated_cells.empty();
 }
 
@@ -327,7 +324,7 @@ void Matcher::pair_faces() {
     std::vector<std::pair<std::size_t, std::vector<std::vector<Index>>>> crowds; // (first vertex, crowds of a task)
     Mutex mutex;
     parallel_for(faces.begin.size() - 1, vertices_per_task, [&](std::size_t first, std::size_t last) {
-        EqualFaces equal(input_);
+        EqualFaces equal(loops_);
         std::vector<std::vector<Index>> of_task;
         for (std::size_t v = first; v < last; ++v)
             equal.for_groups(std::span(faces.face).subspan(faces.begin[v], faces.begin[v + 1] - faces.begin[v]),
@@ -357,6 +354,6 @@ MatchedFaces Matcher::run() {
 
 } // namespace
 
-MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces) { return Matcher(input, faces).run(); }
+MatchedFaces match_faces(const InputFaces& input, CellOfFace faces) { return Matcher(input, faces).run(); }
 
 } // namespace ciel::detail

@@ -1,7 +1,7 @@
 // Matches each face of a cell with the equal face of the adjacent cell (paper, appendix A: the counterpart).
 #pragma once
 
-#include "ciel/assemble.hpp"
+#include "mesh/input_faces.hpp"
 
 namespace ciel::detail {
 
@@ -21,6 +21,6 @@ struct MatchedFaces {
 
 // Takes linear time: a face is compared only with faces that have the same smallest vertex. Sets `turn` so that the
 // loops of two matched faces have opposite directions after the marked faces are reversed.
-[[nodiscard]] MatchedFaces match_faces(const PolyhedraView& input, CellOfFace faces);
+[[nodiscard]] MatchedFaces match_faces(const InputFaces& input, CellOfFace faces);
 
 } // namespace ciel::detail

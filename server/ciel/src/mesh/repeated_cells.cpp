@@ -27,13 +27,12 @@ Loop canonical(const Loop& loop) {
 }
 
 // Returns an empty list when all faces have collapsed, or when a face occurs twice.
-std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
+std::vector<Loop> faces_of(const InputFaces& input, Index cell) {
     std::vector<Loop> faces;
-    for (std::uint64_t f = input.cell_offset[cell]; f < input.cell_offset[cell + 1]; ++f) {
+    InputFaces::Corners corners;
+    for (Index f = input.begin(cell); f < input.end(cell); ++f) {
         Loop loop;
-        const std::uint64_t begin = input.face_offset[f];
-        if (append_without_repeats(input.face_vertex.subspan(begin, input.face_offset[f + 1] - begin), loop) >= 3)
-            faces.push_back(canonical(loop));
+        if (append_without_repeats(input.loop(cell, f, corners), loop) >= 3) faces.push_back(canonical(loop));
     }
     std::ranges::sort(faces);
     if (std::ranges::adjacent_find(faces) != faces.end()) faces.clear();
@@ -42,7 +41,7 @@ std::vector<Loop> faces_of(const PolyhedraView& input, Index cell) {
 
 } // namespace
 
-std::vector<Index> repeated_cells(const PolyhedraView& input, std::span<const Index> suspects) {
+std::vector<Index> repeated_cells(const InputFaces& input, std::span<const Index> suspects) {
     std::map<std::vector<Loop>, Index> first;
     std::vector<Index> repeated;
     for (const Index cell : suspects) {

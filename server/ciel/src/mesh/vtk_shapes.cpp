@@ -47,12 +47,17 @@ const VtkShape* find_vtk_shape(std::int64_t vtk_type) {
     return found == std::end(shapes) ? nullptr : found;
 }
 
-void append_vtk_faces(const VtkShape& shape, VtkCorners corners, std::vector<std::uint64_t>& face_offset,
-                      std::vector<Index>& face_vertex) {
+VtkCorners standard_corners(const VtkShape& shape, VtkCorners corners) {
     if (shape.vtk_type == voxel) {
         std::swap(corners[2], corners[3]);
         std::swap(corners[6], corners[7]);
     }
+    return corners;
+}
+
+void append_vtk_faces(const VtkShape& shape, VtkCorners corners, std::vector<std::uint64_t>& face_offset,
+                      std::vector<Index>& face_vertex) {
+    corners = standard_corners(shape, corners);
     const std::span<const Index> used(corners.data(), shape.corners);
     if (shape.type == CellType::polyhedron)
         append_prism_faces(used, face_offset, face_vertex);

@@ -1,0 +1,44 @@
+// Faces of cells that list their faces, and of standard cells that list their corners (PolyhedraView).
+#pragma once
+
+#include "ciel/assemble.hpp"
+
+#include <array>
+
+namespace ciel::detail {
+
+// Numbers the faces of all cells, cell by cell. Thread-safe. The input must outlive the object.
+class InputFaces {
+public:
+    using Corners = std::array<Index, 4>; // the largest face of a standard cell has four
+
+    // Throws Error when an array of `input` has a wrong size, a cell type is unknown, or there are too many faces.
+    explicit InputFaces(const PolyhedraView& input);
+
+    [[nodiscard]] const PolyhedraView& input() const { return input_; }
+    [[nodiscard]] Index cell_count() const { return static_cast<Index>(input_.cell_types.size()); }
+    [[nodiscard]] Index vertex_count() const { return static_cast<Index>(input_.positions.size() / 3); }
+    [[nodiscard]] Index face_count() const { return static_cast<Index>(begin_.back()); }
+    // The faces of a cell have the ids begin(cell) to end(cell) - 1.
+    [[nodiscard]] Index begin(Index cell) const { return static_cast<Index>(begin_[cell]); }
+    [[nodiscard]] Index end(Index cell) const { return static_cast<Index>(begin_[cell + 1]); }
+
+    // Returns the vertex ids of a face of the cell. `scratch` gets the ids of a standard cell's face.
+    [[nodiscard]] std::span<const Index> loop(Index cell, Index face, Corners& scratch) const;
+    [[nodiscard]] std::size_t size(Index cell, Index face) const;
+    [[nodiscard]] bool is_face(Index cell, Index face) const { return size(cell, face) >= 3; }
+
+private:
+    [[nodiscard]] bool has_corners(Index cell) const {
+        return !input_.corner_offset.empty() && input_.corner_offset[cell] != input_.corner_offset[cell + 1];
+    }
+    void check_offsets() const;
+    void check_cells() const;
+    void number_faces();
+
+    const PolyhedraView& input_;
+    std::vector<std::uint64_t> own_begin_;
+    std::span<const std::uint64_t> begin_; // C + 1: own_begin_, or input_.cell_offset if all cells list their faces
+};
+
+} // namespace ciel::detail
