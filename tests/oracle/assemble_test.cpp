@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <set>
 
 namespace ciel::test {
@@ -79,7 +81,7 @@ TEST_P(Assemble, KeepsTheContractOfFaceMeshView) {
     }
 }
 
-TEST_P(Assemble, CarriesVerticesAndTheSourceOfFaces) {
+TEST_P(Assemble, CarriesVerticesAndTheLoopsOfOwners) {
     const Assembled assembled = assemble(view(input));
     const FaceMeshView mesh = assembled.mesh.view();
     std::set<Id> used(input.face_vertex.begin(), input.face_vertex.end());
@@ -91,16 +93,97 @@ TEST_P(Assemble, CarriesVerticesAndTheSourceOfFaces) {
             EXPECT_EQ(mesh.positions[3 * v + d], input.positions[3 * assembled.original_vertex[v] + d]);
         }
     }
-    ASSERT_EQ(assembled.face_source.size(), mesh.face_count());
+    const CellFaces listed = faces_of(input);
     for (Index f = 0; f < mesh.face_count(); ++f) {
-        const std::uint64_t source = assembled.face_source[f];
-        const Id owner = assembled.original_cell[mesh.owner[f]];
-        ASSERT_GE(source, input.cell_offset[owner]);
-        ASSERT_LT(source, input.cell_offset[owner + 1]);
         Loop loop;
         for (Index v : mesh.loop(f)) loop.push_back(assembled.original_vertex[v]);
-        EXPECT_EQ(canonical(loop), canonical({input.face(source).begin(), input.face(source).end()}));
+        EXPECT_TRUE(listed[assembled.original_cell[mesh.owner[f]]].contains(canonical(loop))) << "face " << f;
     }
+}
+
+// The same mesh, but with the corners of the standard cells whose faces are in the order of append_standard_faces.
+struct ByCorners {
+    Polyhedra listed; // the other cells
+    std::vector<std::uint64_t> corner_offset{0};
+    std::vector<Index> corner;
+
+    explicit ByCorners(const Polyhedra& mesh) : listed(mesh) {
+        listed.cell_offset.assign(1, 0);
+        listed.face_offset.assign(1, 0);
+        listed.face_vertex.clear();
+        for (Id cell = 0; cell < mesh.cell_count(); ++cell) {
+            const std::vector<Index> corners = corners_of(mesh, cell);
+            corner.insert(corner.end(), corners.begin(), corners.end());
+            corner_offset.push_back(corner.size());
+            if (corners.empty())
+                for (const Loop& loop : mesh.loops(cell)) {
+                    listed.face_vertex.insert(listed.face_vertex.end(), loop.begin(), loop.end());
+                    listed.face_offset.push_back(listed.face_vertex.size());
+                }
+            listed.cell_offset.push_back(listed.face_offset.size() - 1);
+        }
+    }
+    [[nodiscard]] PolyhedraView view() const {
+        PolyhedraView out = test::view(listed);
+        out.corner_offset = corner_offset;
+        out.corner = corner;
+        return out;
+    }
+
+    // Returns no corners if the faces do not have the order of append_standard_faces.
+    static std::vector<Index> corners_of(const Polyhedra& mesh, Id cell) {
+        const std::map<std::uint8_t, std::size_t> counts{{tetrahedron, 4}, {hexahedron, 8}, {wedge, 6}, {pyramid, 5}};
+        const auto count = counts.find(mesh.cell_types[cell]);
+        if (count == counts.end()) return {};
+        std::vector<Index> places(count->second), corners(count->second, none), places_of_faces, vertices;
+        std::iota(places.begin(), places.end(), 0U);
+        std::vector<std::uint64_t> offset{0}, wanted{0};
+        append_standard_faces(static_cast<CellType>(count->first), places, wanted, places_of_faces);
+        for (const Loop& loop : mesh.loops(cell)) {
+            vertices.insert(vertices.end(), loop.begin(), loop.end());
+            offset.push_back(vertices.size());
+        }
+        if (offset != wanted) return {};
+        for (std::size_t i = 0; i < vertices.size(); ++i) corners[places_of_faces[i]] = vertices[i];
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            if (corners[places_of_faces[i]] != vertices[i]) return {};
+        return corners;
+    }
+};
+
+TEST_P(Assemble, CornersGiveTheSameMeshAsFaces) {
+    const ByCorners by_corners(input);
+    const Assembled expected = assemble(view(input)), found = assemble(by_corners.view());
+    EXPECT_EQ(found.original_vertex, expected.original_vertex);
+    EXPECT_EQ(found.original_cell, expected.original_cell);
+    EXPECT_EQ(found.mesh.positions, expected.mesh.positions);
+    EXPECT_EQ(found.mesh.cell_types, expected.mesh.cell_types);
+    EXPECT_EQ(found.mesh.face_offset, expected.mesh.face_offset);
+    EXPECT_EQ(found.mesh.face_vertex, expected.mesh.face_vertex);
+    EXPECT_EQ(found.mesh.owner, expected.mesh.owner);
+    EXPECT_EQ(found.mesh.neighbour, expected.mesh.neighbour);
+}
+
+TEST(AssembleCorners, WrongCornersAreRefusedOrLeftOut) {
+    const Polyhedra input = hexahedra({{3, 1, 1}});
+    ByCorners mesh(input);
+    ASSERT_EQ(mesh.corner.size(), 24U); // the test's cells list their faces in this order
+    mesh.corner[9] = 1000;
+    const Assembled found = assemble(mesh.view());
+    ASSERT_EQ(found.report.bad_cells.size(), 1U);
+    EXPECT_EQ(found.report.bad_cells[0].reason, BadCells::Reason::index_out_of_range);
+    EXPECT_EQ(found.report.bad_cells[0].first_ids, std::vector<Index>{1});
+    EXPECT_EQ(found.mesh.cell_types.size(), 2U);
+
+    mesh.corner_offset[1] = 7;
+    EXPECT_THROW((void)assemble(mesh.view()), Error);
+    mesh.corner_offset = {0, 8, 24};
+    EXPECT_THROW((void)assemble(mesh.view()), Error);
+    const std::vector<std::uint64_t> offset{0, 8, 16, 24};
+    PolyhedraView both = view(input);
+    both.corner_offset = offset;
+    both.corner = mesh.corner;
+    EXPECT_THROW((void)assemble(both), Error); // the cells list their faces, too
 }
 
 TEST_P(Assemble, FacesMatchWhereTwoCellsClaimThem) {

@@ -46,7 +46,8 @@ Polyhedra cubes_as_one_cell(int n, const Filled& filled) {
 
 std::vector<Index> lobes_of(const Polyhedra& cell) {
     const PolyhedraView view = cell.view();
-    return detail::CellWinding(view).lobes(0);
+    const detail::InputFaces faces(view);
+    return detail::CellWinding(faces).lobes(0);
 }
 
 // Expects each edge of each lobe to occur an even number of times. The cell's faces are quadrilaterals.

@@ -40,8 +40,8 @@ struct FaceShape {
 // mesh.vertex_count().
 [[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
 
-// `faces`: the faces of the cell, in the order of their ids; the areas point out of the cell. `centre`: its centroid, as
-// an offset from the mesh's origin.
+// `faces`: the faces of the cell, in the order of their ids; the areas point out of the cell. `centre`: its centroid,
+// as an offset from the mesh's origin.
 using OnCell = std::function<void(Index cell, std::span<const FaceShape> faces, const Vec3d& centre)>;
 // Calls visit(cell, faces, centre) for each cell of the mesh. Several threads may call it at the same time, for
 // different cells; `faces` is valid only during the call. Keeps the shapes of no other cells. Uses all threads of

@@ -8,7 +8,7 @@
 
 namespace ciel::detail {
 
-// A block that is not yet linked to other blocks, with tables that only link_blocks needs.
+// A block that is not yet linked to other blocks, with tables that only the BlockLinker needs.
 struct BuiltBlock {
     BlockOf<Owned> block; // ghost and owned vertices and edges are not yet separated
     BlockAroundOf<Owned> around;

@@ -1,4 +1,5 @@
-// Faces of cells that list their faces, and of standard cells that list their corners (PolyhedraView).
+// Faces of cells that list their faces (the input of the paper, appendix A), and of standard cells that list their
+// corners (PolyhedraView).
 #pragma once
 
 #include "ciel/assemble.hpp"
