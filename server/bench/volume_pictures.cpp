@@ -50,7 +50,6 @@ VolumePictures::VolumePictures(const Case& data)
     : data_(data), values_(converted(data.values, false)),
       gradients_(ciel::vertex_gradients(*data.topology, data.mesh, data.values)),
       filled_(geometry::filled_cells({*data.topology, values_, data.topology})), // the field is used in this call only
-
       boundary_(boundary_of(data, {*data.topology, values_.floats(), gradients_, filled_})) {
     frame_.width = frame_.height = side;
     frame_.origin = data.mesh.surface_origin;

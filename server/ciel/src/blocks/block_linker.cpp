@@ -261,10 +261,13 @@ std::vector<Index> BlockLinker::own_edges(BuiltBlock& built) {
     block.edge_begin = static_cast<Index>(edges_);
     numbers_.edge.push_back(block.edge_begin);
     const auto is_open = [this](Index vertex) { return this->is_open(vertex); };
+    std::vector<std::uint8_t> open(built.vertices.size()); // by local vertex
+    std::ranges::transform(built.vertices, open.begin(), is_open);
     for (Index e = 0; e < renumbered.size(); ++e) {
         if (renumbered[e] == none) continue;
-        const Index low = built.vertices[built.edge_ends[e][0]], high = built.vertices[built.edge_ends[e][1]];
-        if (is_open(low) && is_open(high)) open_edges_.add(low, high, static_cast<Index>(edges_), is_open);
+        const auto [low, high] = built.edge_ends[e];
+        if (open[low] != 0 && open[high] != 0)
+            open_edges_.add(built.vertices[low], built.vertices[high], static_cast<Index>(edges_), is_open);
         renumbered[e] = static_cast<Index>(ghosts.size() + edges_ - block.edge_begin);
         ++edges_;
     }

@@ -74,10 +74,17 @@ std::uint64_t count_components(const FaceMeshView& mesh) {
 // Returns the last cell with a face that has the vertex, for each vertex.
 std::vector<Index> last_cells(const FaceMeshView& mesh) {
     std::vector<Index> last(mesh.vertex_count(), 0);
-    for (Index face = 0; face < mesh.face_count(); ++face) {
-        const Index neighbour = mesh.neighbour[face];
-        const Index cell = neighbour == none ? mesh.owner[face] : neighbour;
-        for (const Index vertex : mesh.loop(face)) last[vertex] = std::max(last[vertex], cell);
+    const auto owners = mesh.owner.unchecked(), neighbours = mesh.neighbour.unchecked();
+    const auto offsets = mesh.face_offset.unchecked();
+    const auto vertices = mesh.face_vertex.unchecked();
+    std::uint64_t at = 0;
+    for (std::size_t face = 0; face < owners.size(); ++face) {
+        const Index neighbour = neighbours[face], cell = neighbour == none ? owners[face] : neighbour;
+        for (const std::uint64_t end = std::min<std::uint64_t>(offsets[face + 1], vertices.size()); at < end; ++at) {
+            const Index vertex = vertices[at];
+            if (vertex >= last.size()) mesh.face_vertex.refuse(); // the mapped file changed
+            if (last[vertex] < cell) last[vertex] = cell;
+        }
     }
     return last;
 }
