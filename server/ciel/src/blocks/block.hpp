@@ -243,20 +243,23 @@ struct PlaceInFace {
 
     // Returns the half-edge that is `steps` forward around the face.
     [[nodiscard]] Index turned(Index steps) const {
-        return first + (place + (backwards ? size - steps % size : steps % size)) % size;
+        return first + (place + (backwards ? size - steps % size : steps)) % size;
     }
 };
+
+template <template <class> class Array>
+[[nodiscard]] PlaceInFace place_in_face(const StandardSectionOf<Array>& section, Index local_half_edge) {
+    const StandardShape& shape = *section.shape;
+    const Index of_cell = (local_half_edge - section.half_edge_begin) % shape.half_edges;
+    const Index face = shape.face[of_cell], begin = shape.face_begin[face];
+    return {local_half_edge - of_cell + begin, of_cell - begin, shape.face_size(face), false};
+}
 
 // Does not accept half-edges of inner faces of the PolyhedralSection, which do not follow each other.
 template <template <class> class Array>
 [[nodiscard]] PlaceInFace place_in_face(const BlockOf<Array>& block, Index local_half_edge) {
-    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size()) {
-        const auto& section = block.standard[s];
-        const StandardShape& shape = *section.shape;
-        const Index of_cell = (local_half_edge - section.half_edge_begin) % shape.half_edges;
-        const Index face = shape.face[of_cell], begin = shape.face_begin[face];
-        return {local_half_edge - of_cell + begin, of_cell - begin, shape.face_size(face), false};
-    }
+    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size())
+        return place_in_face(block.standard[s], local_half_edge);
     return block.with([&](const auto& polyhedra) -> PlaceInFace {
         const Index corner = polyhedra.corner(local_half_edge - polyhedra.half_edge_begin);
         const auto loop = polyhedra.loop(polyhedra.face(corner));
@@ -268,13 +271,8 @@ template <template <class> class Array>
 // Goes `steps` half-edges forward around the face of a local half-edge, and returns the local half-edge there.
 template <template <class> class Array>
 [[nodiscard]] Index turn(const BlockOf<Array>& block, Index local_half_edge, Index steps) {
-    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size()) {
-        const auto& section = block.standard[s];
-        const StandardShape& shape = *section.shape;
-        const Index of_cell = (local_half_edge - section.half_edge_begin) % shape.half_edges;
-        const Index begin = shape.face_begin[shape.face[of_cell]], n = shape.face_size(shape.face[of_cell]);
-        return local_half_edge - of_cell + begin + (of_cell - begin + steps) % n;
-    }
+    if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size())
+        return place_in_face(block.standard[s], local_half_edge).turned(steps);
     return block.with([&](const auto& polyhedra) {
         const Index local = local_half_edge - polyhedra.half_edge_begin;
         const Index corner = polyhedra.corner(local), side = polyhedra.side(local);

@@ -212,10 +212,6 @@ void number_vertices(const PolyhedraView& input, Assembled& out) {
     });
 }
 
-} // namespace
-
-namespace {
-
 // Matches the faces of good cells. Returns the input cell on the other side of each input face, or none.
 std::vector<Index> neighbours_of(const InputFaces& input, Judged& judged, AssembleReport& report) {
     std::vector<Index> cell_of_face(judged.turn.size(), none);
