@@ -85,14 +85,14 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     const auto [low, high] = field.field->range();
     value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
     values = stored.has_doubles() ? store::Values(ciel::floats_from(value_origin, stored)) : stored;
-    topology = field.topology;
-    filled = filled_cells({*topology, values, values.keep_alive()});
+    const ciel::Topology& topology = *field.topology;
+    filled = filled_cells({topology, values, values.keep_alive()});
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < filled.size(); ++cell)
             if (sound->kept[cell] == 0) filled[cell] = 0;
     const ciel::Surface faces = field.surface_around(filled, *loaded.boxes(step), ciel::CollapsedFaces::keep);
     boundary =
-        std::make_shared<const color::SlabMesh>(slab_boundary(faces, {*topology, values.floats(), gradients, filled}));
+        std::make_shared<const color::SlabMesh>(slab_boundary(faces, {topology, values.floats(), gradients, filled}));
     key = wanted;
 }
 
@@ -113,7 +113,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
     std::vector<color::SlabMesh> cuts;
-    const SlabSink sink{{*topology, values.floats(), gradients, filled}};
+    const SlabSink sink{{*planes.topology, values.floats(), gradients, filled}};
     if (!planes.sweep(places, sink, cuts, stop, extraction)) return false;
     for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);
     slabs = std::move(made);

@@ -45,7 +45,6 @@ struct VolumeCut {
     double value_origin = 0;
     std::vector<ciel::Vec3f> gradients;
     std::vector<std::uint8_t> filled; // by cell (SlabProperty)
-    std::shared_ptr<const ciel::Topology> topology;
     std::shared_ptr<const color::SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
