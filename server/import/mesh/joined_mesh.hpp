@@ -44,7 +44,7 @@ struct JoinedMesh {
     [[nodiscard]] ciel::PolyhedraView view() const {
         return {{}, positions, cell_types, cell_offset, face_offset, face_vertex, corner_offset, corner};
     }
-    // Calls f(loop) for each face of the cell.
+    // Calls f(loop) for each face of the cell. f must not call for_loops.
     template <class F>
     void for_loops(std::size_t cell, F&& f) const {
         static thread_local std::vector<std::uint64_t> offset; // of the faces of a standard cell

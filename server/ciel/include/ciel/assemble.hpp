@@ -24,8 +24,8 @@ struct PolyhedraView {
     std::span<const std::uint64_t> cell_offset; // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1
     std::span<const std::uint64_t> face_offset; // F + 1: index of the first vertex of face f in face_vertex
     std::span<const Index> face_vertex;
-    // C + 1, or empty if all cells list their faces: cell c has the corners corner_offset[c] to corner_offset[c + 1]
-    // - 1. A cell with corners lists no faces. It has the faces of append_standard_faces.
+    // C + 1: index of the first corner of cell c in `corner`; empty if all cells list their faces. A cell with corners
+    // lists no faces. It has the faces of append_standard_faces.
     std::span<const std::uint64_t> corner_offset = {};
     std::span<const Index> corner = {}; // vertices, in VTK's order of the corners
 };
