@@ -38,8 +38,7 @@ protected:
         const Assembled made = assemble(test::view(test::hexahedra({{edge, edge, edge}})));
         const FaceMeshView mesh = made.mesh.view();
         std::vector<float> cells;
-        for (const Vec3d& centre : cell_centres(mesh))
-            cells.push_back(static_cast<float>(centre[0] + mesh.origin[0]));
+        for (const Vec3d& centre : cell_centres(mesh)) cells.push_back(static_cast<float>(centre[0] + mesh.origin[0]));
         const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (wrong.contains(made.original_cell[i])) cells[i] = std::numeric_limits<float>::infinity();
