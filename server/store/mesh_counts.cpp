@@ -27,8 +27,8 @@ const char* name_of(std::uint8_t type) {
 
 } // namespace
 
-MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::Topology& topology) {
-    const ciel::TopologyCounts& counts = topology.counts();
+MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::TopologyCounts& counts,
+                    const std::array<double, 6>& bounds) {
     MeshInfo info;
     info.vertices = counts.vertices;
     info.edges = counts.edges;
@@ -39,10 +39,16 @@ MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::Topology& topolo
     info.cells = counts.cells;
     info.double_positions = mesh.positions.has_doubles();
     for (const std::uint8_t type : mesh.cell_types) ++info.cells_by_type[name_of(type)];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        info.bounds[2 * axis] = info.bounds[2 * axis + 1] = mesh.origin[axis] + mesh.positions[axis];
-    extend_bounds(info.bounds, mesh.origin, mesh.positions);
+    info.bounds = bounds;
     return info;
+}
+
+std::array<double, 6> bounds_of(const ciel::FaceMeshView& mesh) {
+    std::array<double, 6> bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        bounds[2 * axis] = bounds[2 * axis + 1] = mesh.origin[axis] + mesh.positions[axis];
+    extend_bounds(bounds, mesh.origin, mesh.positions);
+    return bounds;
 }
 
 void extend_bounds(std::array<double, 6>& bounds, ciel::Vec3d origin, ciel::ValuesView positions) {

@@ -6,8 +6,12 @@
 
 namespace server::store {
 
-[[nodiscard]] MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::Topology& topology);
-// `bounds`: xmin xmax ymin ymax zmin zmax. `positions`: offsets from `origin`.
+// `counts`: of the mesh's topology. `bounds`: xmin xmax ymin ymax zmin zmax.
+[[nodiscard]] MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::TopologyCounts& counts,
+                                  const std::array<double, 6>& bounds);
+// The mesh must have a vertex.
+[[nodiscard]] std::array<double, 6> bounds_of(const ciel::FaceMeshView& mesh);
+// `positions`: offsets from `origin`.
 void extend_bounds(std::array<double, 6>& bounds, ciel::Vec3d origin, ciel::ValuesView positions);
 // Returns bytes. Reads every record that the topology has not read yet.
 [[nodiscard]] std::uint64_t record_bytes(const ciel::Topology& topology);

@@ -1,12 +1,15 @@
 #include "store/write_blocks.hpp"
 
+#include "ciel/build_records.hpp"
 #include "store/files/files.hpp"
 #include "store/format/block_index.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/file_head.hpp"
 #include "store/format/layout.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace server::store {
 namespace {
@@ -51,20 +54,40 @@ private:
     std::vector<std::uint64_t> sizes_; // in bytes, by file
 };
 
+class BlockFiles final : public ciel::RecordSink {
+public:
+    BlockFiles(const std::filesystem::path& mesh, const std::string& dataset_id, std::uint64_t most_bytes) {
+        for (const ciel::RecordKind kind : record_kinds) files_.emplace_back(mesh, kind, dataset_id, most_bytes);
+    }
+
+    void put(ciel::Index block, ciel::RecordKind kind, std::vector<std::uint64_t> record) override {
+        std::vector<RecordPlace>& places = places_[place_of_kind(kind)];
+        places.resize(std::max<std::size_t>(places.size(), std::size_t{block} + 1));
+        places[block] = files_[place_of_kind(kind)].add(std::as_bytes(std::span(record)));
+    }
+    void list(BlockIndex& index) {
+        index.places = std::move(places_);
+        for (std::size_t kind = 0; kind < files_.size(); ++kind) index.file_bytes[kind] = files_[kind].sizes();
+    }
+
+private:
+    std::vector<RecordFiles> files_; // by record kind
+    std::array<std::vector<RecordPlace>, record_kinds.size()> places_;
+};
+
 } // namespace
 
-void write_blocks(const std::filesystem::path& mesh, const ciel::Topology& topology, const std::string& dataset_id,
-                  const std::array<double, 6>& bounds, std::uint64_t most_file_bytes) {
+ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::FaceMeshView& mesh,
+                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
+                                  const BlockSizes& sizes) {
+    BlockFiles files(directory, dataset_id, sizes.most_file_bytes);
+    ciel::BuiltRecords built = ciel::build_records(mesh, files, sizes.topology);
     BlockIndex index;
     index.bounds = bounds;
-    index.tables = topology.tables();
-    for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
-        RecordFiles files(mesh, record_kinds[kind], dataset_id, most_file_bytes);
-        for (ciel::Index block = 0; block < topology.block_count(); ++block)
-            index.places[kind].push_back(files.add(topology.record(block, record_kinds[kind])));
-        index.file_bytes[kind] = files.sizes();
-    }
-    write_file(layout::block_index(mesh), to_bytes(index, dataset_id));
+    index.tables = std::move(built.tables);
+    files.list(index);
+    write_file(layout::block_index(directory), to_bytes(index, dataset_id));
+    return built.counts;
 }
 
 } // namespace server::store

@@ -10,9 +10,16 @@
 
 namespace server::store {
 
-// `mesh`: an existing directory. bounds: xmin xmax ymin ymax zmin zmax of the first coordinate set. A file of records
-// is longer than most_file_bytes only if a single record is longer. Throws Error when a file cannot be written.
-void write_blocks(const std::filesystem::path& mesh, const ciel::Topology& topology, const std::string& dataset_id,
-                  const std::array<double, 6>& bounds, std::uint64_t most_file_bytes = std::uint64_t{1} << 30);
+struct BlockSizes {
+    ciel::Topology::Options topology = {};
+    std::uint64_t most_file_bytes = std::uint64_t{1} << 30; // a file is longer only if a single record is longer
+};
+
+// `directory`: of the mesh; must exist. bounds: xmin xmax ymin ymax zmin zmax of the first coordinate set. Builds the
+// topology and writes each record as soon as it is complete. Throws Error when the mesh is damaged or a file cannot be
+// written.
+ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::FaceMeshView& mesh,
+                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
+                                  const BlockSizes& sizes = {});
 
 } // namespace server::store

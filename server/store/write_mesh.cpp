@@ -1,5 +1,6 @@
 #include "store/write_mesh.hpp"
 
+#include "store/cache/stored_blocks.hpp"
 #include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
@@ -100,9 +101,8 @@ MeshAttributes write_mesh(const fs::path& directory, const ciel::FaceMesh& mesh,
     MeshAttributes attributes;
     attributes.origin = mesh.origin;
     for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
-    const ciel::Topology topology(mesh.view());
-    attributes.info = count_mesh(mesh.view(), topology);
-    write_blocks(directory, topology, dataset_id, attributes.info.bounds);
+    const std::array<double, 6> bounds = bounds_of(mesh.view());
+    attributes.info = count_mesh(mesh.view(), write_blocks(directory, mesh.view(), dataset_id, bounds), bounds);
 
     const auto write = [&](const std::string& name, ElementType type, std::span<const std::byte> bytes) {
         attributes.checksums[name] = write_whole(directory / name, type, bytes);
@@ -141,7 +141,8 @@ MeshAttributes write_mesh(const fs::path& directory, const ciel::FaceMesh& mesh,
     const ciel::ValuesView positions = mesh.view().positions;
     write_file(layout::chunk(directory / "positions", 0, 3), positions.bytes());
     attributes.coordinate_checksums.push_back(checksum(positions.bytes()));
-    write_boxes(directory, topology, dataset_id, 0, positions);
+    const auto blocks = std::make_shared<const StoredBlocks>(directory, dataset_id);
+    write_boxes(directory, blocks->topology(), dataset_id, 0, positions);
     return attributes;
 }
 

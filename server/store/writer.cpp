@@ -205,9 +205,8 @@ struct Writer::State {
     }
     [[nodiscard]] const ciel::Topology& topology_of(std::size_t mesh) {
         std::optional<ciel::Topology>& found = topologies[mesh];
-        const bool is_ours = !appending() || mesh >= marker.meshes;
         if (!found && has_blocks(mesh))
-            found = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id)->topology(is_ours);
+            found = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id)->topology();
         if (!found) found = before->topology(mesh);
         return *found;
     }

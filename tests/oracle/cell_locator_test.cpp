@@ -102,10 +102,13 @@ TEST(CellLocator, KnowsCellsTheirNearestVertexAndTheOutside) {
     const detail::CellFaces faces = detail::cell_faces(mesh);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         Vec3d middle{};
-        for (const Index face : faces.of(cell))
+        Index last = none;
+        faces.for_faces(cell, [&](Index face) {
             for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += middle_of(mesh, face)[axis] / 4;
+            last = face;
+        });
         ASSERT_EQ(locator.cell_at(middle), cell);
-        const Index corner = mesh.loop(faces.of(cell)[0])[0];
+        const Index corner = mesh.loop(last)[0];
         Vec3d near{};
         for (std::size_t axis = 0; axis < 3; ++axis)
             near[axis] = 0.9 * vertex_at(mesh, corner)[axis] + 0.1 * middle[axis];

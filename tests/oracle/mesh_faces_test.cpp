@@ -93,9 +93,10 @@ TEST(VerticesOfCells, AreTheirCorners) {
                 std::set<Index> expected;
                 for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
                     kept[cell] = cell % one_in == 0 ? 1 : 0;
-                    for (const Index face : faces.of(cell))
+                    faces.for_faces(cell, [&](Index face) {
                         for (const Index vertex : mesh.loop(face))
                             if (kept[cell] != 0) expected.insert(vertex);
+                    });
                 }
                 const Surface points = vertices_of_cells(topology, mesh, kept);
                 ASSERT_EQ(points.points.size(), expected.size());
@@ -187,7 +188,7 @@ TEST(CornersOfCell, AreThoseOfItsFaces) {
     const Topology topology(mesh, {5});
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         std::set<Index> expected;
-        for (const Index face : faces.of(cell)) expected.insert(mesh.loop(face).begin(), mesh.loop(face).end());
+        faces.for_faces(cell, [&](Index face) { expected.insert(mesh.loop(face).begin(), mesh.loop(face).end()); });
         EXPECT_TRUE(std::ranges::equal(corners_of_cell(topology, cell), expected)) << cell;
     }
     EXPECT_THROW((void)corners_of_cell(topology, mesh.cell_count()), Error);

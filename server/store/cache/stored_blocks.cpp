@@ -29,8 +29,7 @@ private:
 
 class CopyingSource final : public ciel::RecordSource {
 public:
-    CopyingSource(std::shared_ptr<const StoredBlocks> blocks, bool is_trusted)
-        : blocks_(std::move(blocks)), is_trusted_(is_trusted) {
+    explicit CopyingSource(std::shared_ptr<const StoredBlocks> blocks) : blocks_(std::move(blocks)) {
         for (auto& of_kind : kept_) of_kind.resize(blocks_->block_count());
     }
 
@@ -43,12 +42,10 @@ public:
         }
         return std::as_bytes(std::span(kept));
     }
-    [[nodiscard]] bool is_trusted() const override { return is_trusted_; }
     [[nodiscard]] std::size_t memory_bytes() const override { return bytes_; }
 
 private:
     std::shared_ptr<const StoredBlocks> blocks_;
-    bool is_trusted_;
     // By record kind, by block; empty until the record is read.
     std::array<std::vector<std::vector<std::uint64_t>>, 3> kept_;
     std::array<std::mutex, 16> reading_;
@@ -88,11 +85,10 @@ StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string&
     }
 }
 
-ciel::Topology StoredBlocks::topology(bool is_trusted) const {
+ciel::Topology StoredBlocks::topology() const {
     const auto tables = std::as_bytes(std::span(index_.tables));
-    if (access_ == FileAccess::mapped && !is_trusted)
-        return {tables, std::make_unique<MappedSource>(shared_from_this())};
-    return {tables, std::make_unique<CopyingSource>(shared_from_this(), is_trusted)};
+    if (access_ == FileAccess::mapped) return {tables, std::make_unique<MappedSource>(shared_from_this())};
+    return {tables, std::make_unique<CopyingSource>(shared_from_this())};
 }
 
 void StoredBlocks::check_head(File& file, ciel::RecordKind kind) const {

@@ -24,8 +24,7 @@ public:
     StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
         : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
 
-    // is_trusted: true if this process has written the records. The topology then copies them and does not check them.
-    [[nodiscard]] ciel::Topology topology(bool is_trusted = false) const;
+    [[nodiscard]] ciel::Topology topology() const;
     // Returns a copy of a record. Throws Error that names the file when the record cannot be read or is damaged.
     [[nodiscard]] std::vector<std::uint64_t> read(ciel::Index block, ciel::RecordKind kind) const;
     // Only for FileAccess::mapped. Throws Error as read does.

@@ -76,25 +76,22 @@ bool BlockLoops::append(Index face) {
 }
 
 void BlockLoops::list_faces() {
-    const auto first_owned = [&](Index cell) {
-        return static_cast<Index>(std::ranges::lower_bound(mesh.owner, cell) - mesh.owner.begin());
-    };
-    const Index face_begin = first_owned(cell_begin), face_end = std::max(face_begin, first_owned(cell_end));
+    const Index face_begin = faces_.own_begin[cell_begin], face_end = faces_.own_begin[cell_end];
     collapsed_.clear();
     copy_own(face_begin, face_end);
     cell_loop_begin.assign(1, 0);
     cell_loop.clear();
     for (Index cell = cell_begin; cell < cell_end; ++cell) {
-        Index next = 0; // least id that the next face may have, because the list of a cell ascends
-        for (const Index face : faces_.of(cell)) {
-            if (face < next) mesh.owner.refuse();
-            next = face + 1;
-            const bool is_listed = face >= face_begin && face < face_end;
+        for (const Index face : faces_.others(cell)) {
+            const bool is_listed = face >= face_begin;
             const Index loop = is_listed ? face - face_begin : loop_count();
             const bool any = is_listed ? begin[loop] != begin[loop + 1] : append(face);
-            const Index side = mesh_cell[loop][0] == cell ? 0 : 1;
-            if (mesh_cell[loop][side] != cell) mesh.owner.refuse();
-            if (any) cell_loop.push_back(2 * loop + side);
+            if (mesh_cell[loop][1] != cell) mesh.neighbour.refuse();
+            if (any) cell_loop.push_back(2 * loop + 1);
+        }
+        for (Index loop = faces_.own_begin[cell] - face_begin; loop < faces_.own_begin[cell + 1] - face_begin; ++loop) {
+            if (mesh_cell[loop][0] != cell) mesh.owner.refuse();
+            if (begin[loop] != begin[loop + 1]) cell_loop.push_back(2 * loop);
         }
         cell_loop_begin.push_back(static_cast<Index>(cell_loop.size()));
     }

@@ -2,18 +2,21 @@
 #pragma once
 
 #include "blocks/record.hpp"
+#include "ciel/build_records.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 namespace ciel::detail {
 
-class RecordsInMemory final : public RecordSource {
+// Call `put` for all records before the other functions.
+class RecordsInMemory final : public RecordSink, public RecordSource {
 public:
-    explicit RecordsInMemory(std::size_t blocks) : records_(blocks) {}
-
-    // Call it once for each record, on any thread, before the other functions.
-    void set(Index block, RecordKind kind, RecordBytes record) { records_[block][place_of(kind)] = std::move(record); }
+    void put(Index block, RecordKind kind, RecordBytes record) override {
+        records_.resize(std::max<std::size_t>(records_.size(), std::size_t{block} + 1));
+        records_[block][place_of(kind)] = std::move(record);
+    }
 
     std::span<const std::byte> record(Index block, RecordKind kind) override {
         return std::as_bytes(std::span(records_[block][place_of(kind)]));

@@ -4,24 +4,41 @@
 
 namespace ciel::detail {
 
+namespace {
+
+void list_own(const Ids owners, Index cells, CellFaces& out) {
+    out.own_begin.reserve(std::size_t{cells} + 1);
+    for (Index face = 0; face < owners.size(); ++face) {
+        const std::size_t owner = owners[face];
+        if (owner + 1 < out.own_begin.size()) owners.refuse();
+        if (owner >= out.own_begin.size()) out.own_begin.resize(owner + 1, face);
+    }
+    out.own_begin.resize(std::size_t{cells} + 1, static_cast<Index>(owners.size()));
+}
+
+// Each neighbor is read twice. The mesh may be in a mapped file that changes between the readings.
+void list_others(const OptionalIds neighbours, Index cells, CellFaces& out) {
+    out.other_begin.assign(std::size_t{cells} + 1, 0);
+    for (const Index neighbour : neighbours)
+        if (neighbour != none) ++out.other_begin[std::size_t{neighbour} + 1];
+    for (std::size_t c = 1; c < out.other_begin.size(); ++c) out.other_begin[c] += out.other_begin[c - 1];
+    out.other.resize(out.other_begin.back());
+    std::vector<Index> cursor(out.other_begin.begin(), out.other_begin.end() - 1);
+    for (Index face = 0; face < neighbours.size(); ++face) {
+        const Index neighbour = neighbours[face];
+        if (neighbour == none) continue;
+        if (cursor[neighbour] == out.other_begin[std::size_t{neighbour} + 1] || face >= out.own_begin[neighbour])
+            neighbours.refuse();
+        out.other[cursor[neighbour]++] = face;
+    }
+}
+
+} // namespace
+
 CellFaces cell_faces(const FaceMeshView& mesh) {
     CellFaces out;
-    out.begin.assign(std::size_t{mesh.cell_count()} + 1, 0);
-    // Captures copies of both arrays, so that their index limits stay in registers while `out` is written.
-    const auto for_cells_of = [owner = mesh.owner, neighbours = mesh.neighbour](Index f, auto&& visit) {
-        visit(owner[f]);
-        if (const Index neighbour = neighbours[f]; neighbour != none) visit(neighbour);
-    };
-    for (Index f = 0; f < mesh.face_count(); ++f)
-        for_cells_of(f, [&](Index cell) { ++out.begin[std::size_t{cell} + 1]; });
-    for (std::size_t c = 1; c < out.begin.size(); ++c) out.begin[c] += out.begin[c - 1];
-    out.face.resize(out.begin.back());
-    std::vector<std::uint64_t> cursor(out.begin.begin(), out.begin.end() - 1);
-    for (Index f = 0; f < mesh.face_count(); ++f)
-        for_cells_of(f, [&](Index cell) {
-            if (cursor[cell] == out.begin[std::size_t{cell} + 1]) mesh.owner.refuse(); // the mapped file changed
-            out.face[cursor[cell]++] = f;
-        });
+    list_own(mesh.owner, mesh.cell_count(), out);
+    list_others(mesh.neighbour, mesh.cell_count(), out);
     return out;
 }
 

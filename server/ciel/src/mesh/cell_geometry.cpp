@@ -74,12 +74,12 @@ void for_cell_shapes(const FaceMeshView& mesh, const OnCell& visit) {
         std::vector<FaceShape> shapes;
         for (auto cell = static_cast<Index>(begin); cell < end; ++cell) {
             shapes.clear();
-            for (const Index face : faces.of(cell)) {
+            faces.for_faces(cell, [&](Index face) {
                 read_loop(mesh, face, loop);
                 FaceShape shape = face_shape(mesh, loop);
-                if (read_cells(mesh, face).owner != cell) shape.area = -1.0 * shape.area;
+                if (face < faces.own_begin[cell]) shape.area = -1.0 * shape.area;
                 shapes.push_back(shape);
-            }
+            });
             visit(cell, shapes, centroid(shapes));
         }
     });
