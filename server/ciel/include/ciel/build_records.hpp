@@ -2,6 +2,7 @@
 // no blocks.
 #pragma once
 
+#include "ciel/matched_cells.hpp"
 #include "ciel/topology.hpp"
 
 #include <cstdint>
@@ -30,7 +31,9 @@ struct BuiltRecords {
     TopologyCounts counts;
 };
 
-// Throws the exceptions of Topology::Topology and of the sink. The sink may then have a part of the records.
+// Throw the exceptions of Topology::Topology and of the sink. The sink may then have a part of the records. Both
+// functions make the same records of the same cells.
 [[nodiscard]] BuiltRecords build_records(const FaceMeshView& mesh, RecordSink& sink, Topology::Options options = {});
+[[nodiscard]] BuiltRecords build_records(const MatchedCells& cells, RecordSink& sink, Topology::Options options = {});
 
 } // namespace ciel

@@ -26,10 +26,10 @@ struct BuiltBlock {
     std::vector<Tail> tails; // tails[i] belongs to twin i
 };
 
-// Each thread needs its own object. The mesh and the lists of faces must outlive the object.
+// Each thread needs its own object. `source` must outlive the object.
 class BlockBuilder {
 public:
-    BlockBuilder(const FaceMeshView& mesh, const CellFaces& faces) : loops_(mesh, faces) {}
+    explicit BlockBuilder(const FaceSource& source) : loops_(source) {}
 
     // Builds the block of the cells [cell_begin, cell_end). Throws Error with the id of a cell that is not closed.
     [[nodiscard]] BuiltBlock build(Index cell_begin, Index cell_end);

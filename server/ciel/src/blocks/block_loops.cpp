@@ -3,46 +3,26 @@
 #include "mesh/loop.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace ciel::detail {
 
-BlockLoops::BlockLoops(const FaceMeshView& whole, const CellFaces& faces) : mesh(whole), faces_(faces) {}
-
 void BlockLoops::gather(Index from, Index to) {
     cell_begin = from;
     cell_end = to;
-    list_faces();
+    source_.list(from, to, *this);
+    collapsed_.clear();
+    if (has_repeats()) remove_repeats();
     check_sides();
     number_vertices();
     find_edges();
 }
 
-// The faces that cells of the block own are consecutive in the mesh.
-void BlockLoops::copy_own(Index face_begin, Index face_end) {
-    const auto offsets = mesh.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
-    own_offset_.assign(offsets.begin(), offsets.end());
-    const std::uint64_t first = own_offset_.front(), last = own_offset_.back();
-    if (!std::ranges::is_sorted(own_offset_) || last > mesh.face_vertex.size() || last - first >= none)
-        mesh.face_offset.refuse();
-    const auto ids = mesh.face_vertex.unchecked().subspan(first, last - first);
-    vertex.assign(ids.begin(), ids.end());
-    begin.resize(own_offset_.size());
-    std::ranges::transform(own_offset_, begin.begin(),
-                           [=](std::uint64_t at) { return static_cast<Index>(at - first); });
-    mesh_face.resize(face_end - face_begin);
-    std::iota(mesh_face.begin(), mesh_face.end(), face_begin);
-    mesh_cell.resize(mesh_face.size());
-    for (Index i = 0; i < mesh_cell.size(); ++i)
-        mesh_cell[i] = {mesh.owner[face_begin + i], mesh.neighbour[face_begin + i]};
-    if (has_repeats()) remove_repeats();
-}
-
+// An empty loop counts as one with repeats, because no cell may have it in its list.
 bool BlockLoops::has_repeats() const {
     for (Index loop = 0; loop < loop_count(); ++loop) {
         const Index end = begin[loop + 1];
-        if (begin[loop] == end) continue;
+        if (begin[loop] == end) return true;
         Index last = vertex[end - 1];
         for (Index k = begin[loop]; k < end; ++k) {
             if (vertex[k] == last) return true;
@@ -54,45 +34,16 @@ bool BlockLoops::has_repeats() const {
 
 void BlockLoops::remove_repeats() {
     const std::vector<Index> whole = std::exchange(vertex, {}), whole_begin = std::exchange(begin, {0});
-    for (std::size_t loop = 0; loop + 1 < whole_begin.size(); ++loop)
-        append_loop(std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]));
-}
-
-// Returns false when the loop has collapsed to a point, so that no corner was appended.
-bool BlockLoops::append_loop(std::span<const Index> ids) {
-    const bool any = append_without_repeats(ids, vertex) > 0;
-    if (!any && !ids.empty()) collapsed_.push_back(ids.front());
-    begin.push_back(static_cast<Index>(vertex.size()));
-    return any;
-}
-
-bool BlockLoops::append(Index face) {
-    const auto ids = mesh.loop(face).unchecked();
-    if (ids.size() >= none - vertex.size()) mesh.face_offset.refuse(); // the corners of a block must fit 32 bits
-    loop_.assign(ids.begin(), ids.end());
-    mesh_face.push_back(face);
-    mesh_cell.push_back({mesh.owner[face], mesh.neighbour[face]});
-    return append_loop(loop_);
-}
-
-void BlockLoops::list_faces() {
-    const Index face_begin = faces_.own_begin[cell_begin], face_end = faces_.own_begin[cell_end];
-    collapsed_.clear();
-    copy_own(face_begin, face_end);
-    cell_loop_begin.assign(1, 0);
-    cell_loop.clear();
-    for (Index cell = cell_begin; cell < cell_end; ++cell) {
-        for (const Index face : faces_.others(cell)) {
-            const bool is_listed = face >= face_begin;
-            const Index loop = is_listed ? face - face_begin : loop_count();
-            const bool any = is_listed ? begin[loop] != begin[loop + 1] : append(face);
-            if (mesh_cell[loop][1] != cell) mesh.neighbour.refuse();
-            if (any) cell_loop.push_back(2 * loop + 1);
-        }
-        for (Index loop = faces_.own_begin[cell] - face_begin; loop < faces_.own_begin[cell + 1] - face_begin; ++loop) {
-            if (mesh_cell[loop][0] != cell) mesh.owner.refuse();
-            if (begin[loop] != begin[loop + 1]) cell_loop.push_back(2 * loop);
-        }
+    for (std::size_t loop = 0; loop + 1 < whole_begin.size(); ++loop) {
+        const auto ids = std::span(whole).subspan(whole_begin[loop], whole_begin[loop + 1] - whole_begin[loop]);
+        const bool any = append_without_repeats(ids, vertex) > 0;
+        if (!any && !ids.empty()) collapsed_.push_back(ids.front());
+        begin.push_back(static_cast<Index>(vertex.size()));
+    }
+    const std::vector<Index> listed = std::exchange(cell_loop, {}), listed_begin = std::exchange(cell_loop_begin, {0});
+    for (std::size_t cell = 0; cell + 1 < listed_begin.size(); ++cell) {
+        for (Index i = listed_begin[cell]; i < listed_begin[cell + 1]; ++i)
+            if (size(listed[i]) > 0) cell_loop.push_back(listed[i]);
         cell_loop_begin.push_back(static_cast<Index>(cell_loop.size()));
     }
 }
@@ -103,14 +54,14 @@ void BlockLoops::check_sides() const {
     for (Index loop = 0; loop < loop_count(); ++loop)
         if (begin[loop] != begin[loop + 1])
             sides += (cell_on(loop, 0) != none ? 1 : 0) + (cell_on(loop, 1) != none ? 1 : 0);
-    if (sides != cell_loop.size()) mesh.owner.refuse();
+    if (sides != cell_loop.size()) source_.refuse();
 }
 
 void BlockLoops::number_vertices() {
     Index highest = 0;
     for (const auto* ids : {&vertex, &collapsed_})
         for (const Index v : *ids) highest = std::max(highest, v);
-    if (highest >= mesh.vertex_count()) mesh.face_vertex.refuse();
+    if (highest >= source_.vertex_count()) source_.refuse();
     local_vertex_.begin(highest, vertex.size() + collapsed_.size());
     for (const auto* ids : {&vertex, &collapsed_})
         for (const Index v : *ids) local_vertex_.add(v);

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "blocks/local_numbers.hpp"
-#include "mesh/cell_faces.hpp"
+#include "mesh/face_source.hpp"
 
+#include <span>
 #include <unordered_map>
 
 namespace ciel::detail {
@@ -11,17 +12,16 @@ namespace ciel::detail {
 // One side of a face, stored as 2 * loop + side. Side 0 runs along the stored loop, side 1 against the stored loop.
 using LoopRef = Index;
 
-// Reused for many blocks. Each thread needs its own object. The mesh and the lists of faces must outlive the object.
-// Repeated vertices, which collapsed cells have, are removed from the loops. A loop that collapsed to a point is empty,
-// and no cell has it in its list. The mesh may be in a mapped file that changes. Therefore each array is read once and
-// then checked; `gather` throws Error when the data contradict each other.
-class BlockLoops {
+// Reused for many blocks. Each thread needs its own object. `source` must outlive the object.
+// `vertex` holds local vertices. Repeated vertices, which collapsed cells have, are removed from the loops. A loop that
+// collapsed to a point is empty, and no cell has it in its list.
+class BlockLoops : public FaceLoops {
 public:
-    BlockLoops(const FaceMeshView& mesh, const CellFaces& faces);
+    explicit BlockLoops(const FaceSource& source) : source_(source) {}
 
+    // Throws Error when the faces of the cells contradict each other.
     void gather(Index cell_begin, Index cell_end);
 
-    [[nodiscard]] Index loop_count() const { return static_cast<Index>(mesh_face.size()); }
     [[nodiscard]] Index size(LoopRef ref) const { return begin[ref / 2 + 1] - begin[ref / 2]; }
     // Returns the i-th corner of the loop, counter-clockwise as seen from outside the cell.
     [[nodiscard]] Index corner(LoopRef ref, Index i) const {
@@ -42,31 +42,20 @@ public:
     }
     [[nodiscard]] bool is_boundary(Index loop) const { return mesh_cell[loop][1] == none; }
 
-    const FaceMeshView& mesh;
     Index cell_begin = 0, cell_end = 0;
-    std::vector<Index> mesh_face;                  // loop -> mesh face; faces that cells of the block own come first
-    std::vector<std::array<Index, 2>> mesh_cell;   // loop -> mesh cells: owner, and neighbor or none
-    std::vector<Index> begin;                      // loop -> first corner; the last entry is the number of corners
-    std::vector<Index> vertex, edge;               // by corner: local vertex, and local edge to the next corner
-    std::vector<Index> vertices;                   // local vertex -> mesh vertex, ascending
-    std::vector<std::array<Index, 2>> edge_ends;   // local edge -> its local vertices, the lower first
-    std::vector<Index> cell_loop_begin, cell_loop; // local cell -> its LoopRefs, in the order of mesh faces
+    std::vector<Index> edge;                     // by corner: local edge to the next corner
+    std::vector<Index> vertices;                 // local vertex -> mesh vertex, ascending
+    std::vector<std::array<Index, 2>> edge_ends; // local edge -> its local vertices, the lower first
 
 private:
-    void list_faces();
-    void copy_own(Index face_begin, Index face_end);
     [[nodiscard]] bool has_repeats() const;
     void remove_repeats();
-    bool append(Index face);
-    bool append_loop(std::span<const Index> ids);
     void check_sides() const;
     void number_vertices();
     void find_edges();
     Index edge_between(Index low, Index high); // creates the edge if it is new
 
-    const CellFaces& faces_;
-    std::vector<std::uint64_t> own_offset_;
-    std::vector<Index> loop_;
+    const FaceSource& source_;
     std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
     LocalNumbers local_vertex_;                             // mesh vertex -> local vertex
     std::vector<Index> edge_head_, edge_next_;              // lists of edges by lower vertex, at most 64 edges each

@@ -4,11 +4,14 @@
 #include "blocks/block_tables.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/threads.hpp"
+#include "mesh/face_mesh_source.hpp"
+#include "mesh/matched_cells_source.hpp"
 #include "mesh/standard_shapes.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace ciel {
@@ -19,19 +22,19 @@ namespace {
 
 // A block gets fewer than `cells_per_block` cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits).
 // Only a block of one giant cell may exceed `room` and `corner_room`.
-std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Index cells_per_block) {
+template <class Source>
+std::vector<Index> divide(const Source& source, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
     std::vector<Index> begin{0};
     std::uint64_t used = 0, corners = 0; // corners: each face counted once
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    for (Index cell = 0; cell < source.cell_count(); ++cell) {
         std::uint64_t of_cell = 0, new_corners = 0;
         std::size_t count = 0, largest = 0;
-        faces.for_faces(cell, [&, first = faces.own_begin[begin.back()], own = faces.own_begin[cell]](Index face) {
-            const std::size_t size = mesh.loop(face).size();
+        source.for_faces_of(cell, [&, first = begin.back()](std::size_t size, Index owner) {
             of_cell += size;
             largest = std::max(largest, size);
             ++count;
-            if (face < first || face >= own) new_corners += size;
+            if (owner == cell || owner < first) new_corners += size;
         });
         const bool standard = type_of_faces(count, of_cell, largest) != CellType::polyhedron;
         const std::uint64_t room_of_cell = standard ? 2 * of_cell : of_cell;
@@ -43,56 +46,51 @@ std::vector<Index> divide(const FaceMeshView& mesh, const CellFaces& faces, Inde
             corners = of_cell;
         }
     }
-    if (mesh.cell_count() > 0) begin.push_back(mesh.cell_count());
+    if (source.cell_count() > 0) begin.push_back(source.cell_count());
     return begin;
 }
 
-std::uint64_t count_components(const FaceMeshView& mesh) {
-    std::vector<Index> parent(mesh.cell_count());
-    for (Index c = 0; c < parent.size(); ++c) parent[c] = c;
+// What one pass over all faces finds.
+struct Survey {
+    std::vector<Index> last_cell; // by vertex: the last cell with a face that has the vertex
+    std::uint64_t boundary_faces = 0, components = 0;
+};
+
+template <class Source>
+Survey survey(const Source& source) {
+    Survey found;
+    found.last_cell.assign(source.vertex_count(), 0);
+    found.components = source.cell_count();
+    std::vector<Index> parent(source.cell_count());
+    std::iota(parent.begin(), parent.end(), Index{0});
     const auto root = [&](Index c) {
         while (parent[c] != c) c = parent[c] = parent[parent[c]];
         return c;
     };
-    std::uint64_t components = parent.size();
-    const Ids owners = mesh.owner; // local copies, so that their index limits stay in registers
-    const OptionalIds neighbours = mesh.neighbour;
-    for (std::size_t f = 0; f < owners.size(); ++f) {
-        const Index neighbour = neighbours[f];
-        if (neighbour == none) continue;
-        const Index a = root(owners[f]), b = root(neighbour);
-        if (a == b) continue;
-        parent[std::max(a, b)] = std::min(a, b);
-        --components;
-    }
-    return components;
-}
-
-// Returns the last cell with a face that has the vertex, for each vertex.
-std::vector<Index> last_cells(const FaceMeshView& mesh) {
-    std::vector<Index> last(mesh.vertex_count(), 0);
-    const auto owners = mesh.owner.unchecked(), neighbours = mesh.neighbour.unchecked();
-    const auto offsets = mesh.face_offset.unchecked();
-    const auto vertices = mesh.face_vertex.unchecked();
-    std::uint64_t at = 0;
-    for (std::size_t face = 0; face < owners.size(); ++face) {
-        const Index neighbour = neighbours[face], cell = neighbour == none ? owners[face] : neighbour;
-        for (const std::uint64_t end = std::min<std::uint64_t>(offsets[face + 1], vertices.size()); at < end; ++at) {
-            const Index vertex = vertices[at];
-            if (vertex >= last.size()) mesh.face_vertex.refuse(); // the mapped file changed
-            if (last[vertex] < cell) last[vertex] = cell;
+    source.for_faces([&](Index owner, Index neighbour, std::span<const Index> vertices) {
+        const Index last = neighbour == none ? owner : neighbour;
+        if (owner >= parent.size() || last >= parent.size()) source.refuse();
+        for (const Index vertex : vertices) {
+            if (vertex >= found.last_cell.size()) source.refuse();
+            if (found.last_cell[vertex] < last) found.last_cell[vertex] = last;
         }
-    }
-    return last;
+        if (neighbour == none) {
+            ++found.boundary_faces;
+            return;
+        }
+        const Index a = root(owner), b = root(neighbour);
+        if (a == b) return;
+        parent[std::max(a, b)] = std::min(a, b);
+        --found.components;
+    });
+    return found;
 }
 
 // Builds the blocks in parallel, and links each one when all earlier ones are linked.
 class Building {
 public:
-    Building(const FaceMeshView& mesh, const CellFaces& faces, std::span<const Index> cell_begin, BlockLinker& linker,
-             RecordSink& sink)
-        : mesh_(mesh), faces_(faces), cell_begin_(cell_begin), linker_(linker), sink_(sink),
-          built_(cell_begin.size() - 1) {}
+    Building(const FaceSource& source, std::span<const Index> cell_begin, BlockLinker& linker, RecordSink& sink)
+        : source_(source), cell_begin_(cell_begin), linker_(linker), sink_(sink), built_(cell_begin.size() - 1) {}
 
     void run() {
         parallel_for(thread_count(), 1, [this](std::size_t begin, std::size_t end) {
@@ -112,7 +110,7 @@ private:
     };
 
     void build_until_none_is_left() {
-        BlockBuilder builder(mesh_, faces_);
+        BlockBuilder builder(source_);
         for (std::size_t b = next_++; b < built_.size(); b = next_++) {
             auto built = std::make_unique<BuiltBlock>(builder.build(cell_begin_[b], cell_begin_[b + 1]));
             for (const Linked& linked : link(b, std::move(built)))
@@ -139,8 +137,7 @@ private:
         }
     }
 
-    const FaceMeshView& mesh_;
-    const CellFaces& faces_;
+    const FaceSource& source_;
     std::span<const Index> cell_begin_; // by block, and the number of cells
     BlockLinker& linker_;
     RecordSink& sink_;
@@ -153,26 +150,33 @@ private:
     std::size_t put_ = 0;
 };
 
+template <class Source>
+BuiltBlocks build_from(const Source& source, Topology::Options options, RecordSink& sink) {
+    const std::vector<Index> begin = divide(source, std::max<Index>(1, options.cells_per_block));
+    const Survey found = survey(source);
+    BlockLinker linker(found.last_cell);
+    Building(source, begin, linker, sink).run();
+    linker.finish();
+    return {std::move(linker.numbers()),
+            {source.vertex_count(), linker.edge_count(), source.face_count(), linker.half_edge_count(),
+             found.boundary_faces, source.cell_count(), found.components}};
+}
+
 } // namespace
 
 BuiltBlocks build_blocks(const FaceMeshView& mesh, Topology::Options options, RecordSink& sink) {
-    check_face_mesh(mesh);
-    const CellFaces faces = cell_faces(mesh);
-    const std::vector<Index> begin = divide(mesh, faces, std::max<Index>(1, options.cells_per_block));
-    const std::vector<Index> last_cell = last_cells(mesh);
-    BlockLinker linker(last_cell);
-    Building(mesh, faces, begin, linker, sink).run();
-    linker.finish();
-    return {std::move(linker.numbers()),
-            {mesh.vertex_count(), linker.edge_count(), mesh.face_count(), linker.half_edge_count(),
-             static_cast<std::uint64_t>(std::ranges::count(mesh.neighbour.unchecked(), none)), mesh.cell_count(),
-             count_components(mesh)}};
+    return build_from(FaceMeshSource(mesh), options, sink);
 }
 
 } // namespace detail
 
 BuiltRecords build_records(const FaceMeshView& mesh, RecordSink& sink, Topology::Options options) {
     const detail::BuiltBlocks built = detail::build_blocks(mesh, options, sink);
+    return {detail::tables_of(built.numbers, built.counts), built.counts};
+}
+
+BuiltRecords build_records(const MatchedCells& cells, RecordSink& sink, Topology::Options options) {
+    const detail::BuiltBlocks built = detail::build_from(detail::MatchedCellsSource(cells.data()), options, sink);
     return {detail::tables_of(built.numbers, built.counts), built.counts};
 }
 

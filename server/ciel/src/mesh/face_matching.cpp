@@ -48,8 +48,6 @@ FacesByVertex group_faces(const InputFaces& input, std::span<const Index> cell_o
     return out;
 }
 
-enum class Relation { different, same_direction, opposite };
-
 // Loops of faces without repeated vertices. Each thread needs its own object.
 class Loops {
 public:
@@ -72,19 +70,7 @@ private:
 Relation Loops::compare(Index a, Index b) {
     read(a, loop_a_);
     read(b, loop_b_);
-    const std::size_t n = loop_a_.size();
-    if (n != loop_b_.size()) return Relation::different;
-    for (std::size_t shift = 0; shift < n; ++shift) {
-        if (loop_b_[shift] != loop_a_[0]) continue;
-        bool forward = true, backward = true;
-        for (std::size_t i = 0; i < n && (forward || backward); ++i) {
-            forward = forward && loop_a_[i] == loop_b_[(shift + i) % n];
-            backward = backward && loop_a_[i] == loop_b_[(shift + n - i) % n];
-        }
-        if (backward) return Relation::opposite;
-        if (forward) return Relation::same_direction;
-    }
-    return Relation::different;
+    return compare_loops(loop_a_, loop_b_);
 }
 
 // Finds equal faces among faces with the same smallest vertex. Each thread needs its own object.

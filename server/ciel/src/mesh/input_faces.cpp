@@ -19,9 +19,7 @@ void check_offsets_of(std::span<const std::uint64_t> offsets, std::uint64_t end,
 InputFaces::InputFaces(const PolyhedraView& input) : input_(input) {
     check_offsets();
     check_cells();
-    begin_ = input.cell_offset;
-    if (!input.corner_offset.empty()) number_faces();
-    if (begin_.back() >= none) fail("the mesh has more than 4,294,967,294 faces; split the dataset");
+    number_faces();
 }
 
 void InputFaces::check_offsets() const {
@@ -55,18 +53,18 @@ void InputFaces::check_cells() const {
 }
 
 void InputFaces::number_faces() {
-    own_begin_.resize(input_.cell_offset.size());
+    begin_.reserve(input_.cell_offset.size());
     std::uint64_t faces = 0;
     for (Index cell = 0; cell < cell_count(); ++cell) {
-        own_begin_[cell] = faces;
+        begin_.push_back(static_cast<Index>(faces));
         if (has_corners(cell))
             with_shape(static_cast<CellType>(input_.cell_types[cell]),
                        [&]<const StandardShape & shape>() { faces += shape.faces; });
         else
             faces += input_.cell_offset[cell + 1] - input_.cell_offset[cell];
+        if (faces >= none) fail("the mesh has more than 4,294,967,294 faces; split the dataset");
     }
-    own_begin_.back() = faces;
-    begin_ = own_begin_;
+    begin_.push_back(static_cast<Index>(faces));
 }
 
 std::span<const Index> InputFaces::loop(Index cell, Index face, Corners& scratch) const {

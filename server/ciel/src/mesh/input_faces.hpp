@@ -8,7 +8,7 @@
 
 namespace ciel::detail {
 
-// Numbers the faces of all cells, cell by cell. Thread-safe. The input must outlive the object.
+// Numbers the faces of all cells, cell by cell. Thread-safe. The arrays of the input must outlive the object.
 class InputFaces {
 public:
     using Corners = std::array<Index, 4>; // the largest face of a standard cell has four
@@ -19,10 +19,10 @@ public:
     [[nodiscard]] const PolyhedraView& input() const { return input_; }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(input_.cell_types.size()); }
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(input_.positions.size() / 3); }
-    [[nodiscard]] Index face_count() const { return static_cast<Index>(begin_.back()); }
+    [[nodiscard]] Index face_count() const { return begin_.back(); }
     // The faces of a cell have the ids begin(cell) to end(cell) - 1.
-    [[nodiscard]] Index begin(Index cell) const { return static_cast<Index>(begin_[cell]); }
-    [[nodiscard]] Index end(Index cell) const { return static_cast<Index>(begin_[cell + 1]); }
+    [[nodiscard]] Index begin(Index cell) const { return begin_[cell]; }
+    [[nodiscard]] Index end(Index cell) const { return begin_[cell + 1]; }
 
     // Returns the vertex ids of a face of the cell. `scratch` gets the ids of a standard cell's face.
     [[nodiscard]] std::span<const Index> loop(Index cell, Index face, Corners& scratch) const;
@@ -37,9 +37,8 @@ private:
     void check_cells() const;
     void number_faces();
 
-    const PolyhedraView& input_;
-    std::vector<std::uint64_t> own_begin_;
-    std::span<const std::uint64_t> begin_; // C + 1: own_begin_, or input_.cell_offset if all cells list their faces
+    PolyhedraView input_;
+    std::vector<Index> begin_; // C + 1: the first face of each cell
 };
 
 } // namespace ciel::detail

@@ -4,6 +4,7 @@
 
 #include "ciel/types.hpp"
 
+#include <span>
 #include <vector>
 
 namespace ciel::detail {
@@ -24,6 +25,25 @@ std::size_t append_without_repeats(const Loop& loop, std::vector<Index>& out) {
     }
     if (last == first) out.pop_back(); // a single vertex, or the end equals the start
     return out.size() - before;
+}
+
+enum class Relation { different, same_direction, opposite };
+
+// Compares two loops without repeats. They may start at different vertices.
+[[nodiscard]] inline Relation compare_loops(std::span<const Index> a, std::span<const Index> b) {
+    const std::size_t n = a.size();
+    if (n != b.size()) return Relation::different;
+    for (std::size_t shift = 0; shift < n; ++shift) {
+        if (b[shift] != a[0]) continue;
+        bool forward = true, backward = true;
+        for (std::size_t i = 0; i < n && (forward || backward); ++i) {
+            forward = forward && a[i] == b[(shift + i) % n];
+            backward = backward && a[i] == b[(shift + n - i) % n];
+        }
+        if (backward) return Relation::opposite;
+        if (forward) return Relation::same_direction;
+    }
+    return Relation::different;
 }
 
 } // namespace ciel::detail

@@ -1,0 +1,38 @@
+// MatchedCells: the cells of a mesh in stored order, with matched faces, but without a list of faces. An import writes
+// a large mesh from it block by block. First half of the paper's Algorithm 5 (appendix A).
+#pragma once
+
+#include "ciel/assemble.hpp"
+#include "ciel/numbered_faces.hpp"
+
+#include <memory>
+#include <span>
+
+namespace ciel {
+
+// Cells, faces and vertices have the order of Assembled. Immutable after construction and thread-safe.
+class MatchedCells {
+public:
+    // The arrays of `input` must outlive the object. Throws Error when an array has a wrong size or a cell type is
+    // unknown. A bad cell does not throw; it is left out and counted in the report. Uses all threads of parallel_for.
+    explicit MatchedCells(const PolyhedraView& input);
+    ~MatchedCells();
+    MatchedCells(MatchedCells&&) noexcept;
+    MatchedCells& operator=(MatchedCells&&) noexcept;
+
+    [[nodiscard]] const AssembleReport& report() const;
+    [[nodiscard]] std::span<const Index> original_vertex() const; // stored vertex -> input vertex
+    [[nodiscard]] std::span<const Index> original_cell() const;   // stored cell -> input cell
+    // Returns the positions and the cell types of the mesh, without faces.
+    [[nodiscard]] FaceMesh points() const;
+    // Returns the boundary faces, in the order of numbered_faces().
+    [[nodiscard]] FaceLists boundary_faces() const;
+
+    struct Data; // defined in src/mesh/matched_cells.hpp, for the kernel only
+    [[nodiscard]] const Data& data() const { return *data_; }
+
+private:
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace ciel

@@ -1,0 +1,107 @@
+#include "mesh/matched_cells_source.hpp"
+
+#include "mesh/loop.hpp"
+
+#include <algorithm>
+
+namespace ciel::detail {
+
+namespace {
+
+using OwnFace = MatchedCells::Data::OwnFace;
+
+class Listing {
+public:
+    Listing(const MatchedCells::Data& cells, Index cell_begin, Index cell_end, FaceLoops& out)
+        : cells_(cells), begin_(cell_begin), end_(cell_end), first_face_(cells.own_begin[cell_begin]), out_(out) {}
+
+    void run() {
+        list_own();
+        out_.cell_loop_begin.assign(1, 0);
+        out_.cell_loop.clear();
+        for (Index cell = begin_; cell < end_; ++cell) {
+            list_others(cell);
+            for (Index face = cells_.own_begin[cell]; face < cells_.own_begin[cell + 1]; ++face)
+                out_.cell_loop.push_back(2 * (face - first_face_));
+            out_.cell_loop_begin.push_back(static_cast<Index>(out_.cell_loop.size()));
+        }
+    }
+
+private:
+    struct Other {
+        Index face;            // mesh face
+        Index owner, of_owner; // of_owner: input face
+    };
+
+    void list_own() {
+        out_.mesh_face.clear();
+        out_.mesh_cell.clear();
+        out_.vertex.clear();
+        out_.begin.assign(1, 0);
+        for (Index cell = begin_; cell < end_; ++cell) {
+            cells_.list_own(cell, own_);
+            for (Index i = 0; i < own_.size(); ++i)
+                append(cells_.own_begin[cell] + i, {cell, own_[i].other}, own_[i].face);
+        }
+    }
+    void append(Index face, std::array<Index, 2> cells, Index of_owner) {
+        out_.mesh_face.push_back(face);
+        out_.mesh_cell.push_back(cells);
+        cells_.append_loop(cells[0], of_owner, out_.vertex);
+        if (out_.vertex.size() >= none) fail("a cell has more than 4,294,967,294 corners; leave it out");
+        out_.begin.push_back(static_cast<Index>(out_.vertex.size()));
+    }
+    // Lists the faces of the cell that earlier cells own.
+    void list_others(Index cell) {
+        others_.clear();
+        cells_.for_faces(cell, [&](Index face, Index other) {
+            if (other < cell) others_.push_back(shared_face(other, cell, face));
+        });
+        std::ranges::sort(others_, {}, &Other::face);
+        for (const Other& other : others_) {
+            const bool is_listed = other.owner >= begin_;
+            out_.cell_loop.push_back(2 * (is_listed ? other.face - first_face_ : out_.loop_count()) + 1);
+            if (!is_listed) append(other.face, {other.owner, cell}, other.of_owner);
+        }
+    }
+    // `face`: input face of `cell` that is also a face of `owner`.
+    [[nodiscard]] Other shared_face(Index owner, Index cell, Index face) {
+        cells_.list_own(owner, own_);
+        auto shared = std::ranges::equal_range(own_, cell, {}, &OwnFace::other);
+        auto found = shared.begin();
+        if (shared.size() > 1) {
+            read(cell, face, wanted_);
+            found = std::ranges::find_if(shared, [&](const OwnFace& own) {
+                read(owner, own.face, loop_);
+                return compare_loops(wanted_, loop_) != Relation::different;
+            });
+        }
+        if (found == shared.end()) fail("two cells do not agree about a face that they share; please report this mesh");
+        return {cells_.own_begin[owner] + static_cast<Index>(found - own_.begin()), owner, found->face};
+    }
+    void read(Index cell, Index face, std::vector<Index>& loop) {
+        raw_.clear();
+        cells_.append_loop(cell, face, raw_);
+        loop.clear();
+        append_without_repeats(raw_, loop);
+    }
+
+    const MatchedCells::Data& cells_;
+    Index begin_, end_, first_face_;
+    FaceLoops& out_;
+    std::vector<OwnFace> own_;
+    std::vector<Other> others_;
+    std::vector<Index> raw_, wanted_, loop_;
+};
+
+} // namespace
+
+void MatchedCellsSource::list(Index cell_begin, Index cell_end, FaceLoops& out) const {
+    Listing(cells_, cell_begin, cell_end, out).run();
+}
+
+void MatchedCellsSource::refuse() const {
+    fail("the faces of the cells contradict each other; please report this mesh");
+}
+
+} // namespace ciel::detail
