@@ -101,7 +101,8 @@ private:
         if (!is_same && !new_mesh(input_grids, time)) return;
         print_ = print;
         tell(0.8, "making arrays");
-        const auto& arrays = arrays_.make(step_, mesh_, input_grids, point_maker_);
+        const auto topology = [this]() -> const ciel::Topology& { return writer_->topology(mesh_index_); };
+        const auto& arrays = arrays_.make(step_, mesh_, input_grids, topology, point_maker_);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
     }
@@ -123,8 +124,9 @@ private:
         tell(0.7, "writing the mesh");
         const auto vertices = to_stored(gather_solver_ids(mesh_.members, FieldOf::points), mesh_.point_of_vertex);
         const auto cells = to_stored(gather_solver_ids(mesh_.members, FieldOf::cells), mesh_.cell_of_cell);
-        mesh_index_ = writer_->add_mesh(mesh_.assembled.mesh, mesh_.point_of_vertex, mesh_.cell_of_cell, mesh_.groups,
-                                        {vertices, cells});
+        mesh_index_ = writer_->add_mesh(mesh_.cells->matched, mesh_.boundary, mesh_.point_of_vertex, mesh_.cell_of_cell,
+                                        mesh_.groups, {vertices, cells});
+        mesh_.cells.reset();
         coordinates_index_ = 0;
         return true;
     }

@@ -120,6 +120,12 @@ Values to_stored_order(ciel::ValuesView values, std::span<const ciel::Index> ori
     });
 }
 
+ciel::FaceMeshView loaded_boundary(const Dataset& dataset, std::size_t mesh, std::size_t coordinates) {
+    const ciel::FaceMeshView boundary = dataset.mesh_arrays().boundary(mesh, coordinates);
+    if (boundary.loader != nullptr) boundary.loader->load(0, boundary.vertex_count());
+    return boundary;
+}
+
 void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_of) {
     const Dataset& dataset = *writer.before();
     std::optional<ciel::PointInterpolation> points; // made once and used for all arrays of the step
@@ -134,7 +140,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
         const Values stored = to_stored_order(values, ids, static_cast<std::size_t>(array.info.components));
         writer.add_values({array.info, stored});
         if (!array.made) continue;
-        if (!points) points.emplace(dataset.mesh_arrays().all_faces(plan.mesh, plan.coordinates));
+        if (!points) points.emplace(dataset.topology(plan.mesh), loaded_boundary(dataset, plan.mesh, plan.coordinates));
         const int components = array.made->components;
         stored.with([&](auto cells) { writer.add_values({*array.made, points->apply(cells, components)}); });
     }

@@ -75,19 +75,31 @@ private:
     std::array<std::vector<RecordPlace>, record_kinds.size()> places_;
 };
 
-} // namespace
-
-ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::FaceMeshView& mesh,
-                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
-                                  const BlockSizes& sizes) {
+template <class Cells>
+ciel::TopologyCounts write(const std::filesystem::path& directory, const Cells& cells, const std::string& dataset_id,
+                           const std::array<double, 6>& bounds, const BlockSizes& sizes) {
     BlockFiles files(directory, dataset_id, sizes.most_file_bytes);
-    ciel::BuiltRecords built = ciel::build_records(mesh, files, sizes.topology);
+    ciel::BuiltRecords built = ciel::build_records(cells, files, sizes.topology);
     BlockIndex index;
     index.bounds = bounds;
     index.tables = std::move(built.tables);
     files.list(index);
     write_file(layout::block_index(directory), to_bytes(index, dataset_id));
     return built.counts;
+}
+
+} // namespace
+
+ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::FaceMeshView& mesh,
+                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
+                                  const BlockSizes& sizes) {
+    return write(directory, mesh, dataset_id, bounds, sizes);
+}
+
+ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::MatchedCells& cells,
+                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
+                                  const BlockSizes& sizes) {
+    return write(directory, cells, dataset_id, bounds, sizes);
 }
 
 } // namespace server::store

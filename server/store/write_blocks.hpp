@@ -1,6 +1,7 @@
 // Writes the blocks of a mesh: the records of its topology, and their index.
 #pragma once
 
+#include "ciel/matched_cells.hpp"
 #include "ciel/topology.hpp"
 
 #include <array>
@@ -19,6 +20,9 @@ struct BlockSizes {
 // topology and writes each record as soon as it is complete. Throws Error when the mesh is damaged or a file cannot be
 // written.
 ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::FaceMeshView& mesh,
+                                  const std::string& dataset_id, const std::array<double, 6>& bounds,
+                                  const BlockSizes& sizes = {});
+ciel::TopologyCounts write_blocks(const std::filesystem::path& directory, const ciel::MatchedCells& cells,
                                   const std::string& dataset_id, const std::array<double, 6>& bounds,
                                   const BlockSizes& sizes = {});
 

@@ -30,11 +30,10 @@ std::string write_whole(const fs::path& directory, ElementType type, std::span<c
     return checksum(bytes);
 }
 
-void check_sizes(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
-                 std::span<const ciel::Index> original_cell) {
+void check_sizes(const ciel::FaceMesh& mesh, const OriginalIds& original) {
     const ciel::ValuesView positions = mesh.view().positions;
     if (mesh.cell_types.empty() || positions.empty()) throw ciel::Error("the mesh has no cells; nothing can be stored");
-    if (positions.size() != 3 * original_vertex.size() || mesh.cell_types.size() != original_cell.size() ||
+    if (positions.size() != 3 * original.vertex.size() || mesh.cell_types.size() != original.cell.size() ||
         mesh.owner.size() != mesh.neighbour.size() || mesh.face_offset.size() != mesh.owner.size() + 1 ||
         mesh.face_offset.back() != mesh.face_vertex.size())
         throw ciel::Error("the arrays of the mesh do not have matching sizes");
@@ -93,16 +92,19 @@ ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo
     return array;
 }
 
-MeshAttributes write_mesh(const fs::path& directory, const ciel::FaceMesh& mesh,
-                          std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
+MeshAttributes write_mesh(const fs::path& directory, const NewMesh& added, const OriginalIds& original,
                           std::span<const NamedGroup> groups, const SolverIds& solver, const std::string& dataset_id) {
-    check_sizes(mesh, original_vertex, original_cell);
-    check_solver_ids(solver, original_vertex.size(), original_cell.size());
+    const ciel::FaceMesh& mesh = added.mesh;
+    check_sizes(mesh, original);
+    check_solver_ids(solver, original.vertex.size(), original.cell.size());
     MeshAttributes attributes;
     attributes.origin = mesh.origin;
     for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
     const std::array<double, 6> bounds = bounds_of(mesh.view());
-    attributes.info = count_mesh(mesh.view(), write_blocks(directory, mesh.view(), dataset_id, bounds), bounds);
+    const ciel::TopologyCounts counts = added.cells != nullptr
+                                            ? write_blocks(directory, *added.cells, dataset_id, bounds)
+                                            : write_blocks(directory, mesh.view(), dataset_id, bounds);
+    attributes.info = count_mesh(mesh.view(), counts, bounds);
 
     const auto write = [&](const std::string& name, ElementType type, std::span<const std::byte> bytes) {
         attributes.checksums[name] = write_whole(directory / name, type, bytes);
@@ -112,8 +114,8 @@ MeshAttributes write_mesh(const fs::path& directory, const ciel::FaceMesh& mesh,
         write(name, type, ids);
         write_ranges(directory / name, 0, {{}, {}, stretch_checksums(ids)}, dataset_id, ids);
     };
-    write_ids("original_vertex", ElementType::u4, std::as_bytes(original_vertex));
-    write_ids("original_cell", ElementType::u4, std::as_bytes(original_cell));
+    write_ids("original_vertex", ElementType::u4, std::as_bytes(original.vertex));
+    write_ids("original_cell", ElementType::u4, std::as_bytes(original.cell));
     std::vector<std::vector<ciel::Index>> ids; // by group; empty for groups of cells
     for (const NamedGroup& group : groups) {
         check_group(group, group.of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());

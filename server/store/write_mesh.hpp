@@ -8,11 +8,18 @@
 
 namespace server::store {
 
+struct NewMesh {
+    const ciel::FaceMesh& mesh;      // with all faces; with the boundary faces if `cells` is set
+    const ciel::MatchedCells* cells; // the blocks are built from these cells; null: from the faces of `mesh`
+};
+struct OriginalIds {
+    std::span<const ciel::Index> vertex, cell;
+};
+
 // The caller must write the returned attributes, and the .zarray of the positions. Throws Error when an array has a
 // wrong size, when a group has an id out of range, or when a coordinate is not finite.
-[[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const ciel::FaceMesh& mesh,
-                                        std::span<const ciel::Index> original_vertex,
-                                        std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
+[[nodiscard]] MeshAttributes write_mesh(const std::filesystem::path& directory, const NewMesh& mesh,
+                                        const OriginalIds& original, std::span<const NamedGroup> groups,
                                         const SolverIds& solver, const std::string& dataset_id);
 
 // `directory`: the directory of the mesh.

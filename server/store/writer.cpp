@@ -15,6 +15,7 @@
 #include "store/mesh_counts.hpp"
 #include "store/new_dataset_directory.hpp"
 #include "store/statistics.hpp"
+#include "store/valid_text.hpp"
 #include "store/write_mesh.hpp"
 #include "store/written_points.hpp"
 
@@ -61,14 +62,6 @@ struct StepUnderWay {
     std::vector<ArrayInfo> arrays;
     std::vector<fs::path> chunks;
 };
-
-ArrayInfo with_valid_text(const ArrayInfo& info) {
-    ArrayInfo valid = info;
-    for (std::string* text : {&valid.name, &valid.units, &valid.description, &valid.source.type, &valid.source.file})
-        *text = valid_utf8(*text);
-    for (std::string& name : valid.component_names) name = valid_utf8(name);
-    return valid;
-}
 
 template <class F>
 void for_extremes(MarkedStep& step, F&& f) {
@@ -211,6 +204,18 @@ struct Writer::State {
         return *found;
     }
 
+    std::size_t add_mesh(const NewMesh& mesh, const OriginalIds& original, std::span<const NamedGroup> groups,
+                         const SolverIds& solver) {
+        const std::size_t index = meshes.size();
+        const fs::path path = layout::mesh(directory, index);
+        fs::remove_all(path); // may remain from an append that was not committed
+        topologies.erase(index);
+        meshes.push_back({write_mesh(path, mesh, original, with_valid_text(groups), solver, info.id), {}, 0});
+        info_changed |= info.format_version != layout::format_version;
+        info.format_version = layout::format_version;
+        return index;
+    }
+
     void put_documents() const {
         for (std::size_t m = 0; m < meshes.size(); ++m) put_mesh(m);
         if (info_changed) put_root();
@@ -325,24 +330,18 @@ const std::shared_ptr<Dataset>& Writer::before() const { return state_->before; 
 std::size_t Writer::add_mesh(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
                              std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
                              const SolverIds& solver) {
-    const std::size_t index = state_->meshes.size();
-    const fs::path path = layout::mesh(state_->directory, index);
-    fs::remove_all(path); // may remain from an append that was not committed
-    state_->topologies.erase(index);
-    std::vector<NamedGroup> named(groups.begin(), groups.end());
-    for (NamedGroup& group : named) {
-        group.name = valid_utf8(group.name);
-        group.facts.type = valid_utf8(group.facts.type);
-        std::map<std::string, std::string> conditions;
-        for (const auto& [array, condition] : group.facts.conditions)
-            conditions.emplace(valid_utf8(array), valid_utf8(condition));
-        group.facts.conditions = std::move(conditions);
-    }
-    state_->meshes.push_back(
-        {write_mesh(path, mesh, original_vertex, original_cell, named, solver, state_->info.id), {}, 0});
-    state_->info_changed |= state_->info.format_version != layout::format_version;
-    state_->info.format_version = layout::format_version;
-    return index;
+    return state_->add_mesh({mesh, nullptr}, {original_vertex, original_cell}, groups, solver);
+}
+
+std::size_t Writer::add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMesh& boundary,
+                             std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
+                             std::span<const NamedGroup> groups, const SolverIds& solver) {
+    return state_->add_mesh({boundary, &cells}, {original_vertex, original_cell}, groups, solver);
+}
+
+const ciel::Topology& Writer::topology(std::size_t mesh) {
+    (void)state_->mesh(mesh);
+    return state_->topology_of(mesh);
 }
 
 bool Writer::holds(std::size_t mesh, ciel::ValuesView positions) const {

@@ -2,7 +2,7 @@
 // renames the directory, so readers never see an incomplete dataset. Writer::append adds steps to an existing dataset.
 #pragma once
 
-#include "ciel/assemble.hpp"
+#include "ciel/matched_cells.hpp"
 #include "store/dataset.hpp"
 
 namespace server::store {
@@ -46,6 +46,13 @@ public:
     std::size_t add_mesh(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
                          std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
+    // Writes a mesh whose list of faces need not fit the memory. `boundary`: cells.boundary(). The ids of groups of
+    // faces are those of `boundary`.
+    std::size_t add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMesh& boundary,
+                         std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
+                         std::span<const NamedGroup> groups, const SolverIds& solver = {});
+    // Valid until the next call of add_mesh. Throws Error when the mesh does not exist, or when its blocks are damaged.
+    [[nodiscard]] const ciel::Topology& topology(std::size_t mesh);
     // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
     // were floats, else doubles.
     [[nodiscard]] bool holds(std::size_t mesh, ciel::ValuesView positions) const;

@@ -49,11 +49,17 @@ TEST_P(BuildRecords, AgreesWithTheListOfFaces) {
     const Polyhedra input = GetParam().make();
     const Assembled assembled = assemble(view(input));
     const MatchedCells matched(view(input));
-    const FaceLists boundary = matched.boundary_faces(), expected = numbered_faces(assembled.mesh.view(), {});
+    const FaceMesh boundary = matched.boundary();
+    const FaceLists expected = numbered_faces(assembled.mesh.view(), {});
     EXPECT_EQ(boundary.face_vertex, expected.face_vertex);
     EXPECT_EQ(boundary.face_offset, expected.face_offset);
     EXPECT_EQ(boundary.owner, expected.owner);
     EXPECT_EQ(boundary.neighbour, expected.neighbour);
+    EXPECT_EQ(boundary.cell_types, assembled.mesh.cell_types);
+    EXPECT_EQ(boundary.positions, assembled.mesh.positions);
+    const Topology topology(assembled.mesh.view());
+    for (Index cell = 0; cell < boundary.cell_types.size(); ++cell)
+        EXPECT_EQ(matched.corners(cell), corners_of_cell(topology, cell));
     EXPECT_TRUE(std::ranges::equal(matched.original_cell(), assembled.original_cell));
     EXPECT_TRUE(std::ranges::equal(matched.original_vertex(), assembled.original_vertex));
 }

@@ -1,4 +1,4 @@
-#include "ciel/cell_geometry.hpp"
+#include "ciel/cell_shapes.hpp"
 #include "ciel/point_interpolation.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/meshes.hpp"
@@ -28,9 +28,10 @@ std::array<bool, 3> at_sides(const FaceMeshView& mesh, Index vertex, const std::
 double largest_error(const std::array<int, 3>& cubes, std::size_t axis) {
     const Assembled assembled = assemble(view(hexahedra({cubes, 0.15, 7})));
     const FaceMeshView mesh = assembled.mesh.view();
+    const Topology topology(mesh);
     std::vector<float> cells;
-    for (const Vec3d& centre : cell_centres(mesh)) cells.push_back(static_cast<float>(centre[axis]));
-    const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
+    for (const Vec3d& centre : cell_centres(topology, mesh)) cells.push_back(static_cast<float>(centre[axis]));
+    const std::vector<float> points = PointInterpolation(topology, mesh).apply(cells, 1);
     const std::array<double, 3> box{static_cast<double>(cubes[0]), static_cast<double>(cubes[1]),
                                     static_cast<double>(cubes[2])};
     double largest = 0;
@@ -53,9 +54,10 @@ TEST(point_interpolation, is_exact_within_one_layer_of_cells) {
 TEST(point_interpolation, takes_the_only_cell_at_a_corner) {
     const Assembled assembled = assemble(view(hexahedra({{2, 2, 2}, 0, 1})));
     const FaceMeshView mesh = assembled.mesh.view();
+    const Topology topology(mesh);
     std::vector<float> cells(8, 0);
     cells[3] = 5;
-    const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
+    const std::vector<float> points = PointInterpolation(topology, mesh).apply(cells, 1);
     EXPECT_EQ(std::count(points.begin(), points.end(), 5.0F), 1);
 }
 

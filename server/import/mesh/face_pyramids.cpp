@@ -1,6 +1,6 @@
 #include "import/mesh/face_pyramids.hpp"
 
-#include "ciel/cell_geometry.hpp"
+#include "ciel/cell_shapes.hpp"
 #include "ciel/vector_operators.hpp"
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace server::importer {
 
 using ciel::operator-;
 
-InvertedPyramids find_inverted_pyramids(const ciel::FaceMeshView& mesh) {
+InvertedPyramids find_inverted_pyramids(const ciel::MatchedCells& mesh, const ciel::FaceMeshView& points) {
     // Smallest cosine of the angle between a face's outward normal and the direction from the cell's center to the
     // face's center. It is below 0, because the pyramids of collapsed cells are flat, but not inverted.
     constexpr double least_cosine = -1e-6;
     InvertedPyramids inverted;
     std::mutex mutex;
     ciel::for_cell_shapes(
-        mesh, [&](ciel::Index cell, std::span<const ciel::FaceShape> faces, const ciel::Vec3d& centre) {
+        mesh, points, [&](ciel::Index cell, std::span<const ciel::FaceShape> faces, const ciel::Vec3d& centre) {
             for (const ciel::FaceShape& face : faces) {
                 const ciel::Vec3d arm = face.centre - centre;
                 const double longest = std::sqrt(ciel::dot(face.area, face.area) * ciel::dot(arm, arm));

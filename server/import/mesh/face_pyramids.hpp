@@ -2,7 +2,7 @@
 // volume. The import keeps cells with inverted pyramids, because their winding is consistent.
 #pragma once
 
-#include "ciel/face_mesh.hpp"
+#include "ciel/matched_cells.hpp"
 
 namespace server::importer {
 
@@ -11,6 +11,7 @@ struct InvertedPyramids {
     std::vector<ciel::Index> cells; // ids of the cells with inverted pyramids in the mesh, sorted, distinct
 };
 
-[[nodiscard]] InvertedPyramids find_inverted_pyramids(const ciel::FaceMeshView& mesh);
+// `points`: the positions of the mesh.
+[[nodiscard]] InvertedPyramids find_inverted_pyramids(const ciel::MatchedCells& mesh, const ciel::FaceMeshView& points);
 
 } // namespace server::importer

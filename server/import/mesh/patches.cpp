@@ -61,11 +61,12 @@ private:
 // A welded point is replaced by its representative.
 class ById {
 public:
-    ById(const ciel::Assembled& assembled, const JoinedMesh& joined, const std::vector<ciel::Index>& representative)
+    ById(const ciel::FaceMeshView& boundary, std::span<const ciel::Index> point_of_vertex, const JoinedMesh& joined,
+         const std::vector<ciel::Index>& representative)
         : representative_(representative), stored_(joined.point_count, ciel::none) {
-        for (ciel::Index vertex = 0; vertex < assembled.original_vertex.size(); ++vertex)
-            stored_[assembled.original_vertex[vertex]] = vertex;
-        add_boundary(assembled.mesh.view(), faces_, [](std::span<const ciel::Index> loop) {
+        for (ciel::Index vertex = 0; vertex < point_of_vertex.size(); ++vertex)
+            stored_[point_of_vertex[vertex]] = vertex;
+        add_boundary(boundary, faces_, [](std::span<const ciel::Index> loop) {
             return normalised({loop.begin(), loop.end()});
         });
     }
@@ -81,15 +82,16 @@ public:
 
 private:
     const std::vector<ciel::Index>& representative_;
-    std::vector<ciel::Index> stored_; // running point -> vertex of the assembled mesh, or `none`
+    std::vector<ciel::Index> stored_; // running point -> stored vertex, or `none`
     BoundaryFaces faces_;
     vtkNew<vtkIdList> ids_;
 };
 
 class Matcher {
 public:
-    Matcher(const ciel::Assembled& assembled, const JoinedMesh& joined, const std::vector<ciel::Index>& representative)
-        : assembled_(assembled), joined_(joined), representative_(representative) {}
+    Matcher(const ciel::FaceMeshView& boundary, std::span<const ciel::Index> point_of_vertex, const JoinedMesh& joined,
+            const std::vector<ciel::Index>& representative)
+        : boundary_(boundary), point_of_vertex_(point_of_vertex), joined_(joined), representative_(representative) {}
 
     void add(Patch patch, vtkDataSet* data, std::span<const vtkIdType> cells) {
         const JoinedMesh::Member* member = member_with_points_of(data);
@@ -121,15 +123,16 @@ private:
         return found == joined_.members.end() ? nullptr : &*found;
     }
     ByPlace& by_place() {
-        if (!by_place_) by_place_.emplace(assembled_.mesh.view());
+        if (!by_place_) by_place_.emplace(boundary_);
         return *by_place_;
     }
     ById& by_id() {
-        if (!by_id_) by_id_.emplace(assembled_, joined_, representative_);
+        if (!by_id_) by_id_.emplace(boundary_, point_of_vertex_, joined_, representative_);
         return *by_id_;
     }
 
-    const ciel::Assembled& assembled_;
+    const ciel::FaceMeshView boundary_;
+    std::span<const ciel::Index> point_of_vertex_;
     const JoinedMesh& joined_;
     const std::vector<ciel::Index>& representative_;
     std::optional<ByPlace> by_place_;
@@ -139,10 +142,10 @@ private:
 
 } // namespace
 
-std::vector<Patch> match_patches(const ciel::Assembled& assembled, const JoinedMesh& joined,
-                                 const std::vector<ciel::Index>& representative,
+std::vector<Patch> match_patches(const ciel::FaceMesh& boundary, std::span<const ciel::Index> point_of_vertex,
+                                 const JoinedMesh& joined, const std::vector<ciel::Index>& representative,
                                  const std::vector<InputGrid>& surfaces) {
-    Matcher matcher(assembled, joined, representative);
+    Matcher matcher(boundary.view(), point_of_vertex, joined, representative);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         std::vector<vtkIdType> cells(static_cast<std::size_t>(surfaces[i].data->GetNumberOfCells()));
         std::iota(cells.begin(), cells.end(), vtkIdType{0});

@@ -81,12 +81,12 @@ private:
 
 class PieceMatcher {
 public:
-    PieceMatcher(const ciel::Assembled& assembled, const JoinedMesh& joined)
-        : assembled_(assembled), joined_(joined), mesh_(assembled.mesh.view()), index_(mesh_) {}
+    PieceMatcher(const ciel::MatchedCells& cells, const JoinedMesh& joined)
+        : cells_(cells), joined_(joined), boundary_(cells.boundary()), mesh_(boundary_.view()), index_(mesh_) {}
 
     PieceJoins run() {
         for (ciel::Index face = 0; face < mesh_.face_count(); ++face) {
-            if (mesh_.neighbour[face] == ciel::none && joined_.members[piece_of(face)].whole >= 0) add(face);
+            if (joined_.members[piece_of(face)].whole >= 0) add(face);
         }
         for (const auto& [corners, faces] : open_)
             for (const ciel::Index face : faces)
@@ -97,7 +97,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t piece_of(ciel::Index face) const {
-        return piece_of_cell(joined_.members, assembled_.original_cell[mesh_.owner[face]]);
+        return piece_of_cell(joined_.members, cells_.original_cell()[mesh_.owner[face]]);
     }
     [[nodiscard]] bool are_of_one_whole(ciel::Index a, ciel::Index b) const {
         const std::size_t piece = piece_of(a), other = piece_of(b);
@@ -119,21 +119,22 @@ private:
         const JoinedMesh::Member &piece_a = joined_.members[piece_of(a)], &piece_b = joined_.members[piece_of(b)];
         PointPairs pairs;
         for (const ciel::Index vertex : mesh_.loop(b)) {
-            const PiecePoint point = point_of(piece_b, assembled_.original_vertex[vertex]);
+            const PiecePoint point = point_of(piece_b, cells_.original_vertex()[vertex]);
             std::optional<ciel::Index> same;
             for (const ciel::Index candidate : mesh_.loop(a))
-                if (are_the_same(point_of(piece_a, assembled_.original_vertex[candidate]), point))
-                    same = assembled_.original_vertex[candidate];
+                if (are_the_same(point_of(piece_a, cells_.original_vertex()[candidate]), point))
+                    same = cells_.original_vertex()[candidate];
             if (!same) return false;
-            pairs.emplace_back(*same, assembled_.original_vertex[vertex]);
+            pairs.emplace_back(*same, cells_.original_vertex()[vertex]);
         }
         cut_.points.insert(cut_.points.end(), pairs.begin(), pairs.end());
         ++cut_.faces;
         return true;
     }
 
-    const ciel::Assembled& assembled_;
+    const ciel::MatchedCells& cells_;
     const JoinedMesh& joined_;
+    ciel::FaceMesh boundary_;
     ciel::FaceMeshView mesh_;
     CornerIndex index_;
     std::unordered_map<Corners, std::vector<ciel::Index>, CornersHash> open_;
@@ -142,8 +143,8 @@ private:
 
 } // namespace
 
-PieceJoins find_cut_between_pieces(const ciel::Assembled& assembled, const JoinedMesh& joined) {
-    return PieceMatcher(assembled, joined).run();
+PieceJoins find_cut_between_pieces(const ciel::MatchedCells& cells, const JoinedMesh& joined) {
+    return PieceMatcher(cells, joined).run();
 }
 
 bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces) {

@@ -4,6 +4,7 @@
 // crack within a piece stays open. A crack along a cut stays open if the values on its two sides differ.
 #pragma once
 
+#include "ciel/matched_cells.hpp"
 #include "import/mesh/joined_mesh.hpp"
 
 #include <utility>
@@ -18,7 +19,7 @@ struct PieceJoins {
 };
 
 // `assembled`: the mesh assembled from `joined` before any points are joined.
-[[nodiscard]] PieceJoins find_cut_between_pieces(const ciel::Assembled& assembled, const JoinedMesh& joined);
+[[nodiscard]] PieceJoins find_cut_between_pieces(const ciel::MatchedCells& cells, const JoinedMesh& joined);
 
 // `pieces`: the members of the mesh with the data of the later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces);

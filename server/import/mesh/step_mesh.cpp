@@ -86,10 +86,10 @@ void describe_joining(const JoinedMesh& joined, StepMesh& mesh) {
 
 void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
     constexpr std::size_t shown = 10;
-    const InvertedPyramids inverted = find_inverted_pyramids(mesh.view());
+    const InvertedPyramids inverted = find_inverted_pyramids(mesh.cells->matched, mesh.view());
     if (inverted.count == 0) return;
     std::vector<ciel::Index> ids;
-    for (const ciel::Index cell : inverted.cells) ids.push_back(mesh.assembled.original_cell[cell]);
+    for (const ciel::Index cell : inverted.cells) ids.push_back(mesh.cells->matched.original_cell()[cell]);
     std::sort(ids.begin(), ids.end());
     ids.resize(std::min(ids.size(), shown));
     mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the centre of " +
@@ -116,7 +116,7 @@ void name_patches(const std::vector<InputGrid>& surfaces, StepMesh& mesh) {
 void name_members(const JoinedMesh& joined, StepMesh& mesh) {
     std::map<std::string, std::vector<ciel::Index>> ids;
     std::vector<std::string> names; // in order of first use
-    const std::vector<ciel::Index>& original = mesh.assembled.original_cell;
+    const std::span<const ciel::Index> original = mesh.cells->matched.original_cell();
     std::vector<ciel::Index> stored(joined.cell_types.size(), ciel::none);
     for (ciel::Index cell = 0; cell < original.size(); ++cell) stored[original[cell]] = cell;
     for (const JoinedMesh::Member& member : joined.members) {
@@ -146,8 +146,8 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
     if (zones.empty()) return;
     std::vector<Zone> found;
     std::unordered_map<ciel::Index, ciel::Index> stored; // running cell -> cell of the assembled mesh
-    for (ciel::Index cell = 0; cell < mesh.assembled.original_cell.size(); ++cell)
-        stored.emplace(joined.source_cell[mesh.assembled.original_cell[cell]], cell);
+    const std::span<const ciel::Index> original = mesh.cells->matched.original_cell();
+    for (ciel::Index cell = 0; cell < original.size(); ++cell) stored.emplace(joined.source_cell[original[cell]], cell);
     for (const NamedCells& named : zones) {
         Zone zone{named.name, {}, 0};
         for (const ciel::Index cell : named.cells) {
@@ -165,7 +165,7 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
 }
 
 PieceJoins find_cuts(const JoinedMesh& joined, const InputGrids& input_grids) {
-    if (has_pieces(joined)) return find_cut_between_pieces(ciel::assemble(joined.view()), joined);
+    if (has_pieces(joined)) return find_cut_between_pieces(ciel::MatchedCells(joined.view()), joined);
     return {input_grids.same_points, input_grids.joined_faces, input_grids.single_faces, 0};
 }
 
@@ -177,6 +177,29 @@ std::vector<T> reordered(std::span<const T> running, std::span<const ciel::Index
         std::copy_n(running.begin() + static_cast<std::ptrdiff_t>(stored_to_running[i] * width), width,
                     stored.begin() + static_cast<std::ptrdiff_t>(i * width));
     return stored;
+}
+
+void find_cells(JoinedMesh joined, StepMesh& mesh) {
+    mesh.cells = std::make_unique<NewCells>(std::move(joined));
+    const ciel::MatchedCells& matched = mesh.cells->matched;
+    describe_assembly(mesh.cells->joined, matched.report(), mesh);
+    if (matched.original_cell().empty())
+        throw ciel::Error("none of its " + std::to_string(mesh.input_cells) +
+                          " cells can be used: " + reason_text(matched.report().bad_cells.at(0).reason));
+    mesh.boundary = matched.boundary();
+    mesh.point_of_vertex.assign(matched.original_vertex().begin(), matched.original_vertex().end());
+    mesh.cell_of_cell.reserve(matched.original_cell().size());
+    for (const ciel::Index cell : matched.original_cell())
+        mesh.cell_of_cell.push_back(mesh.cells->joined.source_cell[cell]);
+}
+
+void name_groups(const InputGrids& input_grids, const std::vector<ciel::Index>& representative, StepMesh& mesh) {
+    const JoinedMesh& joined = mesh.cells->joined;
+    mesh.patches = match_patches(mesh.boundary, mesh.point_of_vertex, joined, representative, input_grids.surfaces);
+    name_patches(input_grids.surfaces, mesh);
+    name_members(joined, mesh);
+    name_zones(match_zones(mesh.cells->matched, mesh.view(), input_grids.zones), mesh);
+    name_cells(joined, input_grids.named_cells, mesh);
 }
 
 } // namespace
@@ -207,22 +230,10 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     if (!welds.representative.empty())
         JoinedMesh::for_vertices(joined, [&](ciel::Index& vertex) { vertex = welds.representative[vertex]; });
 
-    mesh.assembled = ciel::assemble(joined.view());
-    describe_assembly(joined, mesh.assembled.report, mesh);
-    if (mesh.assembled.mesh.cell_types.empty())
-        throw ciel::Error("none of its " + std::to_string(mesh.input_cells) +
-                          " cells can be used: " + reason_text(mesh.assembled.report.bad_cells.at(0).reason));
-    mesh.patches = match_patches(mesh.assembled, joined, welds.representative, input_grids.surfaces);
-    name_patches(input_grids.surfaces, mesh);
-    name_members(joined, mesh);
-    name_zones(match_zones(mesh.view(), input_grids.zones), mesh);
-    name_cells(joined, input_grids.named_cells, mesh);
-    describe_shapes(joined, mesh);
-
-    mesh.point_of_vertex = mesh.assembled.original_vertex;
-    mesh.cell_of_cell.reserve(mesh.assembled.original_cell.size());
-    for (const ciel::Index cell : mesh.assembled.original_cell) mesh.cell_of_cell.push_back(joined.source_cell[cell]);
-    mesh.members = std::move(joined.members);
+    find_cells(std::move(joined), mesh);
+    name_groups(input_grids, welds.representative, mesh);
+    describe_shapes(mesh.cells->joined, mesh);
+    mesh.members = mesh.cells->joined.members;
     return mesh;
 }
 
@@ -230,7 +241,7 @@ void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved)
     for (std::size_t i = 0; i < mesh.members.size(); ++i) mesh.members[i].data = input_grids.volumes[i].data;
     if (!moved) return;
     point_positions(mesh.members, mesh.point_count).with([&](auto running) {
-        mesh.assembled.mesh.set_positions(reordered(running, mesh.point_of_vertex, 3));
+        mesh.boundary.set_positions(reordered(running, mesh.point_of_vertex, 3));
     });
 }
 

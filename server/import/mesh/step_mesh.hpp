@@ -7,12 +7,23 @@
 #include "import/mesh/welds.hpp"
 #include "store/writer.hpp"
 
+#include <memory>
+
 namespace server::importer {
+
+// The cells of a mesh that is not yet written.
+struct NewCells {
+    explicit NewCells(JoinedMesh mesh) : joined(std::move(mesh)), matched(joined.view()) {}
+
+    JoinedMesh joined;
+    ciel::MatchedCells matched;
+};
 
 struct StepMesh {
     std::vector<JoinedMesh::Member> members; // with the data of the step that was read last
     ciel::Index point_count = 0;
-    ciel::Assembled assembled;
+    std::unique_ptr<NewCells> cells;          // null after the mesh has been written
+    ciel::FaceMesh boundary;                  // positions and types of the cells, and the boundary faces
     std::vector<ciel::Index> point_of_vertex; // stored vertex -> running point
     std::vector<ciel::Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
@@ -23,7 +34,7 @@ struct StepMesh {
     std::uint64_t bad_cells = 0;
     std::vector<std::string> notes;
 
-    [[nodiscard]] ciel::FaceMeshView view() const { return assembled.mesh.view(); }
+    [[nodiscard]] ciel::FaceMeshView view() const { return boundary.view(); }
 };
 
 // Throws Error if no volume cell is usable, and for the errors of join_input_grids().

@@ -8,28 +8,22 @@ namespace server::importer {
 
 namespace {
 
-std::unordered_map<Corners, ciel::Index, CornersHash> cells_by_corners(const ciel::FaceMeshView& mesh,
+std::unordered_map<Corners, ciel::Index, CornersHash> cells_by_corners(const ciel::MatchedCells& cells,
                                                                        CornerIndex& index) {
-    std::vector<std::vector<ciel::Index>> vertices(mesh.cell_count());
-    for (ciel::Index face = 0; face < mesh.face_count(); ++face)
-        for (const ciel::Index cell : {mesh.owner[face], mesh.neighbour[face]})
-            if (cell != ciel::none)
-                vertices[cell].insert(vertices[cell].end(), mesh.loop(face).begin(), mesh.loop(face).end());
-    std::unordered_map<Corners, ciel::Index, CornersHash> cells;
-    cells.reserve(vertices.size());
-    for (ciel::Index cell = 0; cell < vertices.size(); ++cell) {
-        cells.try_emplace(index.learn(vertices[cell]), cell);
-        vertices[cell] = {};
-    }
-    return cells;
+    std::unordered_map<Corners, ciel::Index, CornersHash> by_corners;
+    const auto count = static_cast<ciel::Index>(cells.original_cell().size());
+    by_corners.reserve(count);
+    for (ciel::Index cell = 0; cell < count; ++cell) by_corners.try_emplace(index.learn(cells.corners(cell)), cell);
+    return by_corners;
 }
 
 } // namespace
 
-std::vector<Zone> match_zones(const ciel::FaceMeshView& mesh, const std::vector<InputGrid>& zones) {
+std::vector<Zone> match_zones(const ciel::MatchedCells& mesh, const ciel::FaceMeshView& points,
+                              const std::vector<InputGrid>& zones) {
     std::vector<Zone> matched;
     if (zones.empty()) return matched;
-    CornerIndex index(mesh);
+    CornerIndex index(points);
     const auto cells = cells_by_corners(mesh, index);
     for (const InputGrid& input_grid : zones) {
         Zone zone{input_grid.name, {}, 0};

@@ -1,6 +1,7 @@
 // Finds the cells of zones, which are named copies of cells in the input, by the coordinates of the corners.
 #pragma once
 
+#include "ciel/matched_cells.hpp"
 #include "import/mesh/joined_mesh.hpp"
 
 namespace server::importer {
@@ -11,6 +12,8 @@ struct Zone {
     std::uint64_t unmatched = 0;    // number of cells of the zone that are not in the mesh
 };
 
-[[nodiscard]] std::vector<Zone> match_zones(const ciel::FaceMeshView& mesh, const std::vector<InputGrid>& zones);
+// `points`: the positions of the mesh.
+[[nodiscard]] std::vector<Zone> match_zones(const ciel::MatchedCells& mesh, const ciel::FaceMeshView& points,
+                                            const std::vector<InputGrid>& zones);
 
 } // namespace server::importer

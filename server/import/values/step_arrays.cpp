@@ -111,14 +111,15 @@ void StepArrays::add(const FieldName& field, const std::string& name, store::Ass
 }
 
 void StepArrays::add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field,
-                                bool point_field_exists, std::unique_ptr<PointMaker>& maker) {
+                                bool point_field_exists, const TopologyOf& topology,
+                                std::unique_ptr<PointMaker>& maker) {
     const std::string name = stored_name(field.name);
     store::Values cells = to_stored(gather_field(mesh.members, field), mesh.cell_of_cell, field.components);
     // Other steps may have a point array of this name with other components. If the components of that point array are
     // the chosen components, accept() returns false.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
-            maker = std::make_unique<PointMaker>(PointMaker{ciel::PointInterpolation(mesh.view()),
+            maker = std::make_unique<PointMaker>(PointMaker{ciel::PointInterpolation(topology(), mesh.view()),
                                                             WallValues(mesh.view(), mesh.patches),
                                                             PatchFaces(mesh.view(), mesh.patches)});
         const std::vector<PatchValues> on_patches = patch_values(mesh, input_grids, field);
@@ -144,7 +145,7 @@ std::vector<std::string> StepArrays::notes() const {
 }
 
 const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const StepMesh& mesh,
-                                                        const InputGrids& input_grids,
+                                                        const InputGrids& input_grids, const TopologyOf& topology,
                                                         std::unique_ptr<PointMaker>& maker) {
     step_ = step;
     arrays_.clear();
@@ -172,7 +173,7 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
         if (!accept(field, stored)) continue;
         loss_.look_at(mesh.members, field, doubles_.try_emplace(stored, field.doubles).first->second);
         if (cell)
-            add_cell_field(mesh, input_grids, field, has_points(name), maker);
+            add_cell_field(mesh, input_grids, field, has_points(name), topology, maker);
         else
             add(field, name, store::Association::point, origin_of(field),
                 to_stored(gather_field(mesh.members, field), mesh.point_of_vertex, field.components));

@@ -12,6 +12,7 @@
 #include "import/values/wall_values.hpp"
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -24,6 +25,8 @@ struct PointMaker {
     PatchFaces patch_faces;
 };
 
+using TopologyOf = std::function<const ciel::Topology&()>; // of the step's mesh, which has been written
+
 class StepArrays {
 public:
     // Leaves out arrays that `selection` does not want, and calls selection.saw() for all arrays.
@@ -31,8 +34,9 @@ public:
         : selection_(selection), source_(source), units_(source.units()), components_(std::move(components)) {}
 
     // Makes the arrays of the step that was read last, valid until the next call. Creates `maker` if it is needed.
-    [[nodiscard]] const std::vector<store::ArrayValues>&
-    make(std::size_t step, const StepMesh& mesh, const InputGrids& input_grids, std::unique_ptr<PointMaker>& maker);
+    [[nodiscard]] const std::vector<store::ArrayValues>& make(std::size_t step, const StepMesh& mesh,
+                                                              const InputGrids& input_grids, const TopologyOf& topology,
+                                                              std::unique_ptr<PointMaker>& maker);
 
     // Returns notes on arrays left out, unknown boundary conditions, and values that the stored type changes.
     [[nodiscard]] std::vector<std::string> notes() const;
@@ -46,7 +50,7 @@ private:
     [[nodiscard]] bool accept(FieldName& field, const std::string& stored);
     [[nodiscard]] store::Origin origin_of(const FieldName& field) const;
     void add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field, bool point_field_exists,
-                        std::unique_ptr<PointMaker>& maker);
+                        const TopologyOf& topology, std::unique_ptr<PointMaker>& maker);
     void note_unknown_conditions(const StepMesh& mesh, const InputGrids& input_grids, const FieldName& field);
 
     ArraySelection& selection_;

@@ -1,6 +1,6 @@
 // A cell whose value is not a finite number is left out of every layer that shows its array, and no other cell is. The
 // dataset "sound" has finite values in all cells, for comparison.
-#include "ciel/cell_geometry.hpp"
+#include "ciel/cell_shapes.hpp"
 #include "ciel/point_interpolation.hpp"
 #include "geometry/volume_cut.hpp"
 #include "store/catalog.hpp"
@@ -37,9 +37,11 @@ protected:
     void write(const std::string& name, const std::set<Index>& wrong) {
         const Assembled made = assemble(test::view(test::hexahedra({{edge, edge, edge}})));
         const FaceMeshView mesh = made.mesh.view();
+        const Topology topology(mesh);
         std::vector<float> cells;
-        for (const Vec3d& centre : cell_centres(mesh)) cells.push_back(static_cast<float>(centre[0] + mesh.origin[0]));
-        const std::vector<float> points = PointInterpolation(mesh).apply(cells, 1);
+        for (const Vec3d& centre : cell_centres(topology, mesh))
+            cells.push_back(static_cast<float>(centre[0] + mesh.origin[0]));
+        const std::vector<float> points = PointInterpolation(topology, mesh).apply(cells, 1);
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (wrong.contains(made.original_cell[i])) cells[i] = std::numeric_limits<float>::infinity();
         store::ArrayInfo on_points{"p", store::Association::point, 1, "", ""};

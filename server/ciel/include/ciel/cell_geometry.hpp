@@ -1,10 +1,9 @@
-// Computes centers and areas of faces, and centroids of cells. Not in the paper. All functions: any thread. The caller
+// Computes centers and areas of faces. Not in the paper. All functions: any thread. The caller
 // must have loaded the positions (FaceMeshView::loader).
 #pragma once
 
 #include "ciel/face_mesh.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace ciel {
@@ -39,16 +38,5 @@ struct FaceShape {
 // Returns the shape of the face whose vertex ids are `loop`. REQUIRES: loop is not empty, and all ids are below
 // mesh.vertex_count().
 [[nodiscard]] FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop);
-
-// `faces`: the faces of the cell, in the order of their ids; the areas point out of the cell. `centre`: its centroid,
-// as an offset from the mesh's origin.
-using OnCell = std::function<void(Index cell, std::span<const FaceShape> faces, const Vec3d& centre)>;
-// Calls visit(cell, faces, centre) for each cell of the mesh. Several threads may call it at the same time, for
-// different cells; `faces` is valid only during the call. Keeps the shapes of no other cells. Uses all threads of
-// parallel_for.
-void for_cell_shapes(const FaceMeshView& mesh, const OnCell& visit);
-
-// Returns the centroids of all cells, by cell id, as offsets from the mesh's origin. Uses all threads of parallel_for.
-[[nodiscard]] std::vector<Vec3d> cell_centres(const FaceMeshView& mesh);
 
 } // namespace ciel

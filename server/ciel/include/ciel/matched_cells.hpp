@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ciel/assemble.hpp"
-#include "ciel/numbered_faces.hpp"
 
 #include <memory>
 #include <span>
@@ -23,10 +22,10 @@ public:
     [[nodiscard]] const AssembleReport& report() const;
     [[nodiscard]] std::span<const Index> original_vertex() const; // stored vertex -> input vertex
     [[nodiscard]] std::span<const Index> original_cell() const;   // stored cell -> input cell
-    // Returns the positions and the cell types of the mesh, without faces.
-    [[nodiscard]] FaceMesh points() const;
-    // Returns the boundary faces, in the order of numbered_faces().
-    [[nodiscard]] FaceLists boundary_faces() const;
+    // Returns the positions and cell types of the mesh, and its boundary faces in the order of numbered_faces().
+    [[nodiscard]] FaceMesh boundary() const;
+    // Returns the vertices of a cell in ascending order.
+    [[nodiscard]] std::vector<Index> corners(Index cell) const;
 
     struct Data; // defined in src/mesh/matched_cells.hpp, for the kernel only
     [[nodiscard]] const Data& data() const { return *data_; }

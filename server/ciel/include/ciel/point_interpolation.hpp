@@ -4,7 +4,7 @@
 // Not in the paper.
 #pragma once
 
-#include "ciel/face_mesh.hpp"
+#include "ciel/topology.hpp"
 
 #include <span>
 #include <vector>
@@ -12,11 +12,13 @@
 namespace ciel {
 
 // The weights of the cells around each vertex of a mesh. Only cells that have the vertex contribute. Therefore values
-// do not mix between regions of the mesh that share no vertices. The constructor throws Error when an index in the mesh
-// is out of range, and uses all threads of parallel_for.
+// do not mix between regions of the mesh that share no vertices. The constructor throws Error when a record is damaged
+// or an index of the mesh is out of range, and uses all threads of parallel_for.
 class PointInterpolation {
 public:
-    explicit PointInterpolation(const FaceMeshView& mesh);
+    // `boundary`: the positions of the topology's vertices, which must be loaded, and the boundary faces of the mesh;
+    // other faces are ignored.
+    PointInterpolation(const Topology& topology, const FaceMeshView& boundary);
 
     // Converts cell values to point values. `cell_values`: `components` interleaved values for each cell. Returns
     // `components` interleaved values for each vertex. A mean leaves out values that are not finite. A vertex without
@@ -25,7 +27,7 @@ public:
     [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
 
 private:
-    void find_cells(const FaceMeshView& mesh);
+    void find_cells(const Topology& topology);
     template <class T>
     [[nodiscard]] std::vector<T> apply_to(std::span<const T> cell_values, int components) const;
 

@@ -65,7 +65,7 @@ const Mesh& mesh_of(const Field& field) {
 std::vector<double> at_points(const Mesh& mesh, const ArrayView& of_cells) {
     const std::span<const Index> vertex = mesh.original_vertex();
     const std::size_t width = of_cells.columns();
-    const PointInterpolation points(mesh.stored());
+    const PointInterpolation points(mesh.topology(), mesh.stored());
     std::vector<double> out(mesh.point_count() * width, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t c = 0; c < width; ++c)
         StoredValues(mesh, of_cells.column(c), PerItem::cell).with([&]<class T>(const std::vector<T>& cells) {

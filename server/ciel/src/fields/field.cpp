@@ -66,7 +66,7 @@ Field::Field(const Mesh& mesh, const ArrayView& values) {
 
 Field Field::from_cells(const Mesh& mesh, const ArrayView& values) {
     return StoredValues(mesh, values, PerItem::cell).with([&]<class T>(const std::vector<T>& of_cells) {
-        const PointInterpolation points(mesh.stored());
+        const PointInterpolation points(mesh.topology(), mesh.stored());
         return Field(mesh, std::make_shared<const std::vector<T>>(points.apply(std::span<const T>(of_cells), 1)));
     });
 }

@@ -1,11 +1,14 @@
 #include "ciel/point_interpolation.hpp"
 
-#include "ciel/cell_geometry.hpp"
+#include "blocks/blocks.hpp"
+#include "blocks/cell_loops.hpp"
+#include "ciel/cell_shapes.hpp"
 #include "ciel/linear_weights.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -43,10 +46,10 @@ private:
 
 } // namespace
 
-PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
-    find_cells(mesh);
+PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshView& mesh) {
+    const std::vector<Vec3d> centres = cell_centres(topology, mesh);
+    find_cells(topology);
     weight_.assign(cell_.size(), 0.0F);
-    const std::vector<Vec3d> centres = cell_centres(mesh);
     const BoundaryNormals normals(mesh);
     parallel_for(mesh.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3d> displacements;
@@ -64,37 +67,40 @@ PointInterpolation::PointInterpolation(const FaceMeshView& mesh) {
     });
 }
 
-void PointInterpolation::find_cells(const FaceMeshView& mesh) {
-    const std::size_t vertices = mesh.vertex_count();
-    std::vector<Index> loop;
+// Threads add the cells of a vertex in any order, so that they are sorted afterwards.
+void PointInterpolation::find_cells(const Topology& topology) {
+    const std::size_t vertices = topology.counts().vertices;
+    const Topology::Blocks& blocks = topology.blocks();
     const auto for_each_pair = [&](auto&& visit) {
-        for (Index face = 0; face < mesh.face_count(); ++face) {
-            read_loop(mesh, face, loop);
-            const FaceCells beside = read_cells(mesh, face);
-            for (const Index vertex : loop) {
-                visit(vertex, beside.owner);
-                if (beside.neighbour != none) visit(vertex, beside.neighbour);
-            }
-        }
+        parallel_for(blocks.count(), 1, [&](std::size_t first, std::size_t last) {
+            detail::CellLoops loops;
+            std::vector<Index> corners;
+            for (auto b = static_cast<Index>(first); b < last; ++b)
+                detail::for_cells(blocks.cells(b), loops, [&](Index cell, const detail::CellLoops& of_cell) {
+                    corners.assign(of_cell.vertex.begin(), of_cell.vertex.end());
+                    std::ranges::sort(corners);
+                    const auto repeated = std::ranges::unique(corners);
+                    for (auto at = corners.begin(); at != repeated.begin(); ++at) visit(*at, cell);
+                });
+        });
     };
-    std::vector<std::uint64_t> begin(vertices + 1, 0);
-    for_each_pair([&](Index vertex, Index) { ++begin[vertex + 1]; });
-    for (std::size_t i = 0; i < vertices; ++i) begin[i + 1] += begin[i];
-    std::vector<Index> all(begin.back());
-    std::vector<std::uint64_t> next(begin.begin(), begin.end() - 1);
-    for_each_pair([&](Index vertex, Index cell) {
-        if (next[vertex] == begin[vertex + 1]) fail("the mesh changed while it was read; restore its files");
-        all[next[vertex]++] = cell;
+    offset_.assign(vertices + 1, 0);
+    for_each_pair([&](Index vertex, Index) {
+        std::atomic_ref(offset_[std::size_t{vertex} + 1]).fetch_add(1, std::memory_order_relaxed);
     });
-
-    offset_.assign(1, 0);
-    for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-        const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin[vertex]);
-        const auto last = all.begin() + static_cast<std::ptrdiff_t>(begin[vertex + 1]);
-        std::sort(first, last);
-        cell_.insert(cell_.end(), first, std::unique(first, last));
-        offset_.push_back(cell_.size());
-    }
+    for (std::size_t i = 0; i < vertices; ++i) offset_[i + 1] += offset_[i];
+    cell_.resize(offset_.back());
+    std::vector<std::uint64_t> next(offset_.begin(), offset_.end() - 1);
+    for_each_pair([&](Index vertex, Index cell) {
+        const std::uint64_t at = std::atomic_ref(next[vertex]).fetch_add(1, std::memory_order_relaxed);
+        if (at >= offset_[std::size_t{vertex} + 1]) fail("the mesh changed while it was read; restore its files");
+        cell_[at] = cell;
+    });
+    parallel_for(vertices, grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t vertex = first; vertex < last; ++vertex)
+            std::sort(cell_.begin() + static_cast<std::ptrdiff_t>(offset_[vertex]),
+                      cell_.begin() + static_cast<std::ptrdiff_t>(offset_[vertex + 1]));
+    });
 }
 
 template <class T>

@@ -51,7 +51,7 @@ Assembled assemble(const PolyhedraView& input) {
     const MatchedCells matched(input);
     const MatchedCells::Data& cells = matched.data();
     Assembled out;
-    out.mesh = matched.points();
+    out.mesh = cells.points();
     list_faces(cells, out.mesh);
     write_loops(cells, out.mesh);
     out.original_vertex = cells.original_vertex;

@@ -194,6 +194,23 @@ void MatchedCells::Data::append_loop(Index cell, Index face, std::vector<Index>&
         std::ranges::for_each(loop, append);
 }
 
+FaceMesh MatchedCells::Data::points() const {
+    const PolyhedraView& view = input.input();
+    FaceMesh mesh;
+    mesh.origin = view.origin;
+    mesh.cell_types.resize(order.size());
+    for (Index cell = 0; cell < cell_count(); ++cell)
+        mesh.cell_types[cell] = static_cast<std::uint8_t>(cell_type(cell));
+    view.positions.with([&]<class Number>(std::span<const Number> all) {
+        std::vector<Number> positions;
+        positions.reserve(3 * original_vertex.size());
+        for (const Index v : original_vertex)
+            for (std::size_t i = 0; i < 3; ++i) positions.push_back(all[3 * std::size_t{v} + i]);
+        mesh.set_positions(std::move(positions));
+    });
+    return mesh;
+}
+
 MatchedCells::MatchedCells(const PolyhedraView& view) : data_(std::make_unique<Data>(view)) {
     Judged judged = judge_cells(data_->input);
     data_->neighbour = neighbours_of(data_->input, judged, data_->report);
@@ -220,37 +237,28 @@ const AssembleReport& MatchedCells::report() const { return data_->report; }
 std::span<const Index> MatchedCells::original_vertex() const { return data_->original_vertex; }
 std::span<const Index> MatchedCells::original_cell() const { return data_->order; }
 
-FaceMesh MatchedCells::points() const {
-    const PolyhedraView& view = data_->input.input();
-    FaceMesh mesh;
-    mesh.origin = view.origin;
-    mesh.cell_types.resize(data_->order.size());
-    for (Index cell = 0; cell < data_->cell_count(); ++cell)
-        mesh.cell_types[cell] = static_cast<std::uint8_t>(data_->cell_type(cell));
-    view.positions.with([&]<class Number>(std::span<const Number> all) {
-        std::vector<Number> positions;
-        positions.reserve(3 * data_->original_vertex.size());
-        for (const Index v : data_->original_vertex)
-            for (std::size_t i = 0; i < 3; ++i) positions.push_back(all[3 * std::size_t{v} + i]);
-        mesh.set_positions(std::move(positions));
-    });
-    return mesh;
-}
-
-FaceLists MatchedCells::boundary_faces() const {
-    FaceLists faces;
+FaceMesh MatchedCells::boundary() const {
+    FaceMesh mesh = data_->points();
     std::vector<Data::OwnFace> own;
     for (Index cell = 0; cell < data_->cell_count(); ++cell) {
         data_->list_own(cell, own);
         for (const auto& [other, face] : own) {
             if (other != none) continue;
-            data_->append_loop(cell, face, faces.face_vertex);
-            faces.face_offset.push_back(faces.face_vertex.size());
-            faces.owner.push_back(cell);
-            faces.neighbour.push_back(none);
+            data_->append_loop(cell, face, mesh.face_vertex);
+            mesh.face_offset.push_back(mesh.face_vertex.size());
+            mesh.owner.push_back(cell);
+            mesh.neighbour.push_back(none);
         }
     }
-    return faces;
+    return mesh;
+}
+
+std::vector<Index> MatchedCells::corners(Index cell) const {
+    std::vector<Index> corners;
+    data_->for_faces(cell, [&](Index face, Index) { data_->append_loop(cell, face, corners); });
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
 }
 
 } // namespace ciel

@@ -35,6 +35,7 @@ struct MatchedCells::Data {
     }
     // Sets `out` to the faces that a stored cell owns, in the order of their ids.
     void list_own(Index cell, std::vector<OwnFace>& out) const;
+    [[nodiscard]] FaceMesh points() const; // without faces
     // Appends the stored vertices of a face of the cell, wound outwards.
     void append_loop(Index cell, Index face, std::vector<Index>& out) const;
 };

@@ -1,0 +1,26 @@
+// The shapes of the faces of each cell, and the centroids of cells. Not in the paper.
+#pragma once
+
+#include "ciel/cell_geometry.hpp"
+#include "ciel/matched_cells.hpp"
+#include "ciel/topology.hpp"
+
+#include <functional>
+
+namespace ciel {
+
+// `faces`: the faces of the cell; the areas point out of the cell. `centre`: its centroid, as an offset from the mesh's
+// origin.
+using OnCell = std::function<void(Index cell, std::span<const FaceShape> faces, const Vec3d& centre)>;
+
+// Call visit(cell, faces, centre) for each cell. Several threads may call it at the same time, for different cells;
+// `faces` is valid only during the call. Keep the shapes of no other cells. `points`: the positions of the mesh's
+// vertices; must be loaded. Use all threads of parallel_for. Throw Error when `points` has another number of vertices,
+// or when a record is damaged.
+void for_cell_shapes(const MatchedCells& cells, const FaceMeshView& points, const OnCell& visit);
+void for_cell_shapes(const Topology& topology, const FaceMeshView& points, const OnCell& visit);
+
+// Returns the centroids of all cells, by cell id. Throws Error as for_cell_shapes does.
+[[nodiscard]] std::vector<Vec3d> cell_centres(const Topology& topology, const FaceMeshView& points);
+
+} // namespace ciel
